@@ -13,24 +13,26 @@ struct SymmetricEigen {
   Eigen::MatrixXd vectors;
 };
 
-/// @param matrix  symmetric; its lower triangle is read
+/// Returns the eigenvalues and eigenvectors of a symmetric matrix. @param matrix  its lower triangle is read
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
-/// The eigenvalues alone, ascending.
+/// Returns the eigenvalues of a symmetric matrix alone, ascending. @param matrix  its lower triangle is read
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
-/// Those of a symmetric tridiagonal matrix. @param beside  the off-diagonal, one entry shorter
+/// Returns the eigenvalues of a symmetric tridiagonal matrix, ascending.
+/// @param beside  the off-diagonal, one entry shorter than the diagonal
 Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
 
-/// Solution of a symmetric system, definite or not.
+/// Solves a symmetric system, definite or not.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// The x that minimises |columns x - y|; the smallest one where there are many.
+/// Returns the x that minimises |columns x - y|, and of several such x the one of least norm.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// The first `count` columns of an orthonormal basis of the whole space whose leading columns span the given
-/// ones.
+/// Returns the first `count` columns of an orthonormal basis of the whole space, whose leading columns span the
+/// given ones.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
-/// A = Q R by Householder reflections: y -> R^-1 Q^T y, and R^-1. @pre the columns are independent
+/// Solution R^-1 Q^T y of a system with A = Q R, by Householder reflections, and R^-1. @pre the columns are
+/// independent
 struct LinearSystemByQr {
   Eigen::VectorXd solution;
   Eigen::MatrixXd inverse_of_r;

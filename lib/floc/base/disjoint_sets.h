@@ -6,19 +6,19 @@
 
 namespace floc {
 
-/// The numbers below n in disjoint sets: each is alone at first, joins merge sets (union-find with path
-/// halving). A set is named by its smallest member, so names do not depend on the order of the joins.
+/// Disjoint sets of the numbers below n (union-find with path halving). At first each number is a set of its
+/// own. The name of a set is its smallest member, so that names do not depend on the order of the joins.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(n), n_sets_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// The name of the set that holds i.
+  /// Returns the name of the set that holds i.
   int root(int i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
 
-  /// @return whether they were in different sets
+  /// Merges the sets of i and j. @return whether they were different sets
   bool join(int i, int j) {
     i = root(i), j = root(j);
     if (i == j) return false;

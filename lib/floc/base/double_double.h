@@ -5,8 +5,8 @@
 namespace floc {
 
 /// A double-double number: the unevaluated sum of two doubles with |low| <= half a unit in the last place of
-/// `high`, which makes about 106 bits. For differences that cancel, where a double is too short (Dekker 1971;
-/// Hida, Li and Bailey 2001, "sloppy" forms).
+/// `high`, which gives about 106 bits. Used for differences that cancel, where a double is not precise enough
+/// (Dekker 1971; Hida, Li and Bailey 2001, "sloppy" forms).
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;
@@ -14,14 +14,14 @@ struct DoubleDouble {
   double rounded() const { return high + low; }
 };
 
-/// p + q without error.
+/// Returns p + q without error.
 inline DoubleDouble exact_sum(double p, double q) {
   const double sum = p + q;
   const double q_taken = sum - p;
   return {sum, (p - (sum - q_taken)) + (q - q_taken)};
 }
 
-/// p q without error (except for underflow).
+/// Returns p q without error (except for underflow).
 inline DoubleDouble exact_product(double p, double q) {
   const double product = p * q;
   return {product, std::fma(p, q, -product)};

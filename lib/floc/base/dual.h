@@ -78,7 +78,7 @@ struct Dual {
 
 }  // namespace floc
 
-/// What Eigen has to know to use duals as matrix elements.
+/// Traits that let Eigen use duals as matrix elements.
 template <int N>
 struct Eigen::NumTraits<floc::Dual<N>> : Eigen::NumTraits<double> {
   using Real = floc::Dual<N>;

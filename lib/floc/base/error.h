@@ -20,7 +20,8 @@ class IoError : public std::runtime_error {
   IoError(const std::string& place, const std::string& problem);
 };
 
-/// A computation has no result for a state, which is no fault of the input: why, in words. Exit code 3.
+/// A computation has no result for a state although the input is valid; the message gives the reason. Exit code
+/// 3.
 class NoResult : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
-/// What the kernel could hand out without swapping.
+/// Returns the memory that the kernel could hand out without swapping (bytes).
 double available_on_machine() {
   std::ifstream in("/proc/meminfo");
   double kilobytes = 0.0;
@@ -31,7 +31,8 @@ double left_of_address_space() {
   return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-/// Of a container or a job, as its own hierarchy shows it (version 2).
+/// Returns the memory left of the limit of a container or a job (bytes), as its own hierarchy shows it (version
+/// 2).
 double left_of_control_group() {
   std::ifstream most("/sys/fs/cgroup/memory.max"), used("/sys/fs/cgroup/memory.current");
   double limit = 0.0, now = 0.0;

@@ -9,7 +9,7 @@ namespace floc {
 /// arithmetic on it. Small blocks are left alone; a system without huge pages ignores the request.
 void prefer_huge_pages(void* block, std::size_t bytes);
 
-/// malloc with that request.
+/// Allocates memory by malloc() and requests huge pages for it.
 void* allocate_on_huge_pages(std::size_t bytes);
 
 }  // namespace floc

@@ -4,10 +4,11 @@
 
 namespace floc {
 
-/// While it lives, long work of this thread asks now and then whether to go on.
+/// Listener that long work of this thread calls now and then, as long as the listener exists, to learn whether
+/// to go on.
 class InterruptionListener {
  public:
-  /// @param asked  returns if the work may go on, and throws what is to end it otherwise
+  /// @param asked  function that returns if the work may go on, and otherwise throws the exception that ends it
   explicit InterruptionListener(std::function<void()> asked);
   ~InterruptionListener();
   InterruptionListener(const InterruptionListener&) = delete;
@@ -17,9 +18,9 @@ class InterruptionListener {
   std::function<void()> before_;
 };
 
-/// Asks the listener of this thread, if there is one, at most every 50 ms. It is called between parts of long work,
-/// outside of parallel regions, where an exception leaves nothing half done.
-/// @throws what the listener throws
+/// Calls the listener of this thread, if there is one, at most every 50 ms. Long work calls this function
+/// between its parts, outside of parallel regions, where an exception leaves nothing half done.
+/// @throws any exception of the listener
 void check_interruption();
 
 }  // namespace floc

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <type_traits>
 
-/// The few operations a contact law needs beyond arithmetic, for every number type it is evaluated on:
+/// The few operations that a contact law uses beyond arithmetic, for every number type that it is evaluated on:
 /// `double`, a dual number (like Ceres' Jet), or a pack of doubles, whose comparisons give masks with a `blend`
 /// of their own.
 namespace floc::lanes {

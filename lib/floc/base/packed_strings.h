@@ -24,8 +24,8 @@ class PackedStrings {
   }
 
  private:
-  std::string characters_;         ///< of all strings
-  std::vector<std::size_t> ends_;  ///< of each string in them
+  std::string characters_;         ///< characters of all strings
+  std::vector<std::size_t> ends_;  ///< end of each string in `characters_`
 };
 
 }  // namespace floc

@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// `text` without white space at its ends.
+/// Returns `text` without white space at its ends.
 inline std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n";
   const std::size_t first = text.find_first_not_of(kSpace);
@@ -18,8 +18,8 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// The number that all of `text`, apart from white space around it, represents, independent of the locale;
-/// nothing if it is not a number, or is a real number that is not finite.
+/// Returns the number that `text` represents, apart from white space around it, independent of the locale;
+/// nothing if the text is not a number, or is a real number that is not finite.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   text = trimmed(text);
@@ -33,7 +33,7 @@ std::optional<T> parse_number(std::string_view text) {
   return value;
 }
 
-/// The integer that equals a real number; nothing if it has a fraction or does not fit.
+/// Returns the integer that equals a real number; nothing if the number has a fraction or does not fit.
 inline std::optional<std::int64_t> whole_number(double value) {
   constexpr double kBeyond = 9223372036854775808.0;  // 2^63
   if (!(value >= -kBeyond && value < kBeyond) || value != std::floor(value)) return std::nullopt;

@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// Processor time of this process so far (s).
+/// Returns the processor time of this process so far (s).
 double processor_seconds();
 
 }  // namespace floc

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// The numbers that an argument may be. Infinities and NaN are in no range.
+/// Range of the numbers that an argument accepts. Infinities and NaN are in no range.
 struct NumberRange {
   double least = -std::numeric_limits<double>::max();
   double most = std::numeric_limits<double>::max();
@@ -22,7 +22,7 @@ inline constexpr NumberRange kFiniteNumber{};
 inline constexpr NumberRange kPositiveNumber{.least = 0.0, .without_least = true};
 inline constexpr NumberRange kNotNegativeNumber{.least = 0.0};
 
-/// The whole numbers that an argument may be.
+/// Range of the whole numbers that an argument accepts.
 struct WholeRange {
   std::int64_t least;
   std::int64_t most;
@@ -35,15 +35,15 @@ struct WholeRange {
 inline constexpr WholeRange kPositiveWhole{.least = 1, .most = std::numeric_limits<std::int64_t>::max()};
 inline constexpr WholeRange kNotNegativeWhole{.least = 0, .most = std::numeric_limits<std::int64_t>::max()};
 
-/// "NAME = VALUE: expected ...", empty for a value in its range.
+/// Returns "NAME = VALUE: expected ...", or an empty string for a value in its range.
 std::string range_fault(const std::string& name, double value, const NumberRange& range);
 std::string range_fault(const std::string& name, std::int64_t value, const WholeRange& range);
 
-/// @throws InputError with the fault, where there is one
+/// Checks that a value is in its range. @throws InputError with the fault, where there is one
 void require_in_range(const std::string& name, double value, const NumberRange& range);
 void require_in_range(const std::string& name, std::int64_t value, const WholeRange& range);
-/// @param faults  of options, as their validate() lists them
-/// @throws InputError with all of them, where there are any
+/// Checks that options have no faults. @param faults  faults as listed by the validate() of the options
+/// @throws InputError with all faults, if there are any
 void refuse_faults(const std::vector<std::string>& faults);
 
 }  // namespace floc

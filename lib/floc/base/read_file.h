@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// The whole content of a file, or of stdin for "-".
-/// @throws InputError with the system's words if it is missing or cannot be read.
+/// Returns the whole content of a file, or of stdin for "-".
+/// @throws InputError with the message of the system if it is missing or cannot be read
 std::string read_file(const std::string& path);
 
 /// Passes the content of a file to `take` piece by piece, for content that is not needed in memory as a whole.

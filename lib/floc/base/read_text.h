@@ -5,7 +5,8 @@
 
 namespace floc {
 
-/// The text of a file in UTF-8, or of stdin for "-", without the byte order mark that some editors put before it.
+/// Returns the text of a file in UTF-8, or of stdin for "-", without the byte order mark that some editors put
+/// before it.
 /// @throws InputError if the file cannot be read, or as require_text()
 std::string read_text(const std::string& path);
 
@@ -15,10 +16,11 @@ std::string read_text(const std::string& path);
 /// @throws InputError if it is in UTF-16 or UTF-32, or its lines end in carriage returns alone
 void require_text(const std::string& place, std::string_view beginning);
 
-/// `text` without the byte order mark of UTF-8.
+/// Returns `text` without the byte order mark of UTF-8.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// For messages about `text`, which is no number: what to change where a decimal comma is why, else nothing.
+/// Returns advice for a message about `text`, which is not a number: the change to make if the reason is a
+/// decimal comma, otherwise an empty string.
 std::string decimal_comma_hint(std::string_view text);
 
 }  // namespace floc

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Wall-clock time (s) since `start`.
+/// Returns the wall-clock time since `start` (s).
 inline double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -14,7 +14,7 @@ struct SeedRange {
   std::uint64_t last;
 };
 
-/// The range written as "A..B", two whole numbers with A <= B; nothing for any other text.
+/// Returns the range written as "A..B", two whole numbers with A <= B; nothing for any other text.
 inline std::optional<SeedRange> seed_range_of(std::string_view text) {
   const auto dots = text.find("..");
   if (dots == std::string_view::npos) return std::nullopt;

@@ -12,7 +12,8 @@ namespace floc {
 class Sha256 {
  public:
   void update(std::string_view bytes);
-  /// Digest of all bytes so far: 64 lower-case hexadecimal digits. Nothing can be added afterwards.
+  /// Returns the digest of all bytes so far, as 64 lower-case hexadecimal digits. No bytes can be added
+  /// afterwards.
   std::string digits();
 
  private:
@@ -22,10 +23,10 @@ class Sha256 {
   std::uint64_t n_bytes_ = 0;
 };
 
-/// SHA-256 of some bytes, as given by Sha256::digits().
+/// Returns the SHA-256 of some bytes, as given by Sha256::digits().
 std::string sha256(std::string_view bytes);
 
-/// SHA-256 of a file's content. @throws InputError if it cannot be read.
+/// Returns the SHA-256 of a file's content. @throws InputError if it cannot be read
 std::string sha256_of_file(const std::string& path);
 
 }  // namespace floc

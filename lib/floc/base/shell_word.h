@@ -4,10 +4,10 @@
 
 namespace floc {
 
-/// A text as one argument of a shell, in single quotes.
+/// Returns a text as one argument of a shell, in single quotes.
 std::string shell_quoted(const std::string& text);
 
-/// The same, without quotes where the shell takes the text as it is.
+/// Returns a text as one argument of a shell, quoted only if the shell would not take it as it is.
 std::string shell_word(const std::string& text);
 
 }  // namespace floc

@@ -4,13 +4,13 @@
 
 namespace floc {
 
-/// Version of the program, "major.minor.patch".
+/// Returns the version of the program, "major.minor.patch".
 std::string version();
 
-/// Git commit the program was built from, or "unknown" outside a checkout.
+/// Returns the git commit that the program was built from, or "unknown" outside a checkout.
 std::string commit();
 
-/// Compiler and its version, as written into the provenance of every state.
+/// Returns the compiler and its version, as written into the provenance of every state.
 std::string compiler();
 
 }  // namespace floc

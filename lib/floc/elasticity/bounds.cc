@@ -11,11 +11,12 @@
 namespace floc {
 namespace {
 
-/// A pressure below this share of what the forces could sum up to is what an equilibrium, solved to 1e-8,
-/// leaves of zero.
+/// Share of the largest possible sum of the forces below which a pressure is zero, in an equilibrium solved to
+/// 1e-8.
 constexpr double kNoPressure = 1e-8;
-/// Forces balance where no grain or wall is left with more than this share of the largest of them: a hundred
-/// times what equilibrium tolerates. Less changes the complementary energy by a share of the same order.
+/// Forces balance where the net force on every grain and wall is at most this share of the largest force: a
+/// hundred times the tolerance of equilibrium. A smaller net force changes the complementary energy by a share
+/// of the same order.
 constexpr double kBalanced = 1e-3;
 
 struct Sums {
@@ -73,7 +74,7 @@ void add_printed_forms(const ContactNetwork<Dim>& network, const MeanField& m, c
   b.B_reuss_printed = mean_field_bulk<Dim>(m, kn, d * d, power) / b.Z2;
 }
 
-/// What a contact carries, row by row of ContactRows.
+/// Forces and moments carried by a contact, in the order of the rows of ContactRows.
 template <int Dim>
 RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   RowStiffness<Dim> f;
@@ -85,8 +86,8 @@ RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Whether the forces of the contacts are in equilibrium on every grain and on the walls that move together:
-/// those that are not say nothing of the complementary energy.
+/// Whether the forces of the contacts are in equilibrium on every grain and on the walls that move together.
+/// Forces out of balance are no trial distribution for the complementary energy, so that they give no bound.
 template <int Dim>
 bool forces_balance(const ContactNetwork<Dim>& network) {
   Eigen::VectorXd on_grains = Eigen::VectorXd::Zero(network.n_unknowns());

@@ -18,8 +18,8 @@ struct Bounds {
   /// out of the sum. 0 at P = 0. A lower bound on B_C where `fault` is empty, by the inequality of Cauchy and
   /// Schwarz (1.sigma)^2 <= (1.C 1) (sigma.S sigma), and on B_S where the stress is isotropic as well.
   double B_reuss = 0.0;
-  /// Why B_reuss <= B_C <= B_voigt does not follow, a clause after "because"; empty where it is a theorem: nothing acts across a
-  /// gap, no stiffness is negative, and the forces balance.
+  /// Reason why B_reuss <= B_C <= B_voigt does not follow, as a clause after "because". Empty where the
+  /// inequality is a theorem: nothing acts across a gap, no stiffness is negative, and the forces balance.
   std::string fault;
   /// Mean-field forms as printed in [GRC2008], averages of products replaced by products of averages.
   double B_voigt_printed = 0.0;
@@ -30,13 +30,15 @@ struct Bounds {
   double Z2 = std::numeric_limits<double>::infinity();
 };
 
-/// What the printed forms need beyond the network.
+/// Averages that the mean-field forms take beside the network.
 struct MeanField {
-  double coordination;    ///< z, touching contacts
-  double solid_fraction;  ///< Phi
+  double coordination;    ///< coordination number z of touching contacts
+  double solid_fraction;  ///< solid fraction Phi
 };
 
-/// @param pressure  P, mean of the diagonal of the static stress
+/// Computes the bounds of a network from its own forces.
+/// @param pressure    P, mean of the diagonal of the static stress (force/length^(Dim-1))
+/// @param mean_field  averages for the `*_printed` forms
 template <int Dim>
 Bounds elastic_bounds(const ContactNetwork<Dim>& network, double pressure, const MeanField& mean_field);
 

@@ -62,7 +62,7 @@ ContactNetwork<2> chain_network(const std::vector<Vec<2>>& branches, double R, c
   return network;
 }
 
-/// Where things are on a chain of unit disks, seen along the line through its end centres.
+/// Geometry of a chain of unit disks relative to the line through its end centres.
 struct Chord {
   Vec<2> along, across;
   double length;
@@ -125,7 +125,7 @@ struct Compliance {
 
 Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   Compliance c;
-  // In extended precision: the cofactors of soft and stiff directions that mix cancel.
+  // The inverse is taken in extended precision, because cofactors that mix soft and stiff directions cancel.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
   // |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and the last is at most 1/(1 - change) of |S^-1|; a diagonal
   // scaling makes `change` a number.

@@ -6,15 +6,17 @@
 
 namespace floc {
 
-/// The component of a symmetric tensor that is conjugate to a strain unknown.
+/// Returns the component of a symmetric tensor that is conjugate to a strain unknown.
 template <int Dim>
 double conjugate(const Mat<Dim>& tensor, int column) {
   return (tensor.transpose() * unit_strain<Dim>(column)).trace();
 }
 
-/// What the convection of forces adds to relaxed K/V: -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md,
-/// "Prestress").
-/// @param n  number of strain unknowns, in the order of StrainSet
+/// Returns the term that the convection of forces adds to the relaxed K/V: -sym(sigma E) + sigma tr E,
+/// symmetrised (docs/physics.md, "Prestress").
+/// @param stress  static stress, compression positive (force/length^(Dim-1))
+/// @param n       number of strain unknowns, in the order of StrainSet
+/// @return n x n matrix, in the unit of the stress
 template <int Dim>
 Eigen::MatrixXd convected_stress(const Mat<Dim>& stress, int n) {
   Eigen::MatrixXd added(n, n);

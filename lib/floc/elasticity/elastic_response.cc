@@ -229,7 +229,8 @@ class InheritedInverse {
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // What is left of a solution between walls is that of the strains alone.
+  // The stored fluctuation covers the strains alone, so between walls it gives no start for the shifts of the
+  // walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

@@ -10,10 +10,10 @@
 namespace floc {
 namespace {
 
-/// A stiffness below this share of the affine one is what rounding leaves of zero.
+/// Share of the affine stiffness below which a stiffness is zero to rounding.
 constexpr double kVanishingStiffness = 1e-11;
-/// How far grains are moved, over their size: of order one but not so far that parts of a contact change
-/// places.
+/// Displacement of grains to general positions, over their size: of order one, but not so large that the parts
+/// of a contact change places.
 constexpr double kDisplacement = 0.2;
 
 /// Share of a vector's squared length that lies in the span of some columns.

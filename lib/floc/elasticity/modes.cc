@@ -14,7 +14,7 @@ namespace {
 constexpr int kMinCount = 10;
 constexpr int kMaxCount = 100;
 
-/// Which unknowns of K belong to grains that have contacts.
+/// Marks the unknowns of K that belong to grains with contacts.
 template <int Dim>
 std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> connected(network.n_unknowns(), false);
@@ -24,7 +24,7 @@ std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   return connected;
 }
 
-/// Those among them that a contact resists: without friction, each rotation is free by itself.
+/// Marks the unknowns of K that some contact resists. Without friction, each rotation is free by itself.
 template <int Dim>
 std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> resisted(network.n_unknowns(), false);

@@ -13,18 +13,19 @@
 
 namespace floc {
 
+/// Kind of a mode, by its eigenvalue.
 enum class ModeKind {
-  unstable,        ///< negative eigenvalue
+  unstable,        ///< negative
   mechanism,       ///< zero to rounding, beyond the motions that are free by structure
-  near_mechanism,  ///< below max |F_N|/r: prestress of the size the state carries could lift or drop it
-  elastic,         ///< above that
+  near_mechanism,  ///< below max |F_N|/r: prestress of the size present could change its sign
+  elastic,         ///< above max |F_N|/r
 };
 
-/// "unstable", "mechanism", "near-mechanism", "elastic".
+/// Returns "unstable", "mechanism", "near-mechanism" or "elastic".
 std::string name_of(ModeKind kind);
 
-/// One eigenvector of the stiffness matrix of the grains, strains clamped, no prestress. Rotations count as the
-/// displacements they give at the grain's size.
+/// One eigenvector of the stiffness matrix of the grains, with strains clamped and without prestress. Rotations
+/// are measured as displacements: multiplied by the grain's size.
 template <int Dim>
 struct Mode {
   ModeKind kind = ModeKind::elastic;
@@ -34,12 +35,11 @@ struct Mode {
   /// (sum u_i^2)^2/(n sum u_i^4) over the n grains that take part in the network: 1 if all move alike, 1/n if
   /// one moves.
   double participation = 0.0;
-  /// Volume times the stress that it gives per unit amplitude, one entry per strain unknown (force *
-  /// length/length): its coupling to strain. A mode takes coupling * coupling^T/(eigenvalue volume) off the
-  /// affine moduli; all modes together leave C.
+  /// Coupling to strain: volume times stress per unit amplitude, one entry per strain unknown (force). A mode
+  /// takes coupling * coupling^T/(eigenvalue volume) off the affine moduli; all modes together leave C.
   Eigen::VectorXd coupling;
-  double softens_B = 0.0;  ///< what it takes off the affine bulk modulus (stress)
-  double softens_G = 0.0;  ///< off the affine shear modulus (C11 + C22 - 2 C12)/4 (stress)
+  double softens_B = 0.0;  ///< decrease of the affine bulk modulus by this mode (stress)
+  double softens_G = 0.0;  ///< decrease of the affine shear modulus (C11 + C22 - 2 C12)/4 (stress)
   /// Fewest grains that hold half of the squared amplitude, the most mobile first, at most `kMaxNamed`.
   std::vector<int> grains;
 
@@ -67,13 +67,13 @@ struct SoftModes {
   bool complete = true;        ///< no mode below the last of these is missing
 };
 
-/// The softest modes of a network beyond those that are free by structure, found by shift and invert.
+/// Finds the softest modes of a network beyond those that are free by structure, by shift and invert.
 /// @throws InputError unless options.count, if given, is positive
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
-/// Number of near-mechanisms: eigenvalues up to max |F_N|/r, counted by inertia, that belong neither to free
-/// motions nor to mechanisms and are not negative. It takes a factor like that of the response.
+/// Counts the near-mechanisms: eigenvalues up to max |F_N|/r, counted by inertia, that belong neither to free
+/// motions nor to mechanisms and are not negative. This costs a factor as large as that of the response.
 /// @param response        of the same network, strains clamped or not, without prestress
 /// @param largest_factor  bytes that the factor may take; no value where it would take more
 template <int Dim>

@@ -19,15 +19,15 @@
 namespace floc {
 namespace {
 
-/// A modulus below this share of the Voigt stiffness is what rounding leaves of zero, where no error bound says
-/// better.
+/// Share of the Voigt stiffness below which a modulus is zero to rounding, where no error bound is sharper.
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number beyond which soft modes decide the moduli.
 constexpr double kWarnCondition = 1e10;
 /// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so that it
 /// costs no more.
 constexpr double kToleranceOfSolution = 1e-3;
-/// The same of a solver that takes steps of no such gain: each costs.
+/// Share for the other solvers: their steps do not square the error, so that a stricter tolerance costs more
+/// steps.
 constexpr double kToleranceOfIterativeSolution = 0.1;
 /// Share of the pressure by which principal stresses may differ where B_reuss bounds B_S.
 constexpr double kIsotropic = 1e-4;
@@ -96,7 +96,7 @@ void derive_constants(double scale, Moduli& m) {
   m.isotropy_defect = mean == 0.0 ? 0.0 : (diagonal.maxCoeff() - diagonal.minCoeff()) / std::abs(mean);
 }
 
-/// Says where the error bounds stay above what was asked for, and takes back what has no digit.
+/// Warns where the error bounds exceed the tolerance, and removes moduli of which no digit is correct.
 void check_errors(bool resolved, double tolerance, Moduli& m) {
   if (!resolved) {
     m.warnings.push_back(
@@ -223,7 +223,8 @@ bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   return deviator.cwiseAbs().maxCoeff() <= kIsotropic * std::abs(pressure);
 }
 
-/// @param respond  elastic_response with what is kept from one call to the next
+/// Computes moduli from a response. @param respond  elastic_response() with the data kept from one call to the
+/// next
 template <int Dim>
 Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                      const ModuliOptions& options, const auto& respond) {

@@ -13,13 +13,13 @@ namespace floc {
 
 class ParallelSolver;
 
-/// How moduli are computed, and so at what cost.
+/// Method by which moduli are computed; it determines their cost and the kind of error they come with.
 enum class ModuliMethod {
   factor,         ///< Cholesky factor in double precision, error bounds
   single_factor,  ///< in single precision, refined in double: half the memory, error estimates
   iterative,      ///< conjugate gradients from the last state's solution, with its factor: error estimates
-  /// The middle between the bounds of the network: nothing is solved, the error is a bound. Fails where they are
-  /// none (Bounds::fault); B_S and its error are NaN where the stress is not isotropic.
+  /// The middle between the bounds of the network: no system is solved, the error is a bound. Fails where the
+  /// bounds do not hold (Bounds::fault); B_S and its error are NaN where the stress is not isotropic.
   bounds,
   petsc,  ///< conjugate gradients by PETSc, on one process or many: error estimates
 };
@@ -40,12 +40,13 @@ struct ModuliOptions {
   /// The packing was brought to equilibrium under no stress: any stress that its forces leave is residual, and
   /// bounds no modulus (B_reuss = 0).
   bool unloaded = false;
-  /// Relative error wanted in B and G. A warning is given where their error bounds stay above it.
+  /// Relative tolerance on B and G. A warning is given where their error bounds stay above it.
   double tolerance = 1e-10;
   /// Bytes that a factor may take; see Moduli::failure.
   double largest_factor = std::numeric_limits<double>::infinity();
 
-  /// The contacts that moduli are computed from: without rattlers, with the rolling stiffness asked for.
+  /// Returns the contacts that moduli are computed from: without those of rattlers, with `rolling_stiffness` if
+  /// given.
   template <int Dim>
   ContactNetwork<Dim> loaded_network(const Packing<Dim>& packing) const;
 
@@ -53,20 +54,21 @@ struct ModuliOptions {
   std::vector<std::string> validate() const;
 };
 
-/// What the moduli of a network depend on besides its contacts.
+/// Load of a network, on which its moduli depend besides its contacts.
 template <int Dim>
 struct NetworkLoad {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static, compression positive (force/length^(Dim-1))
   bool unloaded = false;               ///< see ModuliOptions
   MeanField mean_field{};              ///< for the bounds in their printed forms
-  int n_mobilised = 0;                 ///< contacts that slide or yield, which the network takes as elastic
+  int n_mobilised = 0;                 ///< mobilised contacts (at a cap), which the network takes as elastic
 };
 
-/// The same, taken from a packing. @param unloaded  see ModuliOptions
+/// Returns the load of a packing: its stress, mean-field averages and number of mobilised contacts.
+/// @param unloaded  see ModuliOptions
 template <int Dim>
 NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded);
 
-/// Elastic moduli of one state, as stress (force/length^(Dim-1)), and what they rest on.
+/// Elastic moduli of one state, as stress (force/length^(Dim-1)), with their errors, bounds and warnings.
 struct Moduli {
   /// Stress against strain, both positive in compression, order of StrainSet; symmetric.
   Eigen::MatrixXd C;
@@ -80,7 +82,7 @@ struct Moduli {
   double B_S_error = 0.0;
   double G_error = 0.0;
   double isotropy_defect = 0.0;  ///< largest less smallest of C11, C22 (, C33), over their mean
-  Bounds bounds;                 ///< of these moduli: with prestress they are none, and their fault says so
+  Bounds bounds;                 ///< bounds of these moduli; with prestress they do not hold, see Bounds::fault
   /// The principal stresses that load the network are equal, to one part in 10^4, or bounds.B_reuss is zero.
   bool isotropic_stress = true;
   int n_negative = 0;    ///< negative eigenvalues of K, strains included
@@ -89,62 +91,68 @@ struct Moduli {
   int n_coupled_mechanisms = 0;
   int n_rattlers = 0;
   int n_free_rollers = 0;
-  int n_mobilised = 0;     ///< contacts that slide or yield in rolling; C treats them as elastic
+  int n_mobilised = 0;     ///< mobilised contacts (sliding, or at a cap in rolling); C treats them as elastic
   double pressure = 0.0;   ///< mean of the diagonal of load_stress()
   double residual = 0.0;   ///< backward error of the solution
-  double condition = 1.0;  ///< of K, estimated; infinite with mechanisms
-  /// The same without prestress, if prestress was asked for: the difference is its contribution.
+  double condition = 1.0;  ///< condition number of K, estimated; infinite with mechanisms
+  /// B and G without prestress, present if `options.prestress` is set: the difference is the contribution of
+  /// prestress.
   std::optional<double> B_without_prestress;
   std::optional<double> G_without_prestress;
   /// The response without prestress, of loaded_network(): mechanisms, increments and backbone follow from it.
   ElasticResponse response;
-  /// The method used: the factor, where that of the options failed. The others count neither negative
-  /// eigenvalues nor mechanisms; their errors are estimates or, with bounds, half the distance.
+  /// The method used: that of the options, or the factor where that failed. Methods other than the factor count
+  /// neither negative eigenvalues nor mechanisms; their errors are estimates or, with bounds, half the distance
+  /// of the bounds.
   ModuliMethod method = ModuliMethod::factor;
-  int steps = 0;  ///< of refinement
+  int steps = 0;  ///< number of refinement steps
   std::vector<std::string> warnings;
   /// Whether bounds.B_reuss <= B <= bounds.B_voigt is a theorem.
   bool bounds_hold() const { return bounds.fault.empty(); }
-  /// Whether bounds.B_reuss <= B_S is one as well.
+  /// Whether bounds.B_reuss <= B_S is a theorem as well.
   bool bounds_hold_B_S() const { return bounds_hold() && isotropic_stress; }
-  /// Why there are no moduli, in words; all but the bounds is then meaningless. Empty where there are some.
+  /// Reason why there are no moduli, in words; only the bounds are then meaningful. Empty where there are
+  /// moduli.
   std::string failure;
-  /// Predicted size of the factor (bytes), where that is the reason; else 0.
+  /// Predicted size of the factor (bytes), where that is the reason of the failure; else 0.
   double factor_bytes = 0.0;
 };
 
-/// Moduli of a state in which nothing slides or yields. Without prestress C = relaxed K/V. With it, the Cauchy
-/// stress sigma responds to the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) + sigma tr E: for
-/// diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the relaxed Hessian
-/// of the energy in ln L, so relative to H, B gains P and G nothing. Where the stress is not isotropic this is
-/// not symmetric; the symmetric part is given.
-/// A vanishing modulus, one that its error bound does not distinguish from zero, is given as zero and counted
-/// as a coupled mechanism. Moduli that have lost all digits are NaN, with a warning.
-/// @param network  the contacts that count; `options` changes none of them
+/// Computes the moduli of a state, with every contact taken as elastic. Without prestress C = relaxed K/V. With
+/// it, the Cauchy stress sigma responds to the symmetric strain E by dsigma = relaxed K E/V - sym(sigma E) +
+/// sigma tr E: for diagonal strains C_ab = K_ab/V + sigma_a (1 - delta_ab), which is H_ab/V + sigma_a for H the
+/// relaxed Hessian of the energy in ln L, so relative to H, B gains P and G nothing. Where the stress is not
+/// isotropic this is not symmetric; the symmetric part is given. A modulus that its error bound does not
+/// distinguish from zero is given as zero and counted as a coupled mechanism. Moduli that have lost all digits
+/// are NaN, with a warning.
+/// @param network  the contacts that carry load; `options` changes none of them
 /// @throws InputError with the faults of the options
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
-/// The same with prestress, whatever the options say of it, where the moduli without it are known.
+/// Computes the moduli with prestress from those without it; `options.prestress` is ignored.
+/// @param without  moduli of the same network without prestress
 template <int Dim>
 [[nodiscard]] Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                         ModuliOptions options, Moduli without);
 
-/// The same for options.loaded_network(packing) under the stress that the packing carries.
+/// Computes the moduli of options.loaded_network(packing) under the stress that the packing carries.
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
 
-/// By ModuliMethod::petsc, whatever method the options name: all processes of the solver call it, with the same
-/// arguments, and get the same moduli.
+/// Computes the moduli by ModuliMethod::petsc; `options.method` is ignored. All processes of the solver have to
+/// call it with the same arguments, and all get the same moduli.
 /// @param centres  of the grains, which divide them among the processes (length)
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const std::vector<Vec<Dim>>& centres,
                                     const NetworkLoad<Dim>& load, const ModuliOptions& options,
                                     ParallelSolver& solver);
 
-/// The same for each of several rolling stiffnesses (>= 0, force * length) in place of that of the options,
-/// with one symbolic factorisation for all.
+/// Computes the moduli of a packing for each of several rolling stiffnesses, with one symbolic factorization
+/// for all.
+/// @param rolling_stiffness  values >= 0 that replace options.rolling_stiffness in turn (force * length)
+/// @return one entry per rolling stiffness
 template <int Dim>
 [[nodiscard]] std::vector<Moduli> elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options,
                                                  const std::vector<double>& rolling_stiffness);

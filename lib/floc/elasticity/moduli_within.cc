@@ -13,8 +13,8 @@ namespace {
 
 /// The rounding error of the cell's volume alone.
 constexpr double kMinError = 1e-14;
-/// Share of the accuracy asked for by which principal stresses may differ where B_reuss is to bound B_S: with
-/// sigma_a = P (1 + delta_a) it is off by the order of delta.
+/// Largest difference of the principal stresses, as a share of the required accuracy, at which B_reuss is taken
+/// as a bound of B_S: with sigma_a = P (1 + delta_a) the bound is off by the order of delta.
 constexpr double kAnisotropyShare = 0.01;
 /// Grains up to which a factor in single precision is cheaper than one in double.
 constexpr int kMaxForSingle = 1000;

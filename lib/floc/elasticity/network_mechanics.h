@@ -13,18 +13,22 @@ namespace floc {
 /// Response of each contact of a network to a small step, isotropic and deviatoric.
 template <int Dim>
 struct ContactMechanics {
-  /// Absent where a mechanism leaves the stress without a solution.
+  /// Response to an isotropic step; absent where the stress would do work on a mechanism.
   std::optional<StepResponse<Dim>> isotropic;
-  std::optional<StepResponse<Dim>> deviatoric;  ///< likewise
+  /// Response to a deviatoric step; absent under the same condition.
+  std::optional<StepResponse<Dim>> deviatoric;
   Percolation percolation;
-  std::vector<bool> backbone;  ///< carries an increment in one step or the other; empty if there is neither
+  /// Whether a contact carries an increment in one step or the other; empty if both responses are absent.
+  std::vector<bool> backbone;
 };
 
+/// Computes the response of each contact to both steps, and the percolation of the network.
 /// @param moduli  of the same network
 template <int Dim>
 ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
 
-/// How determined a contact network is, in numbers (docs/physics.md, "Stability and mechanisms").
+/// Counts and ratios that say how far the contacts of a network determine its forces (docs/physics.md,
+/// "Stability and mechanisms").
 struct NetworkMechanics {
   double rattler_fraction = 0.0;  ///< x0
   /// Twice the touching contacts between grains per grain that is not a rattler; contacts of rattlers are left out.
@@ -43,6 +47,7 @@ struct NetworkMechanics {
   int n_percolating = 0;  ///< directions in which the network winds around the cell
 };
 
+/// Computes these numbers. @param moduli, contacts  of the same network
 template <int Dim>
 NetworkMechanics network_mechanics(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
                                    const Moduli& moduli, const ContactMechanics<Dim>& contacts);

@@ -46,10 +46,10 @@ struct ReducedStiffness {
   int n_unstable_ends = 0;  // negative eigenvalues that left with the dead ends
 };
 
-/// How far below zero, over the stiffest contact's, the symmetric part of the tangent may take the eigenvalue of a
-/// mechanism. With K = S + A, A antisymmetric, K v = 0 gives S v = -A v: A couples v to stiff motions, which adds
-/// -|A v|^2/k to v.S v = 0. A comes from tangential forces and moments alone and is of the order of F_T/r; an
-/// instability that geometric terms make is of that order, and not of its square over k.
+/// Returns how far below zero, in units of the stiffest contact, the symmetric part of the tangent may move the
+/// eigenvalue of a mechanism. With K = S + A, A antisymmetric, K v = 0 gives S v = -A v: A couples v to stiff
+/// motions, which adds -|A v|^2/k to v.S v = 0. A comes from tangential forces and moments alone and is of the
+/// order of F_T/r; an instability that geometric terms make is of that order, and not of its square over k.
 template <int Dim>
 double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   double largest = 0.0;
@@ -121,7 +121,7 @@ class ScaledStiffness {
 
   Eigen::Index order() const { return diagonal_.size(); }
   bool has_negative_diagonal(double vanishing) const { return diagonal_.minCoeff() < -vanishing; }
-  /// Of one product.
+  /// Floating-point operations of one product.
   double operations() const {
     return 4.0 * static_cast<double>(grains_.nonZeros()) + 4.0 * static_cast<double>(border_.size());
   }

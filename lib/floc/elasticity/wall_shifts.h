@@ -4,8 +4,9 @@
 
 namespace floc {
 
-/// Lets the walls of each axis move together, with the grains, until both bear the same: the last columns of
-/// the solution, one for each of `network.wall_axes` after the strains, are eliminated.
+/// Relaxes the common displacement of the two walls of each axis, with the grains, until both walls bear the
+/// same force: eliminates the last columns of the solution, one for each of `network.wall_axes` after the
+/// strains.
 template <int Dim>
 void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out);
 

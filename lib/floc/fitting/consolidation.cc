@@ -88,7 +88,7 @@ Window given_window(const ConsolidationCurve& curve, std::pair<double, double> w
           static_cast<int>(std::count_if(begin, curve.P_star.end(), inside)), 0};
 }
 
-/// The points on which the regimes say that a law holds.
+/// Returns the points on which a law holds according to the regimes.
 Window window_of(Law law, const Regimes& regimes, int n) {
   const int k = regimes.n_plateau;
   if (law == Law::full) return {k, n - k, k};
@@ -293,8 +293,8 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
                                          s.change, *lambda->value));
 }
 
-/// Where regimes were searched for, the law also holds, with some probability, on other windows: what theta
-/// becomes on them is part of its error.
+/// Adds the spread of theta over other windows to its covariance. Where regimes were searched for, the law also
+/// holds, with some probability, on other windows.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
   struct Other {
@@ -322,7 +322,8 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   }
 }
 
-/// What the spread over places added to the standard error of each parameter.
+/// Returns the two parts of each parameter's standard error: scatter, and spread over the places of the
+/// regimes.
 std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covariance& scatter,
                                         const Covariance& all) {
   std::vector<ErrorParts> parts;
@@ -363,7 +364,7 @@ void add_bootstrap(const LawEstimate& reported, const Eigen::MatrixXd& samples,
   for (FittedParameter& p : fit.bootstrap) (void)keep_in_range(range_of(p.name), p);
 }
 
-/// Solves the law on the window and derives what follows from it.
+/// Solves the law on the window and derives the parameters, errors and warnings of the fit.
 ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, const Window& window,
                             const ConsolidationOptions& options, ConsolidationFit fit) {
   const Law law = options.law;
@@ -437,8 +438,8 @@ ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const Consol
   fit.weighting = weighting_of(curve, options);
   if (n <= n_parameters(law)) return refused(law, too_few(law, n));
   const LawPoints points = points_of(curve, fit.weighting);
-  // The regimes are a matter of the curve's shape; the scatter of samples, alike at neighbouring pressures, is
-  // none of it.
+  // The regimes are found from the shape of the curve, so that weights do not follow the scatter of samples,
+  // which is correlated between neighbouring pressures.
   const Weighting of_shape = fit.weighting == Weighting::scatter ? Weighting::relative : fit.weighting;
   Window window{};
   if (options.window) {

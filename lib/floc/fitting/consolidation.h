@@ -15,12 +15,12 @@
 
 namespace floc {
 
-/// How much each point of a curve counts.
+/// Weights of the points of a curve, by the errors of 1/Phi that are assumed.
 enum class Weighting {
-  automatic,  ///< scatter for a mean of three samples or more, otherwise relative
-  uniform,    ///< the errors of 1/Phi are the same everywhere
-  relative,   ///< they are proportional to 1/Phi, the volume of the sample
-  scatter,    ///< they are those of the mean over samples
+  automatic,  ///< `scatter` for a mean of three samples or more, otherwise `relative`
+  uniform,    ///< errors that are the same everywhere
+  relative,   ///< errors in proportion to 1/Phi, the volume of the sample
+  scatter,    ///< errors of the mean over samples, from their scatter
 };
 
 struct ConsolidationOptions {
@@ -29,7 +29,8 @@ struct ConsolidationOptions {
   /// on its own: the full law from the end of the plateau on, the line on regime II, the power law on regime
   /// III.
   std::optional<std::pair<double, double>> window;
-  /// P0* is held at the first pressure fitted, instead of where the plateau meets the line of regime II.
+  /// Whether P0* is held at the first pressure fitted, instead of where the plateau meets the line of regime
+  /// II.
   bool hold_P0 = false;
   Weighting weighting = Weighting::automatic;
   Loss loss = Loss::squared;
@@ -45,29 +46,30 @@ struct ConsolidationOptions {
 struct ConsolidationCurve {
   std::vector<double> P_star;  ///< reduced pressure aP/F0, > 0
   std::vector<double> phi;     ///< solid fraction, > 0
-  Eigen::MatrixXd samples;     ///< of a mean: 1/Phi of each, pressures x samples; otherwise empty
+  Eigen::MatrixXd samples;     ///< for a mean: 1/Phi of each sample, pressures x samples; otherwise empty
 };
 
-/// lambda of the same fit on a window moved by one row; absent where too little of regime II is left.
+/// Change of lambda when one end of the fitted window moves by one row.
 struct WindowShift {
   std::string change;  ///< "first row earlier", "first row later", "last row earlier", "last row later"
+  /// lambda of the fit on that window; absent where too little of regime II is left.
   std::optional<double> lambda;
 };
 
-/// What the standard error of a parameter is made of.
+/// Parts of the standard error of a parameter.
 struct ErrorParts {
   std::string name;      ///< of the parameter
-  double scatter = 0.0;  ///< between samples, or of the residuals (ConsolidationFit::errors_from_samples)
-  double regimes = 0.0;  ///< of where the regimes end, over their probable places
+  double scatter = 0.0;  ///< from the scatter between samples, or the residuals (see errors_from_samples)
+  double regimes = 0.0;  ///< from the uncertain ends of the regimes: spread over their probable places
 };
 
-/// What a fit found, or why there is none.
+/// Result of the fit of a consolidation law, or the reason why there is none.
 struct ConsolidationFit {
   std::string failure_reason;  ///< empty when there is a fit
   ConsolidationLaw law = ConsolidationLaw::full;
   double window_low = 0.0, window_high = 0.0;  ///< first and last pressure fitted
   std::vector<int> used;                       ///< indices of the points fitted
-  std::optional<Regimes> regimes;              ///< of the whole curve; absent with a given window
+  std::optional<Regimes> regimes;              ///< regimes of the whole curve; absent with a given window
   int n_plateau = 0;                           ///< points before the window taken as the plateau of regime I
   double plateau_high = 0.0;                   ///< last pressure of the plateau, 0 without one
   std::vector<FittedParameter> parameters;     ///< the free ones first
@@ -78,20 +80,20 @@ struct ConsolidationFit {
   ConsolidationLaw reported_law = ConsolidationLaw::full;
   Eigen::VectorXd theta;                       ///< coordinates of the solution, see `solve_law`
   Eigen::VectorXd fitted;                      ///< 1/Phi by the law at the points fitted
-  Eigen::VectorXd weights;                     ///< of the points fitted, as the solution counts them
-  Weighting weighting = Weighting::automatic;  ///< the one used
+  Eigen::VectorXd weights;                     ///< weights of the points fitted, as used in the solution
+  Weighting weighting = Weighting::automatic;  ///< weighting used
   bool errors_from_samples = false;        ///< standard errors from the scatter between samples, not residuals
-  std::vector<ErrorParts> error_parts;     ///< of the parameters that have a standard error
+  std::vector<ErrorParts> error_parts;     ///< one entry per parameter with a standard error
   std::vector<std::string> profiled;       ///< parameters whose interval is that of the profile likelihood
-  std::vector<WindowShift> window_shifts;  ///< those for which enough rows exist
+  std::vector<WindowShift> window_shifts;  ///< shifts for which enough rows exist
   int n_bootstrapped = 0;                  ///< resampled fits that kept a regime II
   std::vector<FittedParameter> bootstrap;  ///< mean, deviation and percentiles of the resampled fits
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
-  /// 1/Phi by the law. @pre found()
+  /// Returns 1/Phi by the law. @pre found()
   double value(double log_P) const;
-  /// The parameter of that name, null if the law has none.
+  /// Returns the parameter of that name, or null if the law has none.
   const FittedParameter* find(const std::string& name) const;
 };
 
@@ -103,8 +105,8 @@ struct ConsolidationFit {
 /// over their probable places is added. Intervals: Student's t in ln(parameter) or 1/Phi; for alpha and Phi_max
 /// the profile likelihood. Bootstrap: resampled samples for a mean (one fewer than there are, which makes the
 /// variance unbiased), resampled residuals for a single curve. Where the data stop before P1*, alpha, P1* and
-/// Phi_max are given as bounds. Too few points, points of regime I alone, or a density that does not grow with
-/// pressure are refused in words.
+/// Phi_max are given as bounds. There is no fit to too few points, to points of regime I alone, or to a density
+/// that does not grow with pressure; `failure_reason` then gives the reason.
 /// @pre all pressures and solid fractions are positive and finite, pressures grow.
 /// @throws InputError with the faults of the options
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,

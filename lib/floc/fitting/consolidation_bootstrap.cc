@@ -69,6 +69,9 @@ Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, 
   for (const Quantity& q : quantities_of(estimate)) names.push_back(q.name);
   std::vector<std::vector<double>> values(names.size());
   Resampled found;
+  // Pressures, weights and the ends of the regimes stay those of the estimate: the bootstrap gives the scatter
+  // of the parameters within one choice of regimes. Fits that lose regime II have no lambda and are not
+  // counted.
   for (int k = 0; k < n; ++k) {
     check_interruption();
     const Eigen::VectorXd y = samples.cols() >= 2 ? mean_of_draw(samples, random) : pool.draw(random);

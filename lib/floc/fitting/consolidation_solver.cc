@@ -50,7 +50,7 @@ struct Start {
   double sum_of_squares;
 };
 
-/// Best intercept and slope of y = intercept + slope * x, and what they leave.
+/// Best intercept and slope of y = intercept + slope * x, and the sum of squares that they leave.
 struct Line {
   double intercept, slope, sum_of_squares;
 };
@@ -71,7 +71,8 @@ Eigen::VectorXd grid(double low, double high, int n) {
   return Eigen::VectorXd::LinSpaced(n, low, high);
 }
 
-// For given alpha (and P1*) the laws are linear in what remains: a start is a line through the data.
+// For given alpha (and P1*) the laws are linear in the other parameters, so that a start is a line through the
+// data.
 
 std::vector<Start> log_starts(const LawPoints& points) {
   const Line line = fit_line(points.log_P.array() - points.log_P[0], points);
@@ -120,7 +121,8 @@ std::vector<Residual> residuals_of(const LawPoints& points) {
   return residuals;
 }
 
-/// Where the laws have long reached their limits: beyond, alpha or P1* would run away.
+/// Returns limits of alpha and P1* far beyond the values at which the laws reach their limiting forms. Without
+/// them these parameters could diverge.
 std::vector<ParameterLimits> limits_of(int n_parameters, const LawPoints& points) {
   constexpr double kFar = 15.0;
   std::vector<ParameterLimits> limits;

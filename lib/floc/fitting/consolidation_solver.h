@@ -5,14 +5,14 @@
 
 namespace floc {
 
-/// Which consolidation law is fitted (docs/physics.md, "Consolidation laws"; all in 1/Phi).
+/// Consolidation law to fit (docs/physics.md, "Consolidation laws"; all in 1/Phi).
 enum class ConsolidationLaw {
   log,    ///< regime II: 1/Phi = 1/Phi0 - lambda ln(P*/P0*)
   power,  ///< regime III: 1/Phi = 1/Phi_max + A (P*)^-alpha
   full,   ///< both: Eq. 9 of [GRC2008]
 };
 
-/// Number of parameters of a law.
+/// Returns the number of parameters of a law.
 int n_parameters(ConsolidationLaw law);
 
 /// Points of a curve as the laws are fitted to them, in the order of growing pressure; all of one length.
@@ -34,16 +34,17 @@ struct LawPoints {
 struct LawSolution {
   Eigen::VectorXd theta;
   Eigen::VectorXd residuals;    ///< weighted, model minus data
-  Eigen::MatrixXd jacobian;     ///< of the weighted residuals; empty when a coordinate was held
-  double sum_of_squares = 0.0;  ///< of the weighted residuals
+  Eigen::MatrixXd jacobian;     ///< derivatives of the weighted residuals; empty if a coordinate was held
+  double sum_of_squares = 0.0;  ///< sum of squares of the weighted residuals
 };
 
-/// 1/Phi of a law at ln P; `log_P_first` is that of the first point it was solved on.
+/// Returns 1/Phi of a law at ln P; `log_P_first` is ln P of the first point that the law was solved on.
 double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first);
 
-/// Starts are found by linear projection on a grid of the nonlinear parameters; the best few are followed to
-/// their minimum and the best of these is refined to rounding by Levenberg-Marquardt (Ceres). Absent when no
-/// start has a positive lambda (A): the density does not grow with pressure.
+/// Fits a law. Starts are found by linear projection on a grid of the nonlinear parameters; the best few are
+/// followed to their minimum, and the best of these is refined to rounding by Levenberg-Marquardt (Ceres). The
+/// solution is absent if no start has a positive lambda (A), that is, if the density does not grow with
+/// pressure.
 /// @pre more points than parameters.
 [[nodiscard]] std::optional<LawSolution> solve_law(ConsolidationLaw law, const LawPoints& points);
 
@@ -52,17 +53,17 @@ double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_
 [[nodiscard]] std::optional<LawSolution> solve_law_from(ConsolidationLaw law, const LawPoints& points,
                                                         const Eigen::VectorXd& start, int held = -1);
 
-// For searches, fast and to about half the digits:
+// The functions below serve searches: they are fast, and accurate to about half the digits.
 
-/// The best end of the `n_tried` best starts; absent as in `solve_law`.
+/// Returns the best end of the `n_tried` best starts; absent under the conditions of solve_law().
 [[nodiscard]] std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoints& points,
                                                           int n_tried);
 
 /// Moves theta to the nearest minimum. @return the sum of squares there
 double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
 
-/// Sums of squares left by the line of regime II and by the power law, from their linear projection alone.
-/// Absent if the density does not grow with pressure.
+/// Return the sum of squares left by the line of regime II, or by the power law, from its linear projection
+/// alone; absent if the density does not grow with pressure.
 [[nodiscard]] std::optional<double> residual_of_line(const LawPoints& points);
 [[nodiscard]] std::optional<double> residual_of_power_law(const LawPoints& points);
 

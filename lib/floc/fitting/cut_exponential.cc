@@ -15,7 +15,7 @@ double mean_in_unit(double t) {
   return 1.0 / t - 1.0 / std::expm1(t);
 }
 
-/// Its variance.
+/// Variance of a variable with density ~ exp(-t x) on [0, 1].
 double variance_in_unit(double t) {
   if (std::abs(t) < 1e-1) return 1.0 / 12.0 - t * t / 240.0 + t * t * t * t / 6048.0;
   const double s = std::sinh(std::clamp(0.5 * t, -300.0, 300.0));
@@ -56,8 +56,8 @@ ExponentEstimate fit_exponent(const std::vector<CutSample>& windows) {
       if (w.n > 0) left += w.n * mean_of(b, w);
     return left;
   };
-  // The excess falls with b. Far beyond the exponent of a whole tail there is none to be found: all values lie
-  // at one end of their windows.
+  // The excess falls with b. If it has no root within kFar of the exponent of a whole tail, all values lie at
+  // one end of their windows, and the likelihood has no maximum.
   const double tail = fit.n / sum;
   constexpr double kFar = 1e6;
   double low = has_tail ? tail / kFar : -kFar * tail, high = kFar * tail;

@@ -38,7 +38,7 @@ struct CompactionResidual {
 };
 using Residuals = std::vector<CompactionResidual>;
 
-/// What the law is fitted to.
+/// Samples that the law is fitted to, and the reference values of its coordinates.
 struct CompactionData {
   std::vector<int> rows;  ///< the samples of `residuals`
   Residuals residuals;
@@ -58,7 +58,8 @@ double plateau_pressure(const CompactedSample& s, PlateauPressure plateau) {
   return plateau == PlateauPressure::own ? s.p : s.sc * s.sc / s.se;
 }
 
-/// For given e_min and S the plateau is linear: e_r/(e - e_min) = 1/De + C ln p.
+/// Adds De and C to a start by a linear fit: for given e_min and S the plateau is e_r/(e - e_min) = 1/De + C ln
+/// p.
 bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   const auto n = static_cast<Eigen::Index>(data.size());
   Eigen::MatrixXd columns(n, 2);
@@ -68,13 +69,13 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const CompactionResidual& r = data[static_cast<std::size_t>(i)];
     const double S = std::exp(theta[3] + a * r.log_x) + std::exp(theta[4] + b * r.log_x);
-    // Weighted by the square of what it divides, so that errors count as they do in e.
+    // The weight is the square of the denominator e - e_min, so that errors count as they do in e.
     const double over = r.e - theta[0];
     const double e_r = S / (1.0 + S);
     columns.row(i) << over * over / e_r, over * over / e_r * r.log_p;
     y[i] = over;
   }
-  // Of many equal solutions, where the pressure does not vary, the smallest.
+  // Where the pressure does not vary, the solution is not unique, and the one of least norm is taken.
   const Eigen::Vector2d found = least_squares_solution(columns, y);
   if (!(found[0] > 0.0) || !found.allFinite()) return false;
   theta[1] = -std::log(found[0]);
@@ -99,7 +100,8 @@ std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   return starts;
 }
 
-/// From the end of the best descent from which the full solver reaches a solution, which it does not from every end.
+/// Solves from the end of the best descent from which the full solver reaches a solution; it does not from
+/// every end.
 std::optional<LeastSquaresSolution> solve(const Residuals& data) {
   struct End {
     double left;
@@ -116,7 +118,7 @@ std::optional<LeastSquaresSolution> solve(const Residuals& data) {
   return std::nullopt;
 }
 
-/// What a robust fit says of each sample.
+/// Misfit of each sample in a robust fit, from which samples beside the plateau are flagged.
 struct RobustView {
   Eigen::VectorXd misfit;      ///< e - law
   double deviation = 0.0;      ///< of a sample that follows the law
@@ -185,8 +187,8 @@ Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   return G;
 }
 
-/// Standard errors of the coordinates; sums only over what each depends on, as others may have infinite
-/// variance.
+/// Returns the standard errors of the coordinates. Sums run only over the parameters on which each depends, as
+/// others may have infinite variance.
 Parameters errors_of(const Eigen::MatrixXd& G, const Eigen::MatrixXd& covariance) {
   Parameters errors;
   for (int k = 0; k < kParameters; ++k) {
@@ -230,7 +232,8 @@ struct CompactionEstimate {
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// What the coordinates change by where fewer or more samples count as beside the plateau.
+/// Returns the changes of the coordinates (root mean square) when fewer or more samples count as beside the
+/// plateau.
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();
@@ -270,7 +273,7 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   if (!std::isfinite(error) || error < 1e-9) return;
   const double t95 = student_t_95(e.dof());
   const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
-  // Powers below a hundredth and above a hundred, and prefactors as far off, say nothing any more.
+  // Coordinates further than a factor of a hundred from the solution have no meaning for the law.
   const double reach = std::log(100.0);
   const double center = e.value[k];
   const ProfileSearch search{
@@ -300,7 +303,7 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Of each part of the error of a coordinate what it is of the parameter.
+/// Converts the parts of the error of a coordinate into parts of the error of the parameter.
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
@@ -376,7 +379,7 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   return data;
 }
 
-/// Says what is left out, and compares what is left with runs that were repeated.
+/// Warns of the samples left out, and compares the residuals of the others with the scatter of repeated runs.
 void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& estimate, CompactionFit& fit) {
   if (!fit.beside_plateau.empty())
     fit.warnings.push_back(fmt::format(

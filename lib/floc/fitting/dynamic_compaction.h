@@ -24,13 +24,13 @@ enum class PlateauPressure {
   critical,  ///< p_crit = sc^2/se, which is p where eta* = 1: as the law is printed
 };
 
-/// Reference values of the law. They are chosen, not fitted, because the law has the same form for any of
+/// Reference values of the law. They are chosen, not fitted, because the law keeps its form for any values of
 /// them.
 struct CompactionReference {
   double p_D = 0.01;     ///< pressure at which the plateau is e_min + De, unit of p; 0.01 MPa in [SVI2024]
   double eta_m = 0.045;  ///< eta* at which (1 - e_r)/e_r = s_m; that of [SVI2024]
-  /// Smallest pressure of the plateau fitted. If not positive: for `own` none is too small; for `critical` it
-  /// is p_D, below which the published plateau soon has a pole.
+  /// Smallest pressure of the plateau of the samples fitted. If it is not positive, there is no limit for
+  /// `own`, and for `critical` the limit is p_D, not far below which the published plateau has a pole.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 
@@ -54,39 +54,40 @@ T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
   return theta[0] + De / (1.0 + theta[2] * De * log_p_over_p_D) * S / (1.0 + S);
 }
 
-/// What the standard error of a parameter is made of.
+/// Parts of the standard error of a parameter.
 struct CompactionErrorParts {
   std::string name;      ///< of the parameter
   double scatter = 0.0;  ///< between repeated runs or, without any, of the residuals
-  double law = 0.0;      ///< what the law misses by more than repeated runs scatter; 0 without any
-  double plateau = 0.0;  ///< from which samples count as beside the plateau
+  double law = 0.0;      ///< misfit of the law beyond the scatter of repeated runs; 0 without such runs
+  double plateau = 0.0;  ///< from the choice of the samples that count as beside the plateau
 };
 
-/// What a fit of the law found, or why there is none.
+/// Result of a fit of the law, or the reason why there is none.
 struct CompactionFit {
   std::string failure_reason;               ///< empty when there is a fit
   std::vector<FittedParameter> parameters;  ///< e_min, De, C, A, s_m, a, b
   Eigen::MatrixXd correlation;              ///< in their order
   std::vector<int> used;                    ///< indices of the samples fitted
-  std::vector<int> below_p_0;               ///< of those left out for the pressure of their plateau
-  std::vector<int> beside_plateau;          ///< of those flagged
+  std::vector<int> below_p_0;               ///< indices of samples left out for the pressure of their plateau
+  std::vector<int> beside_plateau;          ///< indices of samples flagged as beside the plateau
   double rms = 0.0;                         ///< root mean square residual of e
   bool errors_from_runs = false;  ///< the scatter is that between runs of the same p, sc and se, not residuals
-  std::vector<CompactionErrorParts> error_parts;  ///< of the parameters that have a standard error
+  std::vector<CompactionErrorParts> error_parts;  ///< one entry per parameter with a standard error
   std::vector<std::string> profiled;  ///< parameters whose interval is that of the profile likelihood
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Least squares in e from starts computed on a grid.
+/// Fits the law by least squares in e, from starts computed on a grid.
 ///
 /// Samples beside the plateau are flagged and not fitted: those above it, or off the law at eta* > 1, where it
 /// is all plateau, by more than four deviations of the residuals, measured by a robust fit of all. Standard
 /// errors: from the covariance at the solution, scaled by the residual variance, and from the change of the
 /// parameters when samples count as beside the plateau at 2.5 or at 6 deviations. Intervals: Student's t in
-/// e_min, 1/De, C and the logarithms of the others; for A and a the profile likelihood. Refused with fewer than
-/// eight samples; parameters that the samples do not identify are named and have no value.
+/// e_min, 1/De, C and the logarithms of the others; for A and a the profile likelihood. There is no fit with
+/// fewer than eight samples (see `failure_reason`); parameters that the samples do not identify are named and
+/// have no value.
 /// @throws InputError with the faults of the reference
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);

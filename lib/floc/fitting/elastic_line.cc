@@ -122,7 +122,7 @@ void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Fi
     fit.parameters[1] = not_identified("phi_unloaded");
 }
 
-/// Why there is no modulus of the whole branch.
+/// Returns the reason why there is no modulus of the whole branch, in words.
 std::string words_of_curved(bool falls, const ElasticFit& fit) {
   if (!falls) return "the branch is not elastic as a whole: its solid fraction grows as the pressure falls";
   return fmt::format(

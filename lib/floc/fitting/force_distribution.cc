@@ -47,7 +47,8 @@ double maximize(const ForceLaw& law, const std::vector<double>& f) {
   return 0.5 * (low + high);
 }
 
-/// Where the log-likelihood falls by `kDrop95` between its maximum and `end`; absent if it does not.
+/// Returns the parameter between the maximum of the log-likelihood and `end` at which it has fallen by
+/// `kDrop95`; absent if it does not fall so far.
 std::optional<double> interval_end(const ForceLaw& law, const std::vector<double>& f, double best, double end) {
   const double wanted = log_likelihood(law, best, f) - kDrop95;
   if (log_likelihood(law, end, f) > wanted) return std::nullopt;

@@ -76,12 +76,15 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
   const double first = e.points.log_P[0];
   std::vector<Quantity> found;
+  // Each parameter is given as a function of the coordinates (see LawSolution) with its gradient, from which
+  // fitted_parameter() gets its error. P0* and Phi0 follow from the others and from the level of the plateau.
   switch (e.law) {
     case Law::log:
       found.push_back({"lambda", false, theta[0], unit(n, 0)});
       add_start_of_regime_two(e, first, none, theta[1], unit(n, 1), found);
       break;
     case Law::power: {
+      // theta holds A at the first pressure, A1 = A P_first^-alpha, so ln A = ln A1 + alpha ln P_first.
       const double alpha = std::exp(theta[1]);
       found.push_back({"A", false, theta[0] + alpha * first, unit(n, 0) + alpha * first * unit(n, 1)});
       found.push_back({"alpha", false, theta[1], unit(n, 1)});
@@ -135,7 +138,7 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
 
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance) {
   double variance = 0.0;
-  // Sums only over what the parameter depends on: others may have infinite variance.
+  // The sum runs only over the coordinates on which the parameter depends: others may have infinite variance.
   for (int i = 0; i < quantity.gradient.size(); ++i)
     for (int j = 0; j < quantity.gradient.size(); ++j)
       if (quantity.gradient[i] != 0.0 && quantity.gradient[j] != 0.0)
@@ -158,8 +161,8 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const bool finite = std::isfinite(own_variance) && std::isfinite(error);
   const double ratio = finite ? error * error / own_variance : 1.0;
   const double allowed = estimate.solution.sum_of_squares + t95 * t95 * ratio * residual_variance(estimate);
-  // ln alpha between these says nothing any more; 1/Phi_max ends where Phi_max is infinite, and far above any
-  // curve.
+  // Values of alpha outside 1/100 to 100 have no meaning for the law; 1/Phi_max ends where Phi_max is infinite,
+  // and far above any curve.
   const bool is_inverse = coordinate == 2;
   const double low_end = is_inverse ? 1e-3 : std::log(1e-2);
   const double high_end = is_inverse ? 1e3 : std::log(1e2);

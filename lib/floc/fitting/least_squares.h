@@ -23,32 +23,34 @@ struct ParameterLimits {
   double low, high;
 };
 
-/// (J^T J)^-1, parameters x parameters; a parameter with a part along a direction that the data do not
-/// determine has infinite variance.
+/// Returns (J^T J)^-1, parameters x parameters. A parameter with a component along a direction that the data do
+/// not determine has infinite variance.
 [[nodiscard]] Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian);
 
-/// The residuals of a problem as solvers see them: the solvers are compiled once, for all residuals.
+/// Interface of the residuals of a problem, so that the solvers are compiled once for all problems.
 class ResidualFunction {
  public:
   virtual ~ResidualFunction() = default;
   virtual int n_residuals() const = 0;
   virtual int n_parameters() const = 0;
-  /// @param jacobian  residuals x parameters, row after row; null where it is not wanted
+  /// Computes the residuals and, if `jacobian` is not null, their derivatives.
+  /// @param jacobian  residuals x parameters, row after row; may be null
   virtual void evaluate(const double* theta, double* values, double* jacobian) const = 0;
 };
 
-/// Least squares by Levenberg-Marquardt (Ceres), to rounding, from one start.
-/// @param limits  of the parameters, where there are any
+/// Minimises a sum of squares by Levenberg-Marquardt (Ceres), to rounding, from one start.
+/// @param limits  ranges of the parameters that are limited
 /// @param held    index of a parameter kept at its start; -1 for none
-/// Absent if the solver fails.
+/// @return the minimum; absent if the solver fails
 [[nodiscard]] std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function,
                                                            const Eigen::VectorXd& start,
                                                            const std::vector<ParameterLimits>& limits = {},
                                                            int held = -1);
 
-/// The same by normal equations (Ceres' TinySolver): ten times faster, good to half the digits, for searches
-/// among starts.
-/// @return the sum of squares reached; `theta` is the start, then the end. It may be NaN.
+/// Minimises a sum of squares by normal equations (Ceres' TinySolver), ten times faster than minimize() and
+/// accurate to half the digits. Used for searches among starts.
+/// @param theta  the start; replaced by the end
+/// @return the sum of squares reached, which may be NaN
 double descend(const ResidualFunction& function, Eigen::VectorXd& theta);
 
 /// Residuals with automatic derivatives.

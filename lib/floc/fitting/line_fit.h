@@ -12,6 +12,7 @@ struct LinearFit {
   int dof = 0;  ///< points less coefficients
 };
 
+/// Fits y by a linear combination of columns.
 /// @param columns  points x coefficients, of full rank, at least as many points as coefficients
 [[nodiscard]] LinearFit fit_linear(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 

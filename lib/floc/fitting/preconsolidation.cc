@@ -27,8 +27,8 @@ LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double 
   return fit_linear(columns_of_lines(x, bend), y);
 }
 
-/// How much neighbouring residuals are alike, where it is more than independent ones would be: a bend that is round
-/// leaves a smooth curve. 0 elsewhere, and where the residuals are rounding.
+/// Returns the correlation of neighbouring residuals where it exceeds that of independent ones, as for a round
+/// bend, which leaves a smooth curve of residuals. Returns 0 elsewhere, and where the residuals are rounding.
 double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = residuals.size();
@@ -109,7 +109,7 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
     fit.warnings.push_back(
         "the preconsolidation pressure may lie at an end of the branch: its interval is open there");
   }
-  // The bend was fitted too: the variance has one degree of freedom less than the lines say.
+  // The bend was fitted too, so that the variance has one degree of freedom less than that of the lines.
   const Eigen::MatrixXd c = lines.covariance * (static_cast<double>(lines.dof) / dof);
   fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),
                     from_value("lambda", lambda, std::sqrt(c(1, 1) + c(2, 2) + 2 * c(1, 2)), t95)};

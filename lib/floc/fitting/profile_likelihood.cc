@@ -6,9 +6,10 @@
 namespace floc {
 namespace {
 
-/// Where the profile crosses `allowed` on one side of the solution: steps of `step` (signed) that grow, then
-/// the rule of false position in the root of the excess, which is nearly linear. Absent if it does not up to
-/// `end`, or not before the solver fails: what lies beyond is not known.
+/// Returns the coordinate at which the profile crosses `allowed` on one side of the solution: by growing steps,
+/// the first of which is `step` (signed), then by the rule of false position in the square root of the excess,
+/// which is nearly linear. Absent if there is no crossing up to `end`, or up to the point where the solver
+/// fails.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);

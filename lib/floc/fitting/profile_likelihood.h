@@ -13,19 +13,19 @@ struct ProfileInterval {
 
 /// Settings of the search for the ends of such an interval.
 struct ProfileSearch {
-  double center;             ///< the coordinate at the solution
-  double least;              ///< sum of squares there
+  double center;             ///< coordinate at the solution
+  double least;              ///< sum of squares at the solution
   double allowed;            ///< sum of squares at the ends of the interval, > least
   double low_end, high_end;  ///< beyond these the coordinate no longer means anything
   double step;               ///< first step away from the solution, > 0
 };
 
-/// Least sum of squares with the coordinate held at a value; infinite where the solver fails. It may follow the
-/// solution from one call to the next.
+/// Function that returns the least sum of squares with the coordinate held at a value; infinite where the
+/// solver fails. It may start from the solution of the call before.
 using ProfileFunction = std::function<double(double value)>;
 
-/// Where the profile reaches what is allowed, to 1e-3 of the width.
-/// @param profile_from_solution  a profile that starts at the solution, one for each side
+/// Finds the ends of the interval, where the profile reaches `search.allowed`, to 1e-3 of its width.
+/// @param profile_from_solution  returns a profile that starts at the solution; called once for each side
 [[nodiscard]] ProfileInterval profile_interval(const ProfileSearch& search,
                                                const std::function<ProfileFunction()>& profile_from_solution);
 

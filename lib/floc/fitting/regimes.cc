@@ -26,7 +26,7 @@ int n_below(const LawPoints& points, double log_P) {
   return static_cast<int>((points.log_P.array() < log_P).count());
 }
 
-/// What a constant leaves.
+/// Returns the weighted sum of squares that a constant leaves.
 double residual_of_constant(const LawPoints& points) {
   if (points.size() == 0) return 0.0;
   const Eigen::ArrayXd w2 = points.weight.array().square();
@@ -66,8 +66,9 @@ ChangePoint change_among(std::vector<Place> places, int shift) {
   return change;
 }
 
-/// What a plateau of the first `k` points leaves that ends where the law after it reaches its level: between
-/// its last point and the next one. `theta` solves the law on the rest.
+/// Returns the weighted sum of squares that a plateau of the first `k` points leaves. The plateau ends where
+/// the law after it reaches its level, between its last point and the next one. `theta` solves the law on the
+/// rest.
 double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
   if (k == 0) return 0.0;
   const double first = points.log_P[k];
@@ -131,7 +132,7 @@ std::vector<Place> onsets_of_three(const LawPoints& points) {
   return places;
 }
 
-/// What 1/Phi linear in P* leaves.
+/// Returns the weighted sum of squares that 1/Phi linear in P* leaves.
 double residual_of_elasticity(const LawPoints& points) {
   Eigen::MatrixXd columns(points.size(), 2);
   columns.col(0) = points.weight;
@@ -165,6 +166,7 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const int n = points.size();
   std::vector<Place> ends = ends_before_full_law(points);
   const std::vector<Place> line_ends = ends_before_line(points);
+  // A curve that a constant or an elastic line explains better than every split has no regimes to separate.
   const double flat = std::min(information(residual_of_constant(points), n, 1),
                                information(residual_of_elasticity(points), n, 2));
   const auto explains_more = [flat](const Place& p) { return p.information < flat; };
@@ -177,6 +179,8 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
     return places.empty() ? kInfinity
                           : std::min_element(places.begin(), places.end(), less_information)->information;
   };
+  // Data that stop before P1* do not determine the full law; the line, with fewer parameters, then has the
+  // smaller criterion.
   if (least(line_ends) < least(ends)) ends = line_ends;
   if (ends.empty()) return std::nullopt;
   const ChangePoint end = change_among(ends, 0);
@@ -188,6 +192,7 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const std::vector<Place> onsets = onsets_of_three(rest);
   if (onsets.empty()) return regimes;
   const auto best = std::min_element(onsets.begin(), onsets.end(), less_information);
+  // Regime III is reported only if its split has a smaller criterion than a line through all of the rest.
   const auto line = residual_of_line(rest);
   if (line && information(*line, rest.size(), n_parameters(Law::log)) <= best->information) return regimes;
   regimes.onset_three = change_among(onsets, end.first);

@@ -7,17 +7,17 @@
 
 namespace floc {
 
-/// A place where one regime may give way to the next: before the point `first`.
+/// A possible change from one regime to the next, before the point `first`.
 struct ChangePlace {
   int first;
   double probability;
 };
 
-/// Where one regime gives way to the next: between two neighbouring points.
+/// Change from one regime to the next, between two neighbouring points.
 struct ChangePoint {
   int first;                        ///< index of the first point after the most probable change
-  int low95, high95;                ///< the same over the most probable places that hold 95 % together
-  std::vector<ChangePlace> places;  ///< all that are more probable than 1 %, the most probable first
+  int low95, high95;                ///< range of that index over the most probable places, 95 % together
+  std::vector<ChangePlace> places;  ///< all places more probable than 1 %, the most probable first
 };
 
 /// The regimes of a curve: a plateau (I), a line in ln P* (II), a power law (III).
@@ -31,17 +31,18 @@ struct Regimes {
   int end_of_two = 0;                      ///< index after the last point of regime II
 };
 
-/// Change-point search by least squares. The end of the plateau is the split into a constant and the full law
-/// (or the line, where that explains more) that leaves least by the Bayesian information criterion, the level
-/// of the plateau being one that the law takes between its last point and the next; the onset of III is the
-/// split of the rest into a line and a power law that leaves least. Places are weighted by exp(-criterion/2).
-/// Absent if no split leaves three points to regime II.
+/// Finds the regimes by a change-point search with least squares. The end of the plateau is the split into a
+/// constant and the full law (or the line, where that explains more) of least Bayesian information criterion;
+/// the level of the plateau has to be one that the law takes between the plateau's last point and the next. The
+/// onset of III is the split of the rest into a line and a power law of least criterion. Places are weighted by
+/// exp(-criterion/2).
+/// @return the regimes; absent if no split leaves three points to regime II
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
 /// True if the points distinguish the full law, whose solution on them is given, from the line of regime II.
 [[nodiscard]] bool detects_bend(const LawPoints& points, const LawSolution& full);
 
-/// True if they also reach beyond its P1*.
+/// True if the points distinguish the full law from the line and also reach beyond its P1*.
 [[nodiscard]] bool detects_regime_three(const LawPoints& points, const LawSolution& full);
 
 /// Number of points at pressures below the P1* of a solution of the full law.

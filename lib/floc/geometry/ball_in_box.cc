@@ -32,7 +32,8 @@ template <int Dim>
 double beyond(Vec<Dim> t, int axis = 0) {
   for (; axis < Dim; ++axis) {
     if (t[axis] >= 0.0) continue;
-    // What is not beyond a plane below the centre lies beyond its mirror image: twice a half, less that.
+    // The part beyond a plane below the centre is the whole ball less the part beyond the mirror image of the
+    // plane. The whole is counted as twice the half beyond the plane through the centre.
     Vec<Dim> mirrored = t;
     mirrored[axis] = -t[axis];
     t[axis] = 0.0;

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Volume (in 2D area) that a ball and a box have in common, in closed form.
+/// Returns the volume (in 2D the area) that a ball and a box have in common, in closed form.
 ///
 /// The part of a unit sphere beyond three planes x = a, y = b, z = c >= 0 has, by the divergence theorem, the
 /// volume (S - a A_a - b A_b - c A_c)/3: A are its flat faces, parts of disks beyond two lines, and S is its

@@ -18,15 +18,15 @@ struct Cell {
   /// Area (2D) or volume (3D), positive whatever the handedness of the lattice vectors.
   double volume() const { return std::abs(matrix.determinant()); }
 
-  /// Vector by which an image is displaced: image * matrix.
+  /// Returns the displacement of an image: image * matrix (length).
   Vec<Dim> shift(const Vec<Dim, int>& image) const {
     return matrix.transpose() * image.template cast<double>();
   }
 
-  /// Coordinates in units of the lattice vectors.
+  /// Returns coordinates in units of the lattice vectors.
   Vec<Dim> reduced(const Vec<Dim>& x) const { return matrix.transpose().inverse() * x; }
 
-  /// The point of the cell equivalent to x, with reduced coordinates in [0, 1).
+  /// Returns the point of the cell that is equivalent to x, with reduced coordinates in [0, 1).
   Vec<Dim> wrapped(const Vec<Dim>& x) const {
     Vec<Dim, int> image;
     const Vec<Dim> s = reduced(x);
@@ -36,7 +36,7 @@ struct Cell {
 
   bool rectangular() const { return matrix.isDiagonal(0.0); }
 
-  /// Velocity gradient: the affine part of a grain's velocity is rate() * x (1/time).
+  /// Returns the velocity gradient (1/time): the affine part of a grain's velocity is rate() * x.
   Mat<Dim> rate() const { return velocity.transpose() * matrix.transpose().inverse(); }
 };
 

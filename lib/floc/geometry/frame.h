@@ -15,13 +15,13 @@ inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
 template <int Dim, class T = double>
 using Shear = Eigen::Matrix<T, kShearComponents<Dim>, 1>;
 
-/// The tangent of a 2D contact: the normal turned by +90 degrees.
+/// Returns the tangent of a 2D contact: the normal turned by +90 degrees.
 template <class T>
 inline Vec<2, T> tangent(const Vec<2, T>& n) {
   return {-n[1], n[0]};
 }
 
-/// spin x arm: velocity of the point at `arm` from a centre that turns at `spin`.
+/// Returns spin x arm, the velocity of the point at `arm` from a centre that turns at `spin`.
 template <class T>
 inline Vec<2, T> cross(const RotationVector<2, T>& spin, const Vec<2, T>& arm) {
   return spin[0] * tangent(arm);
@@ -32,7 +32,7 @@ inline Vec<3, T> cross(const RotationVector<3, T>& spin, const Vec<3, T>& arm) {
           spin[0] * arm[1] - spin[1] * arm[0]};
 }
 
-/// arm x force: moment of a force that acts at `arm` from the centre.
+/// Returns arm x force, the moment of a force that acts at `arm` from the centre.
 template <class T>
 inline RotationVector<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
   return RotationVector<2, T>(arm[0] * force[1] - arm[1] * force[0]);
@@ -42,7 +42,7 @@ inline RotationVector<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force)
   return cross<T>(RotationVector<3, T>(arm), force);
 }
 
-/// The tangential component of a relative displacement, in the contact's frame.
+/// Returns the tangential component of a relative displacement, in the contact's frame.
 template <class T>
 inline Shear<2, T> to_shear(const Vec<2, T>& n, const Vec<2, T>& displacement) {
   return Shear<2, T>(tangent(n).dot(displacement));
@@ -52,17 +52,17 @@ inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
   return displacement - n * n.dot(displacement);
 }
 
-/// The vector in space of a tangential quantity given in the contact's frame.
+/// Returns the vector in space of a tangential quantity given in the contact's frame.
 template <class T>
 inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
   return tangent(n) * shear[0];
 }
 template <class T>
 inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
-  return {shear[0], shear[1], shear[2]};  // GCC takes a copy of the whole through memory
+  return {shear[0], shear[1], shear[2]};  // GCC would copy the whole vector through memory
 }
 
-/// The part of a relative rotation that rolls: in 2D all of it, in 3D the part normal to n.
+/// Returns the rolling part of a relative rotation: in 2D all of it, in 3D the part normal to n.
 template <class T>
 inline RotationVector<2, T> rolling_part(const Vec<2, T>&, const RotationVector<2, T>& rotation) {
   return rotation;

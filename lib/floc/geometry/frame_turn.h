@@ -4,10 +4,10 @@
 
 namespace floc {
 
-/// How the frame of a 3D contact turns in a short step, for the tangential quantities that a contact remembers:
-/// by the smallest rotation that takes the old normal n0 to the new one, n1, then about n1 by the mean rotation
-/// of the two grains. Lengths stay as they are, and the angle about the normal is right to second order. Powers
-/// of the turn (radians) from the sixth on are left out, so that no root or division is needed.
+/// Rotation of the frame of a 3D contact in a short step, applied to the tangential history of the contact: the
+/// smallest rotation that takes the old normal n0 to the new one, n1, then a rotation about n1 by the mean
+/// rotation of the two grains. Lengths stay as they are, and the angle about the normal is right to second
+/// order. Powers of the angle (radians) from the sixth on are left out, so that no root or division is needed.
 template <class T>
 class FrameTurn {
  public:
@@ -40,14 +40,14 @@ class FrameTurn {
   /// Slip of two surfaces across the mean normal m, seen across the new one: with the displacement d of the branch,
   /// P1 Pm (d - s x m) and Pi u = u - ni ni.u.
   /// @param length    of the branch after the step
-  /// @param surfaces  s: what turning moves the surface of i against that of j, a sum of arms times rotations
+  /// @param surfaces  s, the displacement of the surface of i against that of j by rotation: arms times rotations
   Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
     // m = n1 - lean across, so that P1 Pm d = (1 + lean m.d) across and P1 (s x m) = (s + lean (s.n1) across) x n1.
     const RotationVector<3, T> about = surfaces + (lean_ * surfaces.dot(n_)) * across_;
     return (length * (T(1) + lean_ * along_middle_)) * across_ - cross<T>(about, n_);
   }
 
-  /// @param v  normal to the old normal
+  /// Returns a vector after the rotation. @param v  normal to the old normal
   Vec<3, T> operator()(const Vec<3, T>& v) const {
     const Vec<3, T> turned = v - v.dot(n_) * mean_normal_;
     return cos_ * turned + sin_ * moment<T>(n_, turned);

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// The same lattice spanned by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b)
-/// times lattice vector b of the cell it was made from.
+/// Lattice of a cell, spanned by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b)
+/// times lattice vector b of the given cell.
 template <int Dim>
 struct ReducedLattice {
   Cell<Dim> cell;
@@ -22,9 +22,10 @@ struct ReducedLattice {
   }
 };
 
-/// Lagrange-Gauss reduction, pair by pair in 3D: each vector is shortened by whole multiples of the others
-/// until none gets shorter. A neighbour search whose length depends on the widths of the cell then stays short,
-/// however slanted the given cell. Lattices of short vectors are left as they are.
+/// Reduces a lattice by the method of Lagrange and Gauss, pair by pair in 3D: each vector is shortened by whole
+/// multiples of the others until none gets shorter. This keeps a neighbour search short, whose cost depends on
+/// the widths of the cell, however slanted the given cell is. Lattices whose vectors are short already are left
+/// as they are.
 template <int Dim>
 ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};

@@ -29,7 +29,7 @@ Vec<Dim> rounded(const DoubleDoubleVec<Dim>& v) {
   return out;
 }
 
-/// x displaced to an image: x + image * cell.matrix.
+/// Returns x displaced to an image: x + image * cell.matrix.
 template <int Dim>
 DoubleDoubleVec<Dim> displaced(DoubleDoubleVec<Dim> x, const Cell<Dim>& cell, const Vec<Dim, int>& image) {
   for (int b = 0; b < Dim; ++b)
@@ -45,9 +45,9 @@ DoubleDoubleVec<Dim> difference(const DoubleDoubleVec<Dim>& to, const DoubleDoub
   return r;
 }
 
-/// Gap between two round surfaces, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj): the second form, with
-/// squares in double-double arithmetic, is right to a few units in the last place of the gap itself, not of the
-/// distance.
+/// Returns the gap between two round surfaces, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj) (length).
+/// The second form, with squares in double-double arithmetic, is accurate to a few units in the last place of
+/// the gap itself, not of the distance.
 template <int Dim>
 double surface_gap(const DoubleDoubleVec<Dim>& r, double radius_i, double radius_j) {
   const DoubleDouble radii = exact_sum(radius_i, radius_j);

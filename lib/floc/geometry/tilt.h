@@ -4,8 +4,9 @@
 
 namespace floc {
 
-/// Number of whole sides to take off a tilt of a lattice vector along one with this side, so that at most half a side is
-/// left: the lattice stays the same. A tilt of just half a side stays.
+/// Returns the number of whole sides to subtract from the tilt of a lattice vector along another vector of
+/// length `side`, so that at most half a side is left. The lattice stays the same. A tilt of exactly half a
+/// side gives 0.
 inline double sides_in_tilt(double tilt, double side) {
   return std::ceil(tilt / side - 0.5);
 }

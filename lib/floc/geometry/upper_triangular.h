@@ -4,7 +4,8 @@
 
 namespace floc {
 
-/// p q^-1 of two upper triangular matrices, by substitution: for diagonal matrices plain quotients.
+/// Returns p q^-1 of two upper triangular matrices, by substitution; for diagonal matrices these are plain
+/// quotients.
 template <int Dim>
 Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
   Mat<Dim> x = Mat<Dim>::Zero();
@@ -17,7 +18,7 @@ Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
   return x;
 }
 
-/// p q of two upper triangular matrices.
+/// Returns p q of two upper triangular matrices.
 template <int Dim>
 Mat<Dim> upper_product(const Mat<Dim>& p, const Mat<Dim>& q) {
   Mat<Dim> x = Mat<Dim>::Zero();

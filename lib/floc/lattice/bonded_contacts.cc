@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Caps and adhesion over what the forces need.
+/// Ratio of caps and adhesion to the largest force that they have to allow.
 constexpr double kMargin = 2.0;
 
 void set_moment(const RotationVector<2>& moment, Contact<2>& c) {
@@ -60,7 +60,8 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
 
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing) {
-  /// What counts as being at a cap; none is near.
+  /// Relative distance from a cap within which a contact counts as mobilised; the law keeps all contacts far
+  /// from theirs.
   constexpr double kCapTolerance = 1e-9;
   packing.law = law_for(bonds);
   packing.contacts.clear();

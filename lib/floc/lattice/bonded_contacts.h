@@ -6,14 +6,14 @@
 
 namespace floc {
 
-/// A bond as a contact of a packing: which grains it joins, what it carries, how stiff it is.
+/// A bond as a contact of a packing: the grains that it joins, its forces and its stiffnesses.
 template <int Dim>
 struct BondedContact {
   int i, j;
   Vec<Dim, int> image;
   double normal_force;         ///< compression positive (force)
   Vec<Dim> shear_force;        ///< on i (force)
-  RotationVector<Dim> moment;  ///< of the bond on i, in 3D rolling and twisting (force * length)
+  RotationVector<Dim> moment;  ///< moment on i, in 3D rolling and twisting (force * length)
   double kn, kt;               ///< (force/length)
   double kr;            ///< against rolling, and in 3D against twisting where it resists it (force * length)
   bool twists = false;  ///< resists twisting (3D)
@@ -21,9 +21,9 @@ struct BondedContact {
 template <int Dim>
 using BondedContacts = std::vector<BondedContact<Dim>>;
 
-/// Gives a packing these contacts and a law that can carry them: linear springs of the mean stiffness, adhesion
-/// of twice the largest tension (bonds are cohesive, whatever they carry), and friction and rolling resistance
-/// where bonds resist shear or carry moments, with caps twice as high as any force.
+/// Gives a packing these contacts and a law under which they can carry their forces: linear springs of the mean
+/// stiffness, adhesion of twice the largest tension (bonds are always cohesive), and friction and rolling
+/// resistance where bonds resist shear or carry moments, with caps twice as high as any force.
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing);
 

@@ -88,7 +88,7 @@ class Cementing {
     return volume / out_.lattice.cell.volume();
   }
 
-  /// Nodes that are no farther than `reach` from a surface, or inside it, get to know the nearest.
+  /// Finds the nearest surface of each node that is inside a grain or no farther than `reach` from one.
   void take_owners(double reach) {
     for (int i = 0; i < out_.grains.size(); ++i) {
       const double radius = out_.grains.radius[i];
@@ -129,7 +129,8 @@ class Cementing {
     return width;
   }
 
-  /// Nodes that bridges can cover, by the width at which they are, until they hold the content wanted.
+  /// Returns the nodes that bridges can cover, sorted by the width that covers them, until they have the
+  /// content wanted.
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;
     double reached = 0.0;
@@ -154,7 +155,7 @@ class Cementing {
     return covered;
   }
 
-  /// The narrowest bridges that come nearest to the content wanted.
+  /// Chooses the width of the bridges whose content comes nearest to the content wanted.
   void choose_nodes(double wanted, const std::vector<CoveredNode>& covered) {
     const double volume = wanted * out_.lattice.cell.volume();
     double taken = 0.0;

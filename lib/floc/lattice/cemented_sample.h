@@ -11,11 +11,11 @@
 
 namespace floc {
 
-/// What a node of a lattice is made of.
+/// Material of a node of a lattice; `none` is void.
 enum class Phase : std::uint8_t { none, grain, matrix };
 
 struct CementOptions {
-  double matrix_content = 0.0;  ///< rho_m: share of the volume that the matrix is to take, 0 to 1
+  double matrix_content = 0.0;  ///< rho_m: share of the volume that the matrix has to fill, 0 to 1
   /// Grains whose surfaces are closer than this (in mean diameters, >= 0) are joined by a bridge. Wider than
   /// the gaps of a frictionless packing's contacts, narrower than those to second neighbours.
   double bridge_gap = 0.05;
@@ -30,10 +30,10 @@ template <int Dim>
 struct CementedSample {
   Lattice<Dim> lattice;
   Grains<Dim> grains;        ///< in the lattice's cell: centres moved with it, radii scaled with its volume
-  std::vector<Phase> phase;  ///< of each node
-  /// Of each node that is not void, the grain with the nearest surface; -1 of the others.
+  std::vector<Phase> phase;  ///< material of each node
+  /// Grain with the nearest surface, of each node that is not void; -1 of void nodes.
   std::vector<int> owner;
-  /// The nearest image of that grain: centre + owner_image * cell.matrix.
+  /// Nearest image of that grain, at centre + owner_image * cell.matrix.
   std::vector<Vec<Dim, int>> owner_image;
   double grain_content = 0.0;   ///< rho_p, counted on the lattice
   double matrix_content = 0.0;  ///< rho_m, counted on the lattice
@@ -44,9 +44,10 @@ struct CementedSample {
   double strain = 0.0;  ///< largest component of the strain that fitted the packing to the lattice
 };
 
-/// Lays a packing on a lattice: first the nodes inside a grain (where two overlap, the one whose surface is
-/// deeper), then straight bridges of width w R' between the centres of neighbours, with w raised until the
-/// matrix has its content: one sort of the smallest w that covers each free node.
+/// Lays a packing on a lattice. Nodes inside a grain become its own (where two grains overlap, those of the
+/// grain in which they lie deeper). Straight bridges of width w R' between the centres of neighbours then
+/// become matrix, with w raised until the matrix has its content; w is found by sorting the free nodes by the
+/// smallest w that covers them.
 /// @throws InputError with the faults of the options, if the packing has walls, or the matrix content cannot be
 /// reached (the message gives the largest that can)
 template <int Dim>

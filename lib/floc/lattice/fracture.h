@@ -10,7 +10,8 @@
 
 namespace floc {
 
-/// Strength of the elements: the tension at which those of each kind break (force). Infinite: never.
+/// Strength of the elements: the tension at which elements of each kind break (force); infinite if they never
+/// break.
 struct ElementStrength {
   std::array<double, kElementKinds> tension{};  ///< by ElementKind
 
@@ -22,12 +23,12 @@ struct ElementStrength {
 struct Breakage {
   int element;
   double strain;  ///< along the load when it broke, shortening positive
-  double stress;  ///< that broke it, compression positive (stress)
+  double stress;  ///< stress at which it broke, compression positive (stress)
 };
 
 struct FractureOptions {
   ElementStrength strength;
-  /// Ends when the stress has fallen to this share of the largest.
+  /// Share of the largest stress at which the breaking ends.
   double end_at = 0.2;  ///< in kShare
   static constexpr NumberRange kShare{.least = 0.0, .most = 1.0};
   int most_broken = 1'000'000;
@@ -35,18 +36,19 @@ struct FractureOptions {
   std::function<bool(const Breakage&, int n_broken)> observe = {};
 };
 
-/// The breaking of a sample, one element at a time.
+/// Fracture of a sample, one element at a time.
 struct FracturePath {
   std::vector<Breakage> broken;  ///< in order of breaking
-  double strength = 0.0;         ///< largest magnitude of the stress that it bore; 0 where nothing can break
+  double strength = 0.0;         ///< largest magnitude of the stress carried; 0 if no element can break
   double strain_at_strength = 0.0;
-  std::string end;  ///< why it ended, in words
+  std::string end;  ///< reason for which the breaking ended, in words
 };
 
 /// Loads a sample in proportion to `load`, removes the first element that reaches its strength, and solves
-/// again: the load then needed may be smaller (the sample gives way under a held stress) or larger. Every state
-/// is elastic, so the stress that breaks the next element follows by scaling.
-/// @param load  direction of the load, any magnitude; `axis`: the component that stress and strain are given of
+/// again. The load that breaks the next element may be smaller (under a held stress the sample would fail at
+/// once) or larger. Every state is elastic, so the stress that breaks the next element follows by scaling.
+/// @param load  direction of the load, of any magnitude
+/// @param axis  component whose stress and strain are reported
 /// @throws InputError with the faults of the options
 template <int Dim>
 [[nodiscard]] FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,

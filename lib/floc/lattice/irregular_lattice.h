@@ -9,9 +9,9 @@
 namespace floc {
 
 struct IrregularLatticeOptions {
-  double spacing = 0.0;  ///< of the regular points, one per cube of that side (length)
-  /// Largest displacement of each coordinate of a point, in spacings: wide enough that no direction is
-  /// preferred, narrow enough that points keep apart.
+  double spacing = 0.0;  ///< spacing of the regular points, one per cube of that side (length)
+  /// Largest displacement of each coordinate of a point, in spacings: large enough that no direction is
+  /// preferred, small enough that points stay apart.
   double jitter = 0.35;
   std::uint64_t seed = 1;
 
@@ -19,8 +19,8 @@ struct IrregularLatticeOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Points on a cubic grid, displaced at random, in any periodic cell: their Delaunay bonds, some 7.8 per point,
-/// and their Voronoi cells. Forces act at the centres of the faces between cells.
+/// Makes a lattice of points on a cubic grid, displaced at random, in any periodic cell, with their Delaunay
+/// bonds, some 7.8 per point, and their Voronoi cells. Forces act at the centres of the faces between cells.
 /// @throws InputError with the faults of the options, or if more than 1e8 nodes would be needed
 Lattice<3> irregular_lattice(const Cell<3>& cell, const IrregularLatticeOptions& options);
 

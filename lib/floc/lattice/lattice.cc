@@ -28,11 +28,14 @@ Lattice<2> triangular_lattice(int columns, int rows, double spacing) {
   out.volume.assign(n, kRowHeight * spacing * spacing);
   out.node.reserve(n);
   out.bonds.reserve(3 * static_cast<std::size_t>(n));
+  // Nodes have hexagonal cells, whose sides are spacing/sqrt(3). Each node gets three of its six bonds: to the
+  // right, to the upper right and to the upper left; the others belong to its neighbours.
   const double facet = spacing / std::numbers::sqrt3;
   const Vec<2> steps[] = {
       {spacing, 0.0}, {0.5 * spacing, kRowHeight * spacing}, {-0.5 * spacing, kRowHeight * spacing}};
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
+      // Odd rows are shifted by half a spacing. The quarter keeps all nodes away from the border of the cell.
       const bool shifted = r % 2 == 1;
       out.node.emplace_back((c + (shifted ? 0.75 : 0.25)) * spacing, (r + 0.5) * kRowHeight * spacing);
       const int to_column[] = {c + 1, shifted ? c + 1 : c, shifted ? c : c - 1};
@@ -53,7 +56,7 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
   const double width = std::abs(cell.matrix(0, 0)), height = std::abs(cell.matrix(1, 1));
   if (width * height / (kRowHeight * spacing * spacing) > kMostNodes)
     throw InputError("", fmt::format("a spacing of {:.3g} asks for more than 1e8 nodes", spacing));
-  /// Share of the number of columns asked for that is tried on either side.
+  /// Largest relative deviation of the number of columns from width/spacing that is tried.
   constexpr double kTried = 0.03;
   const double asked = width / spacing;
   int best_columns = 1, best_rows = 2;
@@ -64,7 +67,7 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     const int rows =
         2 * std::max(1, static_cast<int>(std::round(0.5 * height * columns / (width * kRowHeight))));
     const double misfit = std::abs(std::log(rows * kRowHeight * width / (columns * height)));
-    // Of lattices that fit alike the one nearest to the spacing asked for.
+    // Among lattices that fit equally well, the one with the spacing nearest to the given one is taken.
     const double off = misfit + 1e-6 * std::abs(columns - asked);
     if (off < best) best = off, best_columns = columns, best_rows = rows;
   }

@@ -64,7 +64,7 @@ class NetworkBuilder {
                              bare && stiffness_.contact == BareContact::unilateral, number});
   }
 
-  /// A bond across the border is cut; its ends are held as the boundary says.
+  /// Cuts a bond across the border: holds its ends according to the boundary condition.
   void hold(const LatticeBond<Dim>& bond) {
     if (boundary_ == LatticeBoundary::uniform_strain) {
       for (const int node : {bond.i, bond.j})
@@ -97,7 +97,8 @@ class NetworkBuilder {
     return false;
   }
 
-  /// What the elements of a node span: how many there are, a first direction, whether another one differs.
+  /// Elements of a node: their number, the direction of the first, and whether the direction of another one
+  /// differs.
   struct Holding {
     int count = 0;
     Vec<Dim> first = Vec<Dim>::Zero();
@@ -292,6 +293,8 @@ ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const st
   out.n_grains = network.n_nodes;
   out.volume = network.volume;
   out.grain_size.assign(network.n_nodes, network.spacing);
+  // The stiffness is that of a lattice without stress, so that normal, shear and rolling forces are left at
+  // zero.
   for (int e = 0; e < static_cast<int>(network.elements.size()); ++e) {
     if (!open.empty() && open[e]) continue;
     const LatticeElement<Dim>& from = network.elements[e];
@@ -304,6 +307,7 @@ ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const st
     c.arm_j = from.arm_i - from.branch;
     c.frame = contact_frame(Vec<Dim>(from.branch.normalized()));
     c.kn = from.kn;
+    // Unilateral elements are contacts without friction: they resist the overlap alone.
     if (!from.unilateral) {
       c.kt = network.shear * from.kn;
       c.kr = network.bending * from.kn * network.spacing * network.spacing;

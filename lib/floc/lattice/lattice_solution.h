@@ -15,7 +15,7 @@ struct LatticeLoad {
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
   Components value = Components::Zero();  ///< strain where it is imposed, stress elsewhere
 
-  /// A stress along one axis and none along the others.
+  /// Returns the load of a stress along one axis and none along the others.
   static LatticeLoad uniaxial(int axis, double stress) {
     LatticeLoad load;
     load.value[axis] = stress;
@@ -27,22 +27,24 @@ struct LatticeLoad {
 template <int Dim>
 struct LatticeSolution {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
-  Components strain;                  ///< of the cell, in the order of StrainSet::full, shortening positive
-  Components stress;                  ///< that the elements carry, compression positive
-  std::vector<double> normal_force;   ///< of each element, compression positive
-  std::vector<Vec<Dim>> shear_force;  ///< of each element on its node i; empty where all are central
-  std::vector<RotationVector<Dim>> moment;  ///< likewise, of bending
-  std::vector<bool> open;                   ///< of each element
-  std::vector<Vec<Dim>> displacement;       ///< of each node, relative to the uniform strain
+  Components strain;  ///< strain of the cell, in the order of StrainSet::full, shortening positive
+  Components stress;  ///< stress carried by the elements, compression positive
+  std::vector<double> normal_force;   ///< normal force of each element, compression positive (force)
+  std::vector<Vec<Dim>> shear_force;  ///< shear force on node i of each element; empty where all are central
+  /// Bending moment of each element on its node i (force * length); empty where all are central.
+  std::vector<RotationVector<Dim>> moment;
+  std::vector<bool> open;              ///< whether each element is open, that is, carries nothing
+  std::vector<Vec<Dim>> displacement;  ///< displacement of each node relative to the uniform strain (length)
   double energy = 0.0;
   SpringRelaxationReport report;
 
   int n_open() const;
-  /// Force on node i of an element.
+  /// Returns the force on node i of an element.
   Vec<Dim> force_on_i(const LatticeNetwork<Dim>& network, int element) const;
 };
 
-/// A network that is loaded once or repeatedly: factor and active set are kept from one load to the next.
+/// Solver of a network that is loaded once or repeatedly: factor and active set are kept from one load to the
+/// next.
 template <int Dim>
 class LatticeSolver {
  public:
@@ -51,11 +53,11 @@ class LatticeSolver {
   LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-  /// Between plates the load is the component along their axis alone.
+  /// Solves for the state under a load. Between plates only the component along their axis counts.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
-  /// Stress per unit of each strain, with grains and matrix relaxed and nothing opening or closing since the
-  /// last solution: order of StrainSet::full (stress). @pre solve() was called
+  /// Returns the stress per unit of each strain (stress), in the order of StrainSet::full, with grains and
+  /// matrix relaxed and the open elements of the last solution. @pre solve() was called
   Eigen::MatrixXd moduli();
 
   /// Removes an element for good.

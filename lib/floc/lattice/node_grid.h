@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Finds the nodes of a lattice near a point of the periodic cell.
+/// Search grid that finds the nodes of a lattice near a point of the periodic cell.
 template <int Dim>
 class NodeGrid {
  public:
@@ -76,8 +76,8 @@ class NodeGrid {
   }
 
   const Lattice<Dim>& lattice_;
-  Vec<Dim> width_;      // of the cell between its faces (length)
-  Vec<Dim, int> bins_;  // along each lattice vector
+  Vec<Dim> width_;      // widths of the cell between its faces (length)
+  Vec<Dim, int> bins_;  // numbers of bins along each lattice vector
   std::vector<int> start_, order_;
 };
 

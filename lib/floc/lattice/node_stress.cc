@@ -44,6 +44,8 @@ StressDistribution stress_distribution(const std::vector<double>& values, double
   StressDistribution out;
   out.n = static_cast<int>(values.size());
   if (values.empty()) return out;
+  // Each tail is measured in units of the mean of its own sign (docs/physics.md, "Cemented grains"), so that
+  // sums and numbers of the two signs are kept apart.
   double squares = 0.0, loaded = 0.0, other = 0.0;
   int n_loaded = 0, n_other = 0;
   for (const double value : values) {

@@ -15,17 +15,19 @@ struct ModulusBounds {
   double voigt, hashin_shtrikman_upper, hashin_shtrikman_lower, reuss;  ///< (stress)
 };
 
-/// Bounds on the bulk and shear modulus of an isotropic composite of isotropic phases that stick together.
-/// Those of Hashin and Shtrikman take the stiffest and the softest phase as reference; with voids the lower
+/// Bounds on the bulk and shear modulus of an isotropic composite of isotropic phases that stick together. The
+/// bounds of Hashin and Shtrikman take the stiffest and the softest phase as reference; with voids the lower
 /// ones vanish.
 struct CompositeBounds {
   ModulusBounds K, G;
 };
 
-/// @param phases  shares add up to 1
+/// Computes the bounds of a composite. @param phases  phases whose shares add up to 1   @param dimension  2 or
+/// 3
 CompositeBounds composite_bounds(const std::vector<ElasticPhase>& phases, int dimension);
 
-/// Moduli of the triangular lattice of spacing l, any bending: K = sqrt(3)/2 k_n, G = sqrt(3)/4 (k_n + k_t).
+/// Returns the moduli of the triangular lattice, K = sqrt(3)/2 k_n and G = sqrt(3)/4 (k_n + k_t), which do not
+/// depend on its spacing or bending stiffness.
 ElasticPhase triangular_moduli(double share, double kn, double kt);
 
 }  // namespace floc

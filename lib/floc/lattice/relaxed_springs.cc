@@ -18,12 +18,14 @@ constexpr int kMostChanged = 60;
 constexpr int kStepsOnOldFactor = 30;
 /// Unknowns up to which a factor is cheap in three dimensions.
 constexpr int kSmallInSpace = 20000;
-/// Imbalance below which what is left may be rounding.
+/// Relative imbalance below which the remainder may be rounding.
 constexpr double kRounding = 1e-8;
-/// Strain, over that of a sample all closed whose nodes follow it, beyond which nothing holds the load: what is
-/// left would be softer than the motions that the preconditioner tells from free ones.
+/// Strain, over the affine strain of the sample with all springs closed, beyond which the load counts as
+/// unsupported: the sample would be softer than the motions that the preconditioner can distinguish from free
+/// ones.
 constexpr double kBeyond = 1e8;
-/// A direction whose energy is below this share of what the preconditioner takes it for costs nothing.
+/// Share of the energy of a direction according to the preconditioner below which the direction costs no
+/// energy.
 constexpr double kNoEnergy = 1e-5;
 
 template <int Dim, int Size>
@@ -63,7 +65,7 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // Where motions cost nothing, rounding keeps some imbalance that no further round takes away.
+      // Where motions cost no energy, rounding leaves an imbalance that no further round removes.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;
@@ -147,7 +149,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   struct Direction {
     Eigen::VectorXd direction;
-    bool reached = false;  // the imbalance asked for
+    bool reached = false;  // whether the imbalance is within the tolerance
   };
 
   void set_control(const StrainControl<Dim>& control) {
@@ -188,7 +190,7 @@ class Springs final : public RelaxedSprings<Dim> {
     return out;
   }
 
-  /// One-sided springs that overlap are active. @return how many have changed
+  /// One-sided springs that overlap are active. @return number of springs that have changed
   int update_active() {
     int n_changed = 0;
     for (const int r : springs_.one_sided) {
@@ -249,8 +251,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const Eigen::VectorXd q = applied(p);
       const double curvature = p.dot(q);
       if (curvature <= (inverse_->is_exact() ? kNoEnergy : 1e-14) * rz) {
-        // Nothing resists p. Alone it is tried, as one-sided springs may close on the way; else what is found
-        // so far.
+        // No spring resists p. In the first step p itself is tried, since one-sided springs may close along it;
+        // later the direction found so far is returned.
         if (step == 0) out.direction = p;
         return out;
       }
@@ -295,7 +297,7 @@ class Springs final : public RelaxedSprings<Dim> {
     if (strain().norm() > largest_strain()) report.holds = false;
   }
 
-  /// Moves to the least energy along a direction. @return false where there is none: the energy falls for ever
+  /// Moves to the least energy along a direction. @return false if the energy falls without limit
   bool search_along(const Eigen::VectorXd& direction, const Eigen::VectorXd& down) {
     const double slope = -down.dot(direction);
     if (slope >= 0.0) return true;

@@ -13,7 +13,8 @@
 namespace floc {
 namespace {
 
-/// Added to the diagonal over the largest stiffness: far below what bears a load, far above rounding.
+/// Shift of the diagonal, over the largest stiffness: far below stiffnesses that carry a load, far above
+/// rounding.
 constexpr double kShift = 1e-9;
 
 template <int Dim, int Size>
@@ -104,7 +105,7 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
   SymmetricFactor factor_;
   std::vector<int> group_;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> free_ = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  Eigen::MatrixXd affine_;   // what the nodes would do for a unit of each strain, sign reversed
+  Eigen::MatrixXd affine_;   // response of the nodes to a unit of each strain, sign reversed
   Eigen::MatrixXd schur_;    // of the strains over `unit_`, nodes relaxed
   Eigen::MatrixXd strains_;  // its inverse
 };

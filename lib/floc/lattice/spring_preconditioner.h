@@ -14,21 +14,24 @@ class SpringPreconditioner {
   using Strains = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
 
   virtual ~SpringPreconditioner() = default;
-  /// Makes it for the rows that push or pull now, one entry per row.
+  /// Prepares the inverse for the rows that are closed. @param active  one entry per row: whether it is closed
   virtual void prepare(const std::vector<char>& active) = 0;
   /// Sets which strains are free from now on.
   virtual void set_free(const Eigen::Matrix<bool, kSymmetric<Dim>, 1>& free) = 0;
-  /// Nodes, then strains; those that are not free stay zero.
+  /// Returns the inverse times a residual of nodes, then strains; strains that are not free stay zero.
   virtual Eigen::VectorXd apply(const Eigen::VectorXd& residual) const = 0;
-  /// Whether it is so close to the inverse that remaking it is not worth more than some 30 applications.
+  /// Whether the inverse is nearly exact for the prepared rows, so that it need not be prepared anew when few
+  /// rows change.
   virtual bool is_exact() const = 0;
 };
 
-/// By a Cholesky factor, with a shift of 1e-9 of the stiffness for motions that nothing resists.
+/// Makes a preconditioner by a Cholesky factor, with a shift of 1e-9 of the stiffness for motions that nothing
+/// resists.
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> factor_preconditioner(const SpringRows<Dim, Size>& springs);
 
-/// By the diagonal blocks of the nodes, and the strains as if all nodes followed them.
+/// Makes a preconditioner by the diagonal blocks of the nodes, and the stiffness of the strains under affine
+/// motion.
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> block_preconditioner(const SpringRows<Dim, Size>& springs);
 

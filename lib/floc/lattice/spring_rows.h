@@ -15,19 +15,21 @@ template <int Dim, int Size>
 struct SpringRows {
   using OnNode = Eigen::Matrix<double, Size, 1>;
   using OnStrain = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
-  /// How the two ends of a spring act on it: in an element's first row on the overlap, shortening positive.
+  /// Coefficients of the unknowns of both ends in the elongation of a spring; in the first row of an element,
+  /// in the overlap, with shortening positive.
   struct Row {
-    int i, j;           // nodes here
-    OnNode on_i, on_j;  // zero for what is held; with i = j, `on_i` has both
+    int i, j;           // indices in `node`
+    OnNode on_i, on_j;  // zero for displacements that are held; with i = j, `on_i` has both
     double stiffness;
   };
 
   std::vector<Row> rows;
-  std::vector<OnStrain> on_strain;  ///< of each row, in the order of StrainSet::full
-  std::vector<int> element;         ///< of each row
-  std::vector<int> one_sided;       ///< rows of unilateral elements, ascending
-  std::vector<int> first_row;       ///< of each element, and the end
-  std::vector<int> node;            ///< of the lattice, for each node here
+  /// Coefficients of the strains in each row, in the order of StrainSet::full.
+  std::vector<OnStrain> on_strain;
+  std::vector<int> element;    ///< element of each row
+  std::vector<int> one_sided;  ///< rows of unilateral elements, ascending
+  std::vector<int> first_row;  ///< first row of each element, and the end
+  std::vector<int> node;       ///< node of the lattice of each node with unknowns
   int n_unknowns() const { return Size * static_cast<int>(node.size()); }
 };
 

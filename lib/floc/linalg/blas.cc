@@ -27,8 +27,8 @@ const char* widest_kernels() {
   return nullptr;
 }
 
-/// Lets OpenBLAS choose its kernels again where it took those for a processor it does not know. Builds for one
-/// processor have no such choice, and no such functions.
+/// Lets OpenBLAS choose its kernels again where it has fallen back to those for unknown processors. Builds for
+/// one processor have no such choice, and no such functions.
 void choose_kernels() {
   constexpr const char* kVariable = "OPENBLAS_CORETYPE";
   constexpr const char* kFallback = "Prescott";

@@ -82,8 +82,9 @@ class Relaxation {
     return inverse_.definite ? work_ / inverse_.smallest_ratio : work_ * inverse_.inverse_norm;
   }
 
-  /// At least one step, so that what an approximate inverse gives is refined once; where the error is estimated
-  /// from the steps themselves, as many as that takes.
+  /// Whether the energy still to be relaxed is within the tolerance. At least one step is required, so that the
+  /// solution of an approximate inverse is refined once; where the error is estimated from the steps
+  /// themselves, kStepsOfEstimate.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
     if (steps_ < (inverse_.estimated_ratio ? kStepsOfEstimate : 1)) return false;
@@ -150,14 +151,18 @@ class Relaxation {
   std::vector<double> alphas_, betas_;  // of the steps
 };
 
-/// S = (A U + B)^T k (A U + B), and what rounding of the entries of A and B can do to it.
+/// Computes S = (A U + B)^T k (A U + B), and bounds the error that rounding of the entries of A and B makes in
+/// it.
 void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condensation& out) {
   const int n = static_cast<int>(u.size());
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> sum(n, n);
   sum.setZero();
   Extended elongation(n);
   Eigen::VectorXd rounding(n);
+  // The quadratic form gives S with an error of second order in that of U. It is summed spring by spring in
+  // extended precision, because the rounding of an assembled K would enter the result.
   for (Eigen::Index r = 0; r < s.on_free.rows(); ++r) {
+    // The elongation (A U + B)_r cancels, so that its error is bounded by the magnitudes of its terms.
     for (int b = 0; b < n; ++b) {
       elongation[b] = s.on_boundary(r, b);
       rounding[b] = std::abs(s.on_boundary(r, b));
@@ -179,8 +184,8 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   out.stiffness = sum.cast<double>();
 }
 
-/// Relaxes the free unknowns for each boundary unknown in turn. `u` is what they end at, `excess` the root of
-/// what is left of the energy of each.
+/// Relaxes the free unknowns for each boundary unknown in turn. `u` receives the relaxed unknowns, `excess` the
+/// square root of the energy still to be relaxed in each column.
 template <class Real>
 void relax_each(const SpringSystem& springs, const ApproximateInverse& inverse,
                 const CondensationOptions& options, std::vector<Extended>& u, Eigen::VectorXd& excess,
@@ -214,7 +219,7 @@ Condensation condense(const SpringSystem& springs, const ApproximateInverse& inv
     relax_each<double>(springs, inverse, options, u, excess, out);
   sum_energies(springs, u, out);
   out.error += excess * excess.transpose();
-  // Of the result itself.
+  // The result itself is rounded to double precision.
   out.error += std::numeric_limits<double>::epsilon() * out.stiffness.cwiseAbs();
   return out;
 }

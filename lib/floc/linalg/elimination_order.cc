@@ -19,7 +19,7 @@ struct GroupOrder {
   double operations;                    // of a factor with one unknown a group
 };
 
-/// The graph of the groups and what CHOLMOD makes of it.
+/// Graph of the groups, and the elimination orders that CHOLMOD finds for it.
 class GroupGraph {
  public:
   GroupGraph(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group)

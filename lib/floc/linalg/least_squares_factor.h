@@ -21,8 +21,8 @@ class LeastSquaresFactor {
   /// Number of columns that take part.
   int rank() const;
 
-  /// R^-1 R^-T b: the solution of A^T A x = b with the unknowns of dependent columns at zero, to rounding times
-  /// the condition of R; refinement against A does the rest.
+  /// Returns R^-1 R^-T b: the solution of A^T A x = b with the unknowns of dependent columns at zero. Its error
+  /// is rounding times the condition of R; refinement against A reduces it.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

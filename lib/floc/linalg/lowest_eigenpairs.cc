@@ -35,7 +35,7 @@ class Projector {
   void take_out(const Eigen::MatrixXd& orthonormal) { dense_ = orthonormal; }
 
   Eigen::VectorXd operator()(Eigen::VectorXd x) const {
-    for (int pass = 0; pass < 2; ++pass) {  // the second takes out what rounding left of the first
+    for (int pass = 0; pass < 2; ++pass) {  // the second pass removes the rounding error of the first
       if (sparse_.cols() > 0) x -= sparse_ * gram_.solve(Eigen::VectorXd(sparse_.transpose() * x));
       if (dense_.cols() > 0) x -= dense_ * (dense_.transpose() * x);
     }
@@ -70,13 +70,14 @@ double make_positive(SymmetricFactor& factor) {
   throw std::runtime_error("no shift makes the stiffness matrix positive definite: it is not finite");
 }
 
-/// Up to `count` more eigenpairs, lowest first, orthogonal to what the projector takes out.
+/// Returns up to `count` more eigenpairs, lowest first, orthogonal to the vectors that the projector removes.
 Eigenpairs search(const SymmetricFactor& factor, const Projector& project, double shift, Eigen::Index n,
                   int count) {
   ShiftInvert op{factor, project, n};
   const Eigen::Index basis = std::min<Eigen::Index>(n, std::max(2 * count + 20, 40));
   Spectra::SymEigsShiftSolver<ShiftInvert> solver(op, count, basis, -shift);
-  // Any vector that no symmetry of a lattice makes orthogonal to a mode.
+  // The start must not be orthogonal to a mode by a symmetry of a lattice, so its entries follow no such
+  // symmetry.
   Eigen::VectorXd start(n);
   for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
   start = project(start);
@@ -95,8 +96,9 @@ Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& ve
   return {eigen.values, q * eigen.vectors, true};
 }
 
-/// Up to `count` vectors that A takes to zero, to rounding. Each is a copy of one eigenvalue, of which Lanczos'
-/// iteration finds one a search; the shifted inverse blows them all up by the inverse of the shift at once.
+/// Returns up to `count` vectors that A takes to zero, to rounding. They belong to one multiple eigenvalue, of
+/// which Lanczos' iteration finds one copy per search; the shifted inverse amplifies all of them at once, by
+/// the inverse of the shift.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;
@@ -126,7 +128,7 @@ Eigenpairs lowest(const Eigenpairs& pairs, int count) {
   return {pairs.values.head(n), pairs.vectors.leftCols(n), pairs.complete};
 }
 
-/// All of a small matrix: its eigenpairs in the complement of what is left out.
+/// Returns all eigenpairs of a small matrix in the complement of the vectors left out.
 Eigenpairs dense_eigenpairs(const SymmetricFactor& factor, const Eigen::SparseMatrix<double>& left_out) {
   const Eigen::Index n = left_out.rows();
   const Eigen::MatrixXd q = orthonormal_basis(Eigen::MatrixXd(left_out), n);

@@ -6,27 +6,27 @@
 namespace floc {
 
 struct PositivityOptions {
-  /// The test goes on until an eigenvalue below minus this would have been seen.
+  /// The test continues until it would have found any eigenvalue below minus this.
   double bound = 1e-4;
   int max_steps = 10000;
-  /// Probability of missing an eigenvalue below the bound: the start vector is drawn at random, and may happen
-  /// to be normal to its eigenvector.
+  /// Probability of missing an eigenvalue below -bound: the start vector is drawn at random, and may be normal
+  /// to its eigenvector.
   double oversight = 1e-6;
-  /// Eigenvalues above minus this count as zero: mechanisms, and what rounding makes of them.
+  /// Eigenvalues above minus this count as zero: mechanisms, whose eigenvalues rounding changes.
   double rounding = 1e-10;
 };
 
-/// What is known of the lowest eigenvalue of a symmetric matrix A.
+/// Result of a test of the lowest eigenvalue of a symmetric matrix A.
 struct Positivity {
-  bool negative = false;  ///< an eigenvalue is below zero: a direction of negative curvature was found
-  /// Otherwise none is below minus this, up to the probability of an oversight.
+  bool negative = false;  ///< whether an eigenvalue is below zero: a direction of negative curvature was found
+  /// If not `negative`: no eigenvalue is below -bound, up to the probability of an oversight.
   double bound = 0.0;
-  int steps = 0;  ///< products with A
+  int steps = 0;  ///< number of products with A
 };
 
-/// Lanczos' method from a random vector, without a factor: only three vectors are held. A negative pivot of the
-/// tridiagonal matrix, seen as the matrix grows, is a Rayleigh quotient below zero and therefore certain.
-/// Without one, [KW1992] bounds what k steps may have missed:
+/// Tests the sign of the lowest eigenvalue by Lanczos' method from a random vector, without a factor: only
+/// three vectors are held. A negative pivot of the growing tridiagonal matrix is a Rayleigh quotient below zero
+/// and therefore certain. Without one, [KW1992] bounds the eigenvalue that k steps may have missed:
 ///
 ///   lowest eigenvalue > -e * (spread of the spectrum),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2
 ///

@@ -9,14 +9,14 @@ namespace floc {
 /// Columns of a triangular factor that have the same rows below their triangle, supernode by supernode, as CHOLMOD
 /// lays them out: column-major blocks, whose first rows are their own columns.
 struct Supernodes {
-  std::span<const std::int64_t> first_column;  ///< of each supernode, and the number of columns
-  std::span<const std::int64_t> first_row;     ///< of each in `row`, and its end
-  std::span<const std::int64_t> first_value;   ///< of each in `value`, and its end
+  std::span<const std::int64_t> first_column;  ///< first column of each supernode, and the number of columns
+  std::span<const std::int64_t> first_row;     ///< beginning of each supernode in `row`, and the end
+  std::span<const std::int64_t> first_value;   ///< beginning of each supernode in `value`, and the end
   std::span<const std::int64_t> row;           ///< ascending in each
   double* value = nullptr;
 };
 
-/// Lower triangle of a symmetric matrix by columns, all of whose entries have a place in the supernodes.
+/// Lower triangle of a symmetric matrix by columns. The supernodes have a place for each of its entries.
 struct LowerColumns {
   std::span<const std::int64_t> first;  ///< entry of each column, and their number
   const std::int64_t* row = nullptr;

@@ -5,12 +5,13 @@
 
 namespace floc {
 
-/// Cholesky factor in single precision of a symmetric positive semidefinite matrix A: half the memory of one in
-/// double, but only 7 digits, which refinement in double makes up for. CHOLMOD 3 has no single precision, so
-/// this one is Eigen's, without supernodes: slower than SymmetricFactor where the factor is large.
+/// Cholesky factor in single precision of a symmetric positive semidefinite matrix A. It takes half the memory
+/// of a factor in double precision but has only 7 digits, which refinement in double compensates. CHOLMOD 3 has
+/// no single precision, so the factor is Eigen's, without supernodes, and slower than SymmetricFactor where it
+/// is large.
 ///
-/// A shift makes up for what rounding to single precision may take from the spectrum of A: the smallest of
-/// those tried with which A + shift * 1 factorizes. Motions softer than the shift are found by the refinement.
+/// Rounding to single precision may make A indefinite, so the diagonal is shifted: by the smallest of the
+/// shifts tried with which A + shift * 1 factorizes. Refinement finds motions softer than the shift.
 class SingleFactor {
  public:
   /// @param lower  lower triangle of A, with a diagonal of order one
@@ -18,7 +19,8 @@ class SingleFactor {
   ~SingleFactor();
   SingleFactor(SingleFactor&&) noexcept;
 
-  /// False where no shift up to the size of the diagonal helps: A is indefinite, or not finite.
+  /// Whether A + shift * 1 has been factorized. If no shift up to the size of the diagonal suffices, A is
+  /// indefinite or not finite.
   bool positive() const { return positive_; }
   double shift() const { return shift_; }
   /// An approximation of A^-1 b, accurate to some 1e-7 times the condition number. @pre positive()

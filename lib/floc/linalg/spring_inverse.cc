@@ -56,10 +56,10 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
   return out;
 }
 
-/// By a factor of the matrix as it is, which is not positive; no value where an eigenvalue may lie within `bound`
-/// of zero.
+/// Inverts by a factor of the matrix as it is, which is not positive; no value where an eigenvalue may lie
+/// within `bound` of zero.
 std::optional<SpringInverse> invert_indefinite(SymmetricFactor& factor, double bound) {
-  constexpr double kFarFromZero = 1e3;  // as far from the bound as no estimate of a norm is off
+  constexpr double kFarFromZero = 1e3;  // larger than the error of any estimate of a norm
   SpringInverse out;
   out.n_negative = factor.count_eigenvalues_below(0.0);
   out.condition = factor.condition_estimate();

@@ -20,10 +20,11 @@
 namespace floc {
 namespace {
 
-/// Replaces an exactly vanishing pivot of L S L^T so that the elimination goes on; far below any rounding.
+/// Value that replaces an exactly vanishing pivot of L S L^T, so that the elimination can continue; far below
+/// rounding.
 constexpr double kSmallestPivot = 1e-30;
-/// CHOLMOD asks for teams of four threads whatever it is set to, each of which waits in a loop for panels of
-/// some columns: it is faster with one.
+/// Limits CHOLMOD to one thread while this object exists. CHOLMOD requests teams of four threads regardless of
+/// its settings, each of which waits in a loop for panels of some columns; it is faster with one.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }

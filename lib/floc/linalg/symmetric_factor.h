@@ -10,14 +10,14 @@ namespace floc {
 
 /// Cost of a Cholesky factor, known from the pattern of the matrix alone.
 struct FactorCost {
-  double bytes = 0.0;       ///< of the factor, most of the memory held
-  double operations = 0.0;  ///< floating-point, of one factorization
+  double bytes = 0.0;       ///< size of the factor, most of the memory held
+  double operations = 0.0;  ///< floating-point operations of one factorization
 };
 
 /// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite
-/// matrices are factorized by supernodes, others as fast by the same (factorize_signed()): that a matrix is not positive
-/// definite is a result, not an error, and its eigenvalues can be counted. The unknowns should be scaled so that A has a diagonal of order one: pivots
-/// and shifts are absolute.
+/// matrices are factorized by supernodes, others by the same supernodes at the same speed (factorize_signed()).
+/// An indefinite matrix is a result, not an error, and its negative eigenvalues can be counted. The unknowns
+/// should be scaled so that A has a diagonal of order one: pivots and shifts are absolute.
 class SymmetricFactor {
  public:
   explicit SymmetricFactor(Ordering ordering = Ordering::automatic);
@@ -32,15 +32,16 @@ class SymmetricFactor {
   /// @throws std::runtime_error when memory runs out.
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
-  /// What factorize_positive() will take, from the symbolic analysis that it then continues: nothing of the
-  /// size of the factor is allocated. factorize_indefinite() takes as much.
+  /// Predicts the cost of factorize_positive() from the symbolic analysis, which is kept for the factorization.
+  /// Nothing of the size of the factor is allocated. factorize_indefinite() costs as much.
   FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.
   /// @return false when it is not positive definite to working precision.
   [[nodiscard]] bool factorize_positive(double shift = 0.0);
 
-  /// Factorizes A + shift * 1 as L S L^T without pivoting, whatever its signs, which S has on its diagonal.
+  /// Factorizes A + shift * 1, definite or not, as L S L^T without pivoting, with entries 1 and -1 on the
+  /// diagonal of S.
   /// @return false when A is not finite
   [[nodiscard]] bool factorize_indefinite(double shift = 0.0);
 
@@ -50,24 +51,26 @@ class SymmetricFactor {
   int count_eigenvalues_below(double bound);
 
   /// Solves A X = B by the last factor with iterative refinement against A. With a shift this is the
-  /// proximal-point iteration: it converges on the range of a singular positive semidefinite A if B lies in it.
+  /// proximal-point iteration, which converges for a singular positive semidefinite A if B lies in the range of
+  /// A.
   /// @param max_refinements  stops earlier when the residual no longer falls
   /// @pre the last factorization succeeded.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B, int max_refinements = 3) const;
 
-  /// Largest absolute row sum of A.
+  /// Returns the largest absolute row sum of A.
   double norm() const;
 
-  /// A * X.
+  /// Returns A * X.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const;
 
-  /// Estimate of the condition number of A + shift in the 1-norm (Hager's method: a lower bound, seldom too low
+  /// Estimates the condition number of A + shift in the 1-norm (Hager's method: a lower bound, seldom too low
   /// by more than a factor of 3).
   /// @pre the last factorization succeeded.
   double condition_estimate() const;
 
-  /// Rough reciprocal condition number: smallest over largest pivot of the last factor in absolute value, 1 for
-  /// an empty matrix. An upper bound of the reciprocal condition of a positive definite matrix.
+  /// Returns a rough reciprocal condition number: smallest over largest pivot of the last factor in absolute
+  /// value, 1 for an empty matrix. It is an upper bound of the reciprocal condition of a positive definite
+  /// matrix.
   /// @pre the last factorization succeeded.
   double reciprocal_condition() const;
 

@@ -13,8 +13,8 @@ namespace {
 
 /// Relative residual that a step of Newton's iteration may leave.
 constexpr double kTolerance = 1e-8;
-/// Shifts of the symmetric part, over its largest entry, until it is positive definite: what presses on a
-/// contact makes it a little softer than nothing across the contact.
+/// Shifts of the symmetric part, over its largest entry, tried until it is positive definite: geometric terms
+/// of compressed contacts have a small negative stiffness across the contact.
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
@@ -74,7 +74,7 @@ class SymmetricPart {
   Eigen::PartialPivLU<Eigen::MatrixXd> boundary_;
 };
 
-/// What Eigen's solvers take for a preconditioner.
+/// Preconditioner in the form that Eigen's iterative solvers expect.
 class Preconditioner {
  public:
   template <class Matrix>
@@ -101,8 +101,8 @@ class Preconditioner {
 }  // namespace
 
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout) {
-  /// Operations a second of one core, and steps, measured at 500 and 4000 spheres under 10 kPa to 100 MPa
-  /// (docs/numerics.md, "Linear systems in 3D"). A solution takes some four matrices.
+  /// Rates of one core (operations per second) and numbers of steps, measured at 500 and 4000 spheres under 10
+  /// kPa to 100 MPa (docs/numerics.md, "Linear systems in 3D"). A Newton solution takes some four matrices.
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
@@ -150,7 +150,7 @@ class TangentSolver::Krylov {
     return iterate(b);
   }
 
-  /// By a factor of the matrix as it is.
+  /// Solves by an LU factor of the matrix as it is.
   std::optional<Eigen::VectorXd> solve_by(UnsymmetricFactor& lu, const Eigen::VectorXd& b) const {
     if (!lu.factorize(matrix_)) return std::nullopt;
     return lu.solve(unit_ * b);

@@ -6,39 +6,40 @@
 
 namespace floc {
 
-/// How the linear systems of Newton's iterations are solved.
+/// Method by which the linear systems of Newton's iterations are solved.
 enum class TangentMethod {
   lu,        ///< a factor of each matrix (UMFPACK)
   cholesky,  ///< BiCGSTAB with the Cholesky factor of the symmetric part, kept from one matrix to the next
   diagonal,  ///< BiCGSTAB with the diagonal: no factor at all
 };
 
-/// The unknowns of a tangent: those of the grains, the same number each, then the boundary's.
+/// Layout of the unknowns of a tangent: those of the grains, the same number for each, then those of the
+/// boundary.
 struct TangentLayout {
   int unknowns_a_grain = 1;
   int n_boundary = 0;
 };
 
-/// The method expected to finish first, and its cost, from the symbolic analysis of the pattern: nothing of the
-/// size of a factor is allocated.
+/// Method expected to be the fastest, and its predicted cost.
 struct TangentPlan {
   TangentMethod method = TangentMethod::lu;
-  double seconds = 0.0;    ///< of one core, for the few matrices of one Newton solution
-  bool lu_at_need = true;  ///< an LU factor can be afforded where the iteration does not converge
+  double seconds = 0.0;    ///< predicted time of one core for the few matrices of one Newton solution
+  bool lu_at_need = true;  ///< whether an LU factor is affordable where the iteration does not converge
 };
 
-/// @param tangent  only its pattern is read, which is symmetric
+/// Chooses the method from the symbolic analysis of the pattern; nothing of the size of a factor is allocated.
+/// @param tangent  matrix of which only the pattern, which is symmetric, is read
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
-/// Solves systems with the matrices of one Newton iteration after another, all of one pattern and, apart from
-/// the boundary's unknowns, close to symmetric and positive. Where many contacts slide they no longer are, and
-/// an LU factor takes over.
+/// Solver for the matrices of successive Newton iterations, all of one pattern and, apart from the boundary's
+/// unknowns, close to symmetric and positive. Where many contacts slide they no longer are, and an LU factor is
+/// used instead.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);
   ~TangentSolver();
 
-  /// The matrix of the next solve(), column-major.
+  /// Sets the matrix of the next solve(), column-major.
   /// @return false when it is singular to working precision or not finite
   [[nodiscard]] bool set_matrix(const Eigen::SparseMatrix<double>& tangent);
 

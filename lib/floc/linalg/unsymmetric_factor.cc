@@ -67,6 +67,7 @@ bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
   f.reciprocal_condition = 0.0;
   Eigen::SparseMatrix<double> compressed = matrix;
   compressed.makeCompressed();
+  // UMFPACK's symbolic factor depends on the pattern alone, so it is kept as long as the pattern is the same.
   const bool keep_ordering = f.same_pattern(compressed);
   f.matrix.swap(compressed);
   const double* values = f.matrix.valuePtr();
@@ -81,6 +82,8 @@ bool UnsymmetricFactor::factorize(const Eigen::SparseMatrix<double>& matrix) {
   std::array<double, UMFPACK_INFO> info{};
   const int status = umfpack_di_numeric(f.matrix.outerIndexPtr(), f.matrix.innerIndexPtr(), values, f.symbolic,
                                         &f.numeric, f.control.data(), info.data());
+  // A singular matrix is a result that callers handle; any other status is a failure of UMFPACK, such as lack
+  // of memory.
   if (status == UMFPACK_WARNING_singular_matrix) {
     f.free_numeric();
     return false;

@@ -17,7 +17,7 @@ using Wide = __int128;  // products of three numbers up to kMaxCells
 template <int Dim>
 class Lattice {
  public:
-  /// Takes a vector in if it is independent of those it holds, and says whether it was.
+  /// Adds a vector if it is independent of those held. @return whether it was added
   bool extend(const CellCount<Dim>& w) {
     if (rank_ == Dim || !independent(w)) return false;
     vectors_[rank_++] = w;

@@ -15,7 +15,8 @@ struct ContactGraph {
   std::vector<int> neighbour;
 };
 
-/// @param contacts  anything with members i and j; contacts of a grain with its own image give no block
+/// Returns the graph of the contacts. @param contacts  range of objects with members i and j; contacts of a
+/// grain with its own image give no block
 template <class Contacts>
 ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   ContactGraph graph;
@@ -41,13 +42,13 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   return graph;
 }
 
-/// Adds G^T D G of one contact, the one sum by which every stiffness is assembled. Rows of G are relative
-/// motions, its columns the unknowns of i, of j and of the boundary.
+/// Adds G^T D G of one contact to a stiffness; all stiffnesses are assembled by this function. Rows of G are
+/// relative motions, its columns the unknowns of i, of j and of the boundary.
 ///
 /// @param on_i, on_j  rows x kDofs; if i = j, `on_i` has both and `on_j` is zero
-/// @param boundary    rows x the unknowns of whatever bounds the network: strains of a cell, walls
+/// @param boundary    rows x unknowns of the boundary: strains of a cell, displacements of walls
 /// @param d           rows x rows, an Eigen expression: diagonal for a sum that keeps one triangle
-/// @param sum         takes the blocks: add(grain, grain, block), low before high where `kSymmetric`;
+/// @param sum         receives the blocks: add(grain, grain, block), low before high where `kSymmetric`;
 ///                    border(grain) and, where not symmetric, border_row(grain) are blocks to add to, and so is
 ///                    boundary()
 template <class Rows, class Boundary, class Stiffness, class Sum>

@@ -67,7 +67,7 @@ class FreeMotionFinder {
     int contact;
     int next_held;  // -1: the last
   };
-  /// The same motion of some grains of the core, at no cost.
+  /// A motion at no cost that is common to some grains of the core.
   struct CoreSpin {
     std::vector<int> grains;
     GrainMotion<Dim> motion;
@@ -147,7 +147,8 @@ class FreeMotionFinder {
 
   void finish_mode(FreeMotionKind kind) { free_.kind.push_back(kind); }
 
-  /// What is left alone moves as a whole; a tip moves along each row of its contact that has no stiffness.
+  /// Adds the free motions of grains left alone, which can move in any way, and of dead ends, each of which
+  /// moves along every row of its contact that has no stiffness.
   void add_rolls() {
     for (const int grain : alone_)
       for (int u = 0; u < kDofs<Dim>; ++u) {
@@ -177,7 +178,8 @@ class FreeMotionFinder {
     spins_.push_back({grains, motion, pinned});
   }
 
-  /// Grains joined to `start` by rolling or twisting stiffness, itself included; empty if a tangential spring holds any.
+  /// Grains joined to `start` by rolling or twisting stiffness, itself included; empty if a tangential spring
+  /// holds any.
   std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
@@ -196,7 +198,8 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
-  /// Without tangential springs a grain spins freely, and grains joined by rolling or twisting stiffness do so together.
+  /// Without tangential springs a grain spins freely, and grains joined by rolling or twisting stiffness do so
+  /// together.
   void find_free_spins() {
     std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {
@@ -277,7 +280,7 @@ class FreeMotionFinder {
             (stiffness.array() != 0.0).select(change, 0.0);
       }
     }
-    // Translations among them first, then what is left.
+    // Translations among the motions are found first, then the motions orthogonal to them.
     const double bound = kDistinct * felt.norm();
     const Eigen::MatrixXd slides = kernel(felt.leftCols(Dim), bound);
     Eigen::MatrixXd across = Eigen::MatrixXd::Zero(felt.rows() + slides.cols(), n);

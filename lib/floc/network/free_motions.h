@@ -9,14 +9,14 @@ namespace floc {
 
 enum class FreeMotionKind {
   rattler,      ///< any motion of a grain without contact
-  translation,  ///< of a connected part as a whole
-  rotation,     ///< likewise; of parts that do not wind around the cell in the plane of turning
-  roll,         ///< a dead end rolls on its one contact, slides along it or twists about it
-  spin,         ///< grains of the core spin: without friction, or about the line of two contacts (3D)
+  translation,  ///< translation of a connected part as a whole
+  rotation,     ///< rotation of a connected part as a whole, which does not wind around the cell in that plane
+  roll,         ///< motion of a dead end that rolls on its one contact, slides along it or twists about it
+  spin,         ///< spin of grains of the core: without friction, or about the line of two contacts (3D)
 };
 
-/// The motions that cost nothing because of how a network is connected, whatever the values of the stiffnesses
-/// that do not vanish. What is left after them is regular unless the network has true mechanisms.
+/// Motions that cost no energy because of how a network is connected, whatever the values of the stiffnesses
+/// that do not vanish. The stiffness matrix without them is regular unless the network has true mechanisms.
 struct FreeMotions {
   /// Unknowns of K to solve for, one entry per unknown; the others are free and are set to zero.
   std::vector<bool> kept;
@@ -33,18 +33,18 @@ struct FreeMotions {
   /// The motions themselves, independent: rows are the unknowns of K (length, radians), one column per motion,
   /// K * modes = 0 to rounding (for translations, with prestress too). Dead ends follow what holds them.
   Eigen::SparseMatrix<double> modes;
-  std::vector<FreeMotionKind> kind;  ///< of each column
+  std::vector<FreeMotionKind> kind;  ///< kind of each column of `modes`
 
   int n_dead_ends() const;
   int count(FreeMotionKind of_kind) const;
 };
 
-/// Removes dead ends (grain by grain from the tips), then pins rotations that nothing resists, and one unknown
-/// for each rigid motion of each connected component: Dim translations, and the rotations allowed by the ways
-/// in which the component winds around the cell; if it touches walls, only the motions that they do not resist.
-/// The response to strain and the inertia of K, up to `n_unstable_ends`, are not changed: the tip's own block
-/// of K is eliminated exactly and leaves nothing on its neighbour. With prestress this holds as far as the tip
-/// is in equilibrium, that is, carries no force.
+/// Finds the free motions of a network. First removes dead ends (grain by grain from the tips). Then pins
+/// rotations that nothing resists, and one unknown for each rigid motion of each connected component: Dim
+/// translations, and the rotations allowed by the ways in which the component winds around the cell; if it
+/// touches walls, only the motions that they do not resist. The response to strain does not change, nor does
+/// the inertia of K, up to `n_unstable_ends`: the tip's own block of K is eliminated exactly and leaves nothing
+/// on its neighbour. With prestress this holds as far as the tip is in equilibrium, that is, carries no force.
 template <int Dim>
 FreeMotions find_free_motions(const ContactNetwork<Dim>& network);
 

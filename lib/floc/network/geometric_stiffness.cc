@@ -35,6 +35,9 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   const double share_i = c.arm_i.dot(n) / r;
   const double share_j = -c.arm_j.dot(n) / r;
 
+  // The displacement of j against i is conjugate to the force on j, -f, so its rows hold +df; the rows of the
+  // rotations hold minus the changes of the moments. The turn n x dn gives w x S = -n (S.dn), which drops out
+  // of r x (w x S).
   MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
   k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
   const auto moment_by_displacement = crossed_with(shear).eval();

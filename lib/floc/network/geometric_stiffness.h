@@ -12,10 +12,10 @@ inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
 template <int Dim>
 using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
 
-/// What is added where the forces keep their components in the frame of the contact and the frame turns. With
-/// dr the displacement of j against i, psi = n.(rotation of i + rotation of j)/2 and dn = (1 - n n) dr/r the
-/// frame turns by w = n x dn + psi n. Force on i f = -F n + S, moment on i share_i r x S + M, on j share_j r x
-/// S - M:
+/// Computes the geometric stiffness of a contact: forces keep their components in the frame of the contact
+/// while the frame turns. With dr the displacement of j against i, psi = n.(rotation of i + rotation of j)/2
+/// and dn = (1 - n n) dr/r, the frame turns by w = n x dn + psi n. With the force f = -F n + S on i, the moment
+/// share_i r x S + M on i and the moment share_j r x S - M on j:
 ///
 ///   df = -F dn + w x S,  d(moment on i) = share_i (dr x S + r x (w x S)) + w x M
 ///

@@ -123,14 +123,17 @@ class BlockSearch {
   std::vector<Block> blocks_;
 };
 
-/// Takes off, from the tips, blocks that do not wind around the cell and share a grain with no more than one
-/// part of the others. @param n_nodes  grains, and one for the walls  @return which blocks went
+/// Removes, from the tips, blocks that do not wind around the cell and share a grain with at most one part of
+/// the others. @param n_nodes  number of grains, plus one for the walls  @return one entry per block: whether
+/// it was removed
 std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
   std::vector<std::vector<int>> of(n_nodes);
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
     for (const int grain : blocks[b].grains) of[grain].push_back(b);
   std::vector<int> n_left(n_nodes);
   for (int i = 0; i < n_nodes; ++i) n_left[i] = static_cast<int>(of[i].size());
+  // Joints are grains that a block shares with other blocks still left. Blocks and joints form trees, so that a
+  // block with at most one joint is a tip.
   std::vector<int> n_joints(blocks.size(), 0);
   std::vector<int> tips;
   const auto is_tip = [&](int b) { return !blocks[b].winds && !blocks[b].held && n_joints[b] <= 1; };
@@ -145,6 +148,8 @@ std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
     if (gone[tip]) continue;
     gone[tip] = true;
     for (const int grain : blocks[tip].grains) {
+      // Only the last block left at a grain loses a joint there: as long as two are left, the grain still joins
+      // them.
       if (--n_left[grain] != 1) continue;
       const int last = *std::find_if(of[grain].begin(), of[grain].end(), [&](int b) { return !gone[b]; });
       --n_joints[last];

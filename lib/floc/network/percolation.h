@@ -6,7 +6,8 @@
 
 namespace floc {
 
-/// What the contacts of a network can carry through the periodic cell, judged by connectivity alone.
+/// Contacts of a network that can carry a current or a stress through the periodic cell, judged by connectivity
+/// alone.
 struct Percolation {
   /// Contacts that carry current if each conducts and a gradient is imposed across the periodic cell, and from
   /// each wall to its opposite, for almost all conductances. These are the contacts of the blocks (parts that
@@ -20,6 +21,7 @@ struct Percolation {
   int n_directions = 0;  ///< largest number of independent ways in which a part winds around the cell
 };
 
+/// Finds the backbone, dead ends and directions of percolation of a network.
 template <int Dim>
 Percolation find_percolation(const ContactNetwork<Dim>& network);
 

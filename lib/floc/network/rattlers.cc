@@ -13,7 +13,7 @@ bool carries_force(const Packing<Dim>& packing, double smallest_force) {
                      [&](const Contact<Dim>& c) { return c.normal_force > smallest_force; });
 }
 
-/// One pass of removal; says whether it removed a grain.
+/// Makes one pass of removal. @return whether a grain was removed
 template <int Dim>
 bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vector<bool>& rattler) {
   const int n = packing.grains.size();

@@ -9,13 +9,13 @@ namespace floc {
 
 struct StiffnessOptions {
   StrainSet strains = StrainSet::diagonal;
-  /// Adds the geometric terms -(F_N/r)(1 - n n) on the relative translation. Terms in F_T are left out: the
-  /// matrix is the exact derivative of the forces where F_T = 0.
+  /// Adds the geometric terms -(F_N/r)(1 - n n) on the relative translation. Terms in F_T are left out, so that
+  /// the matrix is the exact derivative of the forces only where F_T = 0.
   bool prestress = false;
   /// Adds, after the strains, the common displacement of the two walls of each axis over wall_shift_unit().
   bool wall_shifts = false;
-  /// To the terms in F_N of `prestress`, adds the symmetric part of those in F_T and in the moments of contacts:
-  /// what the matrix then gives for a motion is the second-order work of all forces.
+  /// Adds, to the terms in F_N of `prestress`, the symmetric part of those in F_T and in the moments of
+  /// contacts: the quadratic form of the matrix is then the second-order work of all forces.
   bool shear_prestress = false;
 };
 
@@ -28,17 +28,17 @@ struct StiffnessMatrix {
   Eigen::MatrixXd border;              ///< rows as `grains`, one column per boundary unknown
   Eigen::MatrixXd boundary;            ///< square, both triangles
 
-  /// Both triangles of the whole matrix, for inspection.
+  /// Returns both triangles of the whole matrix, for inspection.
   Eigen::SparseMatrix<double> whole() const;
 };
 
-/// Assembled in compressed columns whose places follow from the contact graph: a full block for each pair of
+/// Assembles K in compressed columns whose places follow from the contact graph: a full block for each pair of
 /// grains in contact, zeros included, so that the pattern does not depend on the stiffnesses.
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 
-/// The block of the strains alone: volume times the moduli that the network would have if every grain followed
-/// the strain without turning (Voigt).
+/// Returns the block of the strains alone: volume times the moduli that the network would have if every grain
+/// followed the strain without turning (Voigt).
 template <int Dim>
 Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>& network, StrainSet strains);
 

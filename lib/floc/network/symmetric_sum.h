@@ -18,7 +18,7 @@ class SymmetricSum {
   static constexpr bool kSymmetric = true;
   using Block = Eigen::Matrix<double, Size, Size>;
 
-  /// @param contacts  anything with members i and j
+  /// @param contacts  range of objects with members i and j
   template <class Contacts>
   SymmetricSum(int n_grains, const Contacts& contacts, int n_boundary)
       : graph_(contact_graph(n_grains, contacts)) {

@@ -67,6 +67,8 @@ TangentMatrix<Dim>::TangentMatrix(std::vector<double> grain_size, const ContactG
 template <int Dim>
 void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   const int n = static_cast<int>(grain_size_.size());
+  // Each grain is its own neighbour, for its diagonal block. The tangent is not symmetric, so both triangles
+  // are stored.
   std::vector<std::vector<int>> neighbours(n);
   for (int g = 0; g < n; ++g) neighbours[g].push_back(g);
   for (int g = 0; g < n; ++g)
@@ -84,6 +86,8 @@ void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   matrix_.resize(order, order);
   matrix_.resizeNonZeros(kDofs<Dim> * (kDofs<Dim> * static_cast<int>(neighbour_.size()) + n * n_boundary_) +
                          n_boundary_ * order);
+  // Row indices ascend in each column, as compressed storage requires. The blocks of a grain are full, zeros
+  // included, so that the pattern does not depend on values; the columns of the boundary hold all rows.
   int at = 0;
   for (int column = 0; column < order; ++column) {
     matrix_.outerIndexPtr()[column] = at;

@@ -13,7 +13,7 @@ namespace floc {
 template <int Dim>
 using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
-/// How the unknowns of whatever bounds a packing act on one contact: strains of the cell, walls.
+/// Action of the unknowns of the boundary (strains of the cell, displacements of walls) on one contact.
 template <int Dim>
 struct BoundaryColumns {
   static constexpr int kMaxColumns = 2 * kSymmetric<Dim>;
@@ -39,18 +39,18 @@ class TangentMatrix {
   /// @param graph  contact_graph() of the contacts that may be added
   TangentMatrix(std::vector<double> grain_size, const ContactGraph& graph, int n_boundary);
 
-  /// Zero everywhere but `regularisation` on the diagonal.
+  /// Sets the matrix to zero, with `regularisation` on the diagonal.
   void reset(double regularisation);
 
-  /// Adds a contact of two round grains: its arms lie along the branch, in constant shares of it, and what it
-  /// remembers turns with the branch and, about it, with the mean rotation of the two.
+  /// Adds a contact of two round grains: its arms lie along the branch, in constant shares of it, and its
+  /// history turns with the branch and, about it, with the mean rotation of the two grains.
   void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
            const BoundaryColumns<Dim>& boundary);
 
   /// Adds to the block of the boundary.
   void add_boundary(const Eigen::Ref<const Eigen::MatrixXd>& block);
 
-  /// Of order kDofs * grains + boundary unknowns, compressed.
+  /// Returns the matrix, of order kDofs * grains + boundary unknowns, compressed.
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
  private:

@@ -10,10 +10,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the module may lie, seen from the program: beside it as built, or where it is installed.
+/// Directories in which the module may lie, relative to the program: beside it as built, or as installed.
 constexpr const char* kPlaces[] = {".", FLOC_PETSC_MODULE_FROM_PROGRAM};
 
-/// The module; its bare name, which the loader looks up, where it lies in no such place.
+/// Returns the path of the module; its bare name, which the loader looks up, if it lies in none of these
+/// directories.
 fs::path module_path() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();

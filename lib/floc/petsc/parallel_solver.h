@@ -9,10 +9,10 @@ namespace floc {
 /// Outcome of one solution, the same on every process.
 struct ParallelSolution {
   bool converged = false;
-  std::string failure;  ///< why it did not converge, in words
+  std::string failure;  ///< reason why it did not converge, in words
   int iterations = 0;
-  /// Estimates of the extreme eigenvalues of M^-1 A among what the load excites (Ritz values), for the
-  /// preconditioner M; 0 where no step was taken.
+  /// Estimates of the extreme eigenvalues of M^-1 A among the modes that the load excites (Ritz values), for
+  /// the preconditioner M; 0 if no step was taken.
   double smallest_ratio = 0.0;
   double largest_ratio = 0.0;
 };
@@ -28,7 +28,7 @@ class ParallelSolver {
  public:
   virtual ~ParallelSolver() = default;
 
-  virtual int rank() const = 0;  ///< of this process, from 0; not collective
+  virtual int rank() const = 0;  ///< number of this process, from 0; not collective
   virtual int size() const = 0;  ///< number of processes; not collective
   /// Each value becomes its sum, or its maximum, over all processes.
   virtual void sum(std::span<double> values) = 0;
@@ -38,7 +38,7 @@ class ParallelSolver {
 
   /// Begins a matrix, which replaces any other.
   /// @param own      number of blocks that each row of blocks of this process has within its own columns
-  /// @param foreign  the same within those of other processes
+  /// @param foreign  number of blocks that each of these rows has within the columns of other processes
   virtual void begin_matrix(int block_size, std::span<const int> own, std::span<const int> foreign) = 0;
   /// Sets one row of blocks of this process. Not collective.
   /// @param row      its number among all
@@ -46,25 +46,27 @@ class ParallelSolver {
   /// @param values   row by row: block_size x (block_size * columns.size())
   virtual void set_row(int row, std::span<const int> columns, std::span<const double> values) = 0;
   /// @param near_null  vectors that A nearly annihilates, one after another, each with the rows of this
-  ///                   process: what coarse grids have to represent
-  /// @param n_vectors  how many
+  ///                   process; coarse grids have to represent them
+  /// @param n_vectors  number of vectors in `near_null`
   virtual void finish_matrix(std::span<const double> near_null, int n_vectors) = 0;
 
   /// Names blocks of other processes whose values this one needs. @param blocks  numbers among all
   virtual void set_ghosts(std::span<const int> blocks) = 0;
-  /// Fetches them. @param own  the rows of this process
+  /// Fetches the values of the blocks named by set_ghosts().
+  /// @param own     values in the rows of this process
+  /// @param ghosts  receives the values of those blocks, in their order
   virtual void exchange(std::span<const double> own, std::span<double> ghosts) = 0;
 
   /// Solves A x = b from x = 0 until sqrt(r^T M^-1 r) has fallen to `reduction` of its initial value. All
   /// vectors are the rows of this process.
   virtual ParallelSolution solve(std::span<const double> b, std::span<double> x, double reduction) = 0;
-  /// r^T M^-1 r of the last matrix.
+  /// Returns r^T M^-1 r for the preconditioner M of the last matrix.
   virtual double preconditioned_square(std::span<const double> r) = 0;
 };
 
 /// Loads the module, which joins the processes of `mpirun` or runs alone. Possible once in the life of a
 /// process: destroying the solver ends MPI.
-/// @throws std::runtime_error in words where floc was built without PETSc or the module cannot be loaded
+/// @throws std::runtime_error if floc was built without PETSc or the module cannot be loaded
 std::unique_ptr<ParallelSolver> load_parallel_solver();
 
 /// Whether floc was built with PETSc.

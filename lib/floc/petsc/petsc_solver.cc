@@ -59,7 +59,7 @@ class Lent {
   Vec vector_;
 };
 
-/// How far a solution has come, for its convergence test.
+/// Progress of a solution, for its convergence test.
 struct Progress {
   double reduction = 0.0;
   double first = 0.0;
@@ -228,7 +228,8 @@ class PetscSolver final : public ParallelSolver {
     for (Vec& vector : vectors) check(VecDestroy(&vector));
   }
 
-  /// Conjugate gradients, and what preconditions them; PETSC_OPTIONS in the environment may say otherwise.
+  /// Sets up conjugate gradients and their preconditioner; PETSC_OPTIONS in the environment overrides the
+  /// settings.
   void make_method() {
     check(KSPCreate(PETSC_COMM_WORLD, method_.fill()));
     check(KSPSetOperators(method_, matrix_, matrix_));

@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// What changed between two states, on the geometry of the first: contacts lost and gained, those kept thin,
-/// and where each grain went with the affine part taken off.
+/// Returns a picture of the changes between two states, on the geometry of the first: contacts lost and gained,
+/// kept contacts as thin lines, and the displacement of each grain without the affine part.
 /// @param changes  from `before` to `after`
 template <int Dim>
 PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<Dim>& after,

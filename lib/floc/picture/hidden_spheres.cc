@@ -49,7 +49,7 @@ class Tiles {
 
  private:
   int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
-  /// From a coordinate to the nearest and to the farthest of a row or column.
+  /// Returns the distances from a coordinate to the nearest and the farthest point of a row or column.
   std::pair<double, double> distances(int row, int axis, double x) const {
     const double begin = low_[axis] + row * side_ - x, end = begin + side_;
     return {std::max({begin, -end, 0.0}), std::max(-begin, end)};

@@ -6,9 +6,8 @@
 
 namespace floc {
 
-/// The spheres without those that others hide completely. None that shows at all is taken away; some
-/// hidden ones remain, since slivers narrower than about an eighth of the smallest radius count as
-/// seen.
+/// Returns the spheres without those that others hide completely. No visible sphere is removed. Some hidden
+/// ones remain, since slivers narrower than about an eighth of the smallest radius count as visible.
 std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres);
 
 }  // namespace floc

@@ -108,7 +108,8 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   return n_lines;
 }
 
-/// Where the longest beginning of a text that fits `width` ends, at least one letter, between letters of UTF-8.
+/// Returns the end of the longest beginning of a text that fits into `width`: at least one letter, and between
+/// letters of UTF-8.
 std::size_t end_of_fitting(const std::string& text, double width) {
   std::size_t end = 0;
   do {

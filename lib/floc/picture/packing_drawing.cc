@@ -75,7 +75,7 @@ class Drawing {
         by_width[{line.kind, std::max(1, level)}].push_back(
             {on_page(line.from + shift), on_page(line.to + shift)});
       };
-      // What ends at a wall has no copy behind it.
+      // A line to a wall has no periodic copies.
       if (line.j >= static_cast<int>(picture_.position.size()))
         add(Vec<2>::Zero());
       else

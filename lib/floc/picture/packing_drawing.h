@@ -17,7 +17,7 @@ struct Box {
 };
 Box box_of(const Cell<2>& cell);
 
-/// Where a picture is on the page (points): the upper left of its cell's box.
+/// Place of a picture on the page (points): the upper left corner of the box of its cell.
 struct Placement {
   double left = 0.0, top = 0.0;
   DrawnScale scale;
@@ -27,15 +27,14 @@ void set_color(cairo_t* page, const Color& color);
 
 Color color_of(LineKind kind);
 
-/// Draws grains, lines and arrows of a picture, each with those of its periodic copies that reach into the
-/// cell, cut at the cell's border. Outlines of grains are left out where the mean grain is smaller than 2.5
-/// points.
+/// Draws grains, lines and arrows of a picture, each with the periodic copies of it that reach into the cell,
+/// cut at the cell's border. Outlines of grains are left out if the mean diameter is below 2.5 points.
 void draw_packing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
-/// The border of the cell.
+/// Draws the border of the cell.
 void draw_cell(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
-/// An arrow from one point of the page to another, its head no longer than `largest_head`.
+/// Draws an arrow from one point of the page to another, with a head no longer than `largest_head` (points).
 void draw_arrow(cairo_t* page, const Vec<2>& from, const Vec<2>& to, double width, double largest_head);
 
 }  // namespace floc

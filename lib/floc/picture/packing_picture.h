@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// What a line between two grains means; drawn in this order, the last on top.
+/// Meaning of a line between two grains. Kinds are drawn in this order, the last on top.
 enum class LineKind {
   background,  ///< a contact in the background: outside the set shown
   zero,        ///< no normal force within the tolerance
@@ -27,11 +27,11 @@ struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
   Vec<Dim> to = Vec<Dim>::Zero();  ///< centre of the image of the other grain
   LineKind kind = LineKind::compression;
-  double force = 0.0;  ///< its size, in `PackingPicture::force_unit`: what the width is proportional to
-  int i = 0, j = 0;    ///< its bodies: where it starts and ends
+  double force = 0.0;  ///< size of the force in `PackingPicture::force_unit`; the width is proportional to it
+  int i = 0, j = 0;    ///< bodies at its start and at its end
 };
 
-/// Where a grain went.
+/// Displacement of a grain.
 template <int Dim>
 struct DisplacementArrow {
   Vec<Dim> from = Vec<Dim>::Zero();
@@ -41,14 +41,14 @@ struct DisplacementArrow {
 
 /// A value of every grain, shown as its colour.
 struct GrainShade {
-  std::vector<double> value;  ///< of each grain, in units of `unit`
-  double largest = 1.0;       ///< the value of the last colour, > 0; larger ones have it too
-  std::string name;           ///< what it is, in the legend
+  std::vector<double> value;  ///< value of each grain
+  double largest = 1.0;       ///< value of the last colour, > 0, which larger values have too
+  std::string name;           ///< name of the value in the legend
 };
 
 /// A layer of a cell between two lattice planes, as fractions of a lattice vector.
 struct Slab {
-  int axis = 2;  ///< of the lattice vectors, from 0
+  int axis = 2;  ///< index of the lattice vector, from 0
   double from = 0.0, to = 1.0;
 
   /// Every fault as "name = value: requirement".
@@ -71,19 +71,19 @@ struct PackingPicture {
   std::string tension_name = "tension";
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow<Dim>> arrows;
-  std::optional<Slab> slab;  ///< the part of the cell that is shown, see part_in_slab()
+  std::optional<Slab> slab;  ///< part of the cell that is shown, see part_in_slab()
   GrainShade shade;          ///< without values: grains are grey
-  /// Above the picture, broken between these parts where they do not fit one line.
+  /// Caption above the picture, broken between these parts if they do not fit on one line.
   std::vector<std::string> caption;
-  std::string note;  ///< in the legend, may be empty
+  std::string note;  ///< note in the legend; may be empty
 };
 
-/// Cell and grains of a packing.
+/// Returns a picture of the cell and the grains of a packing.
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
-/// The part of a picture in a slab: grains whose centres lie in it, lines between two of those, their arrows. A
-/// centre on the border between two slabs is in the upper one.
+/// Returns the part of a picture in a slab: grains whose centres lie in it, their arrows, and lines between two
+/// of them. A centre on the border between two slabs is in the upper one.
 PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab);
 
 }  // namespace floc

@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// A white page that cairo draws on, the origin at its upper left, lengths in points (1/72 inch). The output
-/// contains no time: equal drawings give equal bytes.
+/// A white page that cairo draws on, with the origin at its upper left and lengths in points (1/72 inch). The
+/// output contains no time stamp: equal drawings give equal bytes.
 class Page {
  public:
   /// @param pixels_per_point  resolution of a png, and of parts embedded as an image
@@ -20,8 +20,8 @@ class Page {
 
   cairo_t* context() const { return context_; }
 
-  /// The bytes of the picture; the page is used up.
-  /// @throws std::runtime_error with cairo's words if it failed
+  /// Returns the bytes of the picture. The page cannot be drawn on afterwards.
+  /// @throws std::runtime_error with cairo's message if it failed
   std::string finish();
 
  private:
@@ -31,8 +31,8 @@ class Page {
   cairo_t* context_;
 };
 
-/// What is drawn while this object exists goes to an image of the same resolution as a png, which is then
-/// painted on the page: for drawings of so many parts that as vectors they would take too long to show.
+/// Image, of the same resolution as a png, that receives all drawing while this object exists and is then
+/// painted on the page. Used for drawings of so many parts that as vectors they would take too long to show.
 class ImageLayer {
  public:
   /// @param left, top, width, height  the part of the page it covers (points)
@@ -41,7 +41,7 @@ class ImageLayer {
   ImageLayer(const ImageLayer&) = delete;
   ImageLayer& operator=(const ImageLayer&) = delete;
 
-  /// Draws in the page's own coordinates.
+  /// Returns the context of the image, which has the coordinates of the page.
   cairo_t* context() const { return context_; }
 
  private:

@@ -9,14 +9,14 @@ struct Color {
   double red = 0.0, green = 0.0, blue = 0.0;
 };
 
-/// The colour of 0xRRGGBB.
+/// Returns the colour of 0xRRGGBB.
 constexpr Color hex_color(int rgb) {
   return {(rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0};
 }
 
-/// Colours of what a picture of a packing shows. Readers with any of the three kinds of colour blindness can
-/// tell those of lines apart (a test checks this): blue and vermilion are from the set of Okabe and Ito, green
-/// is lighter than theirs.
+/// Colours of the elements of a picture of a packing. Readers with any of the three kinds of colour blindness
+/// can tell the colours of lines apart (a test checks this): blue and vermilion are from the set of Okabe and
+/// Ito, green is lighter than theirs.
 namespace palette {
 
 inline constexpr Color kCompression = hex_color(0x0072B2);
@@ -35,13 +35,14 @@ inline constexpr Color kOutline = hex_color(0xA6A6A6);
 inline constexpr Color kCell = hex_color(0x707070);
 inline constexpr Color kText = hex_color(0x202020);
 
-/// From the most negative value (orange) over zero (white) to the most positive (blue): ColorBrewer's PuOr and
-/// RdBu.
+/// Colours from the most negative value (orange) over zero (white) to the most positive (blue): ColorBrewer's
+/// PuOr and RdBu.
 inline constexpr std::array<Color, 9> kDiverging = {
     hex_color(0xB35806), hex_color(0xE08214), hex_color(0xFDB863), hex_color(0xFEE0B6), hex_color(0xFFFFFF),
     hex_color(0xD1E5F0), hex_color(0x92C5DE), hex_color(0x4393C3), hex_color(0x2166AC)};
 
-/// Colour of a value in [-1, 1] (beyond it, of the nearer end), linear between the stops above.
+/// Returns the colour of a value in [-1, 1], linear between the entries of kDiverging; beyond it, that of the
+/// nearer end.
 constexpr Color diverging(double value) {
   constexpr int kLast = static_cast<int>(kDiverging.size()) - 1;
   const double place = (value < -1.0 ? 0.0 : value > 1.0 ? 1.0 : 0.5 * (value + 1.0)) * kLast;

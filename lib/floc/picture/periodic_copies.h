@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Finds which periodic copies of an object reach into the cell 0 <= s < 1 (s: reduced coordinates), for any
-/// lattice vectors and for objects larger than the cell, too.
+/// Finds the periodic copies of an object that reach into the cell 0 <= s < 1 (s: reduced coordinates), for any
+/// lattice vectors and also for objects larger than the cell.
 template <int Dim>
 class PeriodicCopies {
  public:
@@ -41,7 +41,7 @@ class PeriodicCopies {
 
   Cell<Dim> cell_;
   Mat<Dim> reciprocal_;  ///< rows: reciprocal vectors, so s = reciprocal_ x
-  Vec<Dim> reach_;       ///< of a unit length in reduced coordinates
+  Vec<Dim> reach_;       ///< extent of a ball of radius 1 in reduced coordinates
 };
 
 }  // namespace floc

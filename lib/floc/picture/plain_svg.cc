@@ -34,7 +34,8 @@ void append_path(std::string_view path, std::string& out) {
   }
 }
 
-/// What precedes a name in an svg, and before the data of a path.
+/// Text that precedes a name in an svg, beginnings of names that cairo counts, and text that precedes the data
+/// of a path.
 constexpr std::string_view kBeforeName[] = {"id=\"", "href=\"#", "url(#"};
 constexpr std::string_view kCounted[] = {"surface", "image", "source-"};
 constexpr std::string_view kBeforePath = " d=\"";
@@ -52,6 +53,8 @@ std::string plain_svg(std::string_view svg) {
     i += text.size();
     return true;
   };
+  // Names whose number cairo counts through the process are numbered anew, in the order of their first
+  // appearance, so that a definition and the references to it keep one name.
   const auto take_name = [&] {
     for (const std::string_view prefix : kCounted) {
       if (!take(prefix)) continue;
@@ -62,6 +65,7 @@ std::string plain_svg(std::string_view svg) {
       return;
     }
   };
+  // Only names depend on the process and only paths take much room, so that all other text is copied as it is.
   while (i < svg.size()) {
     bool taken = false;
     for (const std::string_view before : kBeforeName)

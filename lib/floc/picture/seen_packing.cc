@@ -19,7 +19,7 @@ constexpr double kEndOn = 1e-9;
 
 using Interval = std::pair<double, double>;
 
-/// Where a + b t + c t^2 < 0 (c >= 0).
+/// Returns the interval of t in which a + b t + c t^2 < 0 (c >= 0).
 std::optional<Interval> negative_part(double a, double b, double c) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (c == 0.0) return a < 0.0 ? std::optional(Interval{-kInfinite, kInfinite}) : std::nullopt;
@@ -44,7 +44,7 @@ std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   return part.first < part.second ? std::optional(part) : std::nullopt;
 }
 
-/// Collects what is seen of one picture.
+/// Collects the visible parts of one picture.
 class Sight {
  public:
   Sight(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale)
@@ -75,7 +75,7 @@ class Sight {
   }
 
  private:
-  /// Also bounds the depths, by what is shown whether it is hidden or not.
+  /// Adds the spheres and sets the range of depths, which includes hidden spheres.
   void add_spheres() {
     seen_.far = std::numeric_limits<double>::infinity();
     seen_.near = -seen_.far;
@@ -184,8 +184,8 @@ std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const V
   const Vec<3> apart = from - sphere.centre, along = to - from;
   const Vec<2> apart2 = apart.head<2>(), along2 = along.head<2>();
   const double r2 = sphere.radius * sphere.radius;
-  // Hidden is what lies in the sphere, or behind its equator within the cylinder of its outline: together a
-  // convex body, so that the segment passes it once.
+  // The hidden region is the sphere and the part behind its equator of the cylinder of its outline. It is
+  // convex, so that the segment crosses it once.
   std::optional<Interval> cylinder =
       negative_part(apart2.squaredNorm() - r2, 2.0 * apart2.dot(along2), along2.squaredNorm());
   if (!cylinder) return std::nullopt;

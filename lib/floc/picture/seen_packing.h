@@ -10,11 +10,11 @@
 
 namespace floc {
 
-// Points are as a Camera sees them: to the right, upwards, towards the eye (length).
+// Points are in the coordinates of a Camera: to the right, upwards, towards the eye (length).
 
 struct SeenSphere {
   Vec<3> centre = Vec<3>::Zero();
-  double radius = 0.0;  ///< as drawn
+  double radius = 0.0;  ///< drawn radius
   int grain = 0;
 };
 
@@ -43,45 +43,47 @@ struct SeenEdge {
   Vec<3> from = Vec<3>::Zero();
   Vec<3> to = Vec<3>::Zero();
   int axis = 0;
-  bool behind = false;                             ///< both faces that meet in it look away from the eye
-  bool outline = false;                            ///< one of them does
-  std::vector<std::pair<double, double>> visible;  ///< what no sphere hides, as fractions of its length
+  bool behind = false;   ///< whether both faces that meet in it face away from the eye
+  bool outline = false;  ///< whether exactly one of these faces does
+  std::vector<std::pair<double, double>> visible;  ///< parts that no sphere hides, as fractions of its length
 };
 
-/// What is to be drawn of a packing of spheres, and in which order.
+/// Visible parts of a packing of spheres, in the order in which they are drawn.
 struct SeenPacking {
   enum class Part { sphere, tube, arrow };
   struct Mark {
     Part part;
     int index;
-    double depth;  ///< towards the eye: of a sphere's centre, of the middle of a tube or an arrow
+    double depth;  ///< coordinate towards the eye of a sphere's centre, or of the middle of a tube or an arrow
   };
 
   std::vector<SeenSphere> spheres;
   std::vector<SeenTube> tubes;
   std::vector<SeenArrow> arrows;
-  /// From the farthest to the nearest. For spheres that do not overlap the order of their centres is exact: in
-  /// parallel projection the plane that touches both leaves the nearer centre's sphere in front.
+  /// Parts from the farthest to the nearest. For spheres that do not overlap, the order of their centres is
+  /// exact: in parallel projection, a plane separates the two, with the sphere of the nearer centre in front of
+  /// it.
   std::vector<Mark> order;
   double far = 0.0, near = 0.0;      ///< least and largest depth of the spheres
   std::vector<SeenEdge> cell_edges;  ///< twelve
   std::vector<SeenEdge> slab_edges;  ///< twelve, or none without a slab
 };
 
-/// Drawn radius of a sphere over its own.
+/// Returns the drawn radius of a sphere over its own radius.
 double sphere_size(const PackingPicture<3>& picture, const View& view);
 
-/// The spheres of the cell, each once where its centre is, and the contacts, cut at the faces of the cell.
-/// Spheres of which nothing is to be seen are left out.
+/// Returns the spheres of the cell, each once where its centre is, and the contacts, cut at the faces of the
+/// cell. Spheres that are hidden completely are left out.
 /// @param scale  for the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 
-/// The part of a segment that a sphere hides or contains, as fractions of its length: cut to [0, 1], or
-/// nothing.
+/// Returns the part of a segment that a sphere hides or contains, as fractions of its length within [0, 1];
+/// nothing if there is none.
 std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
                                                      const SeenSphere& sphere);
 
-/// Edges of the part of a cell between two corners in reduced coordinates; nothing hides them yet.
+/// Returns the edges of the part of a cell between two corners in reduced coordinates, each visible over all
+/// its length.
 std::vector<SeenEdge> edges_of(const Cell<3>& cell, const Camera& camera, const Vec<3>& low,
                                const Vec<3>& high);
 

@@ -71,7 +71,7 @@ class Layout {
     return std::min(std::max(kMinPixels<Dim>, kPixelsPerDiameter / smallest), std::max(most, kMinPixels<Dim>));
   }
 
-  /// Of the box of a picture.
+  /// Returns the placement of the box of each picture.
   const std::vector<Placement>& placements() const { return placements_; }
   const std::vector<Box>& boxes() const { return boxes_; }
 
@@ -92,7 +92,7 @@ class Layout {
   }
 
  private:
-  /// What a point on the page is worth, in forces and displacements.
+  /// Sets the lengths on the page (points) of a unit force and of a unit displacement.
   void set_scales() {
     double moved = 0.0, force = 0.0, force_diameter = 0.0;
     for (const PackingPicture<Dim>& p : pictures_) {
@@ -162,7 +162,7 @@ class Layout {
   DrawnScale scale_;
   std::vector<LegendItem> legend_;
   std::vector<std::vector<std::string>> captions_;  ///< lines of each picture's
-  bool own_keys_ = false;                           ///< each picture has its own width of a force, and says so
+  bool own_keys_ = false;                           ///< each picture has its own force scale, and a key for it
   std::vector<Placement> placements_;
   double legend_top_ = 0.0;
   double height_ = 0.0;
@@ -243,6 +243,8 @@ std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const S
     placed.emplace_back(pictures[k], layout.placements()[k], layout.boxes()[k], options);
     n_marks += placed.back().n_marks();
   }
+  // A png is an image as it is. Other formats embed grains and lines as an image where as vectors they would
+  // take megabytes; frames, axes and text stay vectors.
   const bool as_image =
       options.format != PictureFormat::png && options.as_image.value_or(n_marks > kMaxVectors<Dim>);
   Page page(options.format, options.width, layout.height(), pixels);

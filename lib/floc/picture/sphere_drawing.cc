@@ -9,15 +9,17 @@
 namespace floc {
 namespace {
 
-/// Share of white in what is farthest: spheres that hide each other need less of it than a network does.
+/// Share of white in the colour of the farthest parts: less for spheres, which hide each other, than for a
+/// network.
 constexpr double kPaleSpheres = 0.25;
 constexpr double kPaleTubes = 0.65;
-/// Radii below which light and shade are not to be seen, and only make files large (points).
+/// Radius below which light and shade are invisible and only make files large (points).
 constexpr double kSmallestShaded = 0.6;
-/// Of arrows, in mean diameters: thinner than in 2D, for there are more of them in the same place.
+/// Width of arrows and length of their heads, in mean diameters: thinner than in 2D, because more of them
+/// overlap.
 constexpr double kArrowWidth = 0.04;
 constexpr double kArrowHead = 0.2;
-/// Where the light comes from, on the page (y down).
+/// Direction from which the light comes, on the page (y down), a unit vector.
 const Vec<2> kLight = Vec<2>(-0.6, -0.8);
 
 Color mixed(const Color& a, const Color& b, double share) {
@@ -136,7 +138,7 @@ class SeenDrawing {
     const Bar bar = {on_page(tube.from), on_page(tube.to), 2.0 * half, bulge(tube.from_end),
                      bulge(tube.to_end)};
     draw_bar(page_, bar, color);
-    // Of two ends cut one looks at the eye.
+    // Of two cut ends, only the one that faces the eye is visible.
     if (tube.to_end == TubeEnd::cut && along[2] > 0.0) draw_cut(bar.to, along, half, color);
     if (tube.from_end == TubeEnd::cut && along[2] < 0.0) draw_cut(bar.from, along, half, color);
   }
@@ -161,8 +163,8 @@ class SeenDrawing {
   /// The edge across the middle of the cell from the first.
   const SeenEdge& opposite() const { return seen_.cell_edges[3]; }
 
-  /// Of those on the outline the lowest on the page, of equally low ones the left one; none if it is seen end
-  /// on.
+  /// Returns the edge of the outline along an axis that is lowest on the page, and of equally low ones the left
+  /// one; null if the axis is seen end on.
   const SeenEdge* labelled_edge(int axis) const {
     constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;
@@ -178,8 +180,8 @@ class SeenDrawing {
     return best;
   }
 
-  /// How far from a point on the outline, outwards, something of that length along it (points) is clear of
-  /// spheres.
+  /// Returns the distance from a point on the outline, outwards, at which an object of a given length along the
+  /// outline is clear of spheres (points).
   double clear_of_spheres(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
     constexpr double kClearance = 4.0;
     double away = 0.0;
@@ -260,6 +262,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   cairo_translate(page, bar.from[0], bar.from[1]);
   cairo_rotate(page, std::atan2(along[1], along[0]));
   cairo_new_path(page);
+  // In the frame of the bar, an end is half an ellipse: the end of a cylinder that is tilted towards the eye,
+  // or a round end. Flat ends are lines, because cairo cannot scale an arc by zero.
   const auto end_at = [&](double x, double bulge, double begin) {
     if (bulge <= 1e-3 * half) {
       cairo_line_to(page, x, begin < 0.0 ? -half : half);
@@ -275,11 +279,13 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   end_at(length, bar.bulge_to, -0.5 * std::numbers::pi);
   end_at(0.0, bar.bulge_from, 0.5 * std::numbers::pi);
   cairo_close_path(page);
+  // Bars too thin to show a gradient get one colour, which keeps files small.
   if (half < kSmallestShaded) {
     set_color(page, darker(color, 0.1));
     cairo_fill(page);
     return cairo_restore(page);
   }
+  // The bright line along the bar lies on the side of the light, as far as the light comes from across the bar.
   cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, -half, 0.0, half);
   add_stop(gradient, 0.0, darker(color, 0.45));
   add_stop(gradient, 0.18, darker(color, 0.1));

@@ -6,21 +6,21 @@
 
 namespace floc {
 
-/// A packing at another solid fraction, with its cell and all places scaled alike while the grains keep their
-/// size: the outcome of an affine compression or expansion.
+/// Returns a packing at another solid fraction, with its cell and all positions scaled by one factor while the
+/// grains keep their size: the result of an affine compression or expansion.
 template <int Dim>
 Packing<Dim> scaled_to(const Packing<Dim>& packing, double solid_fraction);
 
-/// Coordination and pressure of such a packing, before anything moves.
+/// Coordination and pressure of a packing after affine scaling, before any grain has moved otherwise.
 struct AffinePrediction {
-  double z = 0.0;         ///< z_I(a/s - a): surfaces that touch, rattlers where they are
-  double z_pushed = 0.0;  ///< z_II: rattlers pushed against the others first
+  double z = 0.0;         ///< z_I(a/s - a): coordination number with rattlers where they are
+  double z_pushed = 0.0;  ///< z_II: coordination number with rattlers first pushed against other grains
   /// Mean normal stress of the law's normal forces at the overlaps (force/length^(Dim-1)): over pairs with
   /// s r < a, the sum of N(a - s r) s r over Dim times the volume.
   double pressure = 0.0;
 };
 
-/// Predictions for one solid fraction after another from one state.
+/// State from which predictions are made for several solid fractions.
 template <int Dim>
 class AffineReference {
  public:

@@ -3,7 +3,7 @@
 namespace floc {
 namespace {
 
-/// Of the axes beside the driven one.
+/// Returns the mean over the axes other than the driven one.
 template <int Dim>
 double lateral_mean(int axis, const Vec<Dim>& values) {
   return (values.sum() - values[axis]) / (Dim - 1);

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// What a test with one driven axis measures in one equilibrium. Compression counts positive.
+/// Stresses and strains of a test with one driven axis, in one equilibrium. Compression counts positive.
 struct AxialTest {
   double mean_stress = 0.0;        ///< p (force/length^(Dim-1))
   double deviator = 0.0;           ///< q: driven stress less the mean of the others
@@ -18,14 +18,15 @@ struct AxialTest {
   std::optional<double> dilatancy;
 };
 
-/// @param axis            the driven one, from 0
-/// @param stress, strain  of each axis, the strain logarithmic from any reference
-/// @param strain_before   of the previous equilibrium, from the same reference; null: there is none
+/// Computes the results of a test in one equilibrium.
+/// @param axis            index of the driven axis, from 0
+/// @param stress, strain  stress and logarithmic strain of each axis, the strain from any reference
+/// @param strain_before   strain of the previous equilibrium, from the same reference; null if there is none
 template <int Dim>
 AxialTest measure_axial_test(int axis, const Vec<Dim>& stress, const Vec<Dim>& strain,
                              const Vec<Dim>* strain_before);
 
-/// Logarithmic strains between two cells, from the lengths of their axes, shortening positive.
+/// Returns the logarithmic strains between two cells, from the lengths of their axes, shortening positive.
 template <int Dim>
 Vec<Dim> axial_strain(const Vec<Dim>& sides_before, const Vec<Dim>& sides) {
   return (sides_before.array() / sides.array()).log();

@@ -10,17 +10,17 @@ namespace floc {
 /// A slice of the cell between two planes that the other lattice vectors span, and the grains whose centres lie
 /// in it.
 struct ProfileSlice {
-  double low = 0.0, high = 0.0;  ///< from the plane through the origin, or the lower wall (length)
+  double low = 0.0, high = 0.0;  ///< distances from the plane through the origin, or the lower wall (length)
   double solid_fraction = 0.0;   ///< exact volumes; overlaps count for each grain
   int n_grains = 0;
-  std::vector<double> mean;  ///< of each value, over these grains; NaN without any
+  std::vector<double> mean;  ///< mean of each value over these grains; NaN without grains
 };
 
 inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
 
-/// Slices of equal thickness that make up the cell.
-/// @param axis    of the lattice vectors, from 0   @param n  number of slices
-/// @param values  arrays of one number per grain
+/// Divides the cell into slices of equal thickness.
+/// @param axis    index of the lattice vector across the slices, from 0   @param n  number of slices
+/// @param values  arrays of one number per grain, whose means are computed
 /// @throws InputError if n is not in kProfileSlices
 template <int Dim>
 std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, int n,

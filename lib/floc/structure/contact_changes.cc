@@ -137,6 +137,9 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   out.cell_after = choice.inverse() * after.cell.matrix;
   out.deformation = out.cell_after.transpose() * before.cell.matrix.transpose().inverse();
 
+  // Displacements are compared in reduced coordinates, where the affine part is zero. A common translation is
+  // taken off first, by a circular mean, which does not depend on the images of the grains: rounding to the
+  // nearest image would otherwise split grains that moved by half a cell together.
   const int n = before.grains.size();
   const Mat<Dim> to_reduced = out.cell_after.transpose().inverse();
   std::vector<Vec<Dim>> moved(n);
@@ -154,6 +157,8 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   }
   for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));
 
+  // Contacts are named by images in terms of `before`: lattice vectors chosen anew and grains that crossed the
+  // border change the image of a contact but not the contact.
   const auto old_names = named<Dim>(before.contacts, [](const Contact<Dim>& c) { return c.image; });
   const auto new_names = named<Dim>(after.contacts, [&](const Contact<Dim>& c) -> Vec<Dim, int> {
     return images * c.image + out.wrapped[c.j] - out.wrapped[c.i];

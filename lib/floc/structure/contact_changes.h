@@ -13,18 +13,18 @@ struct KeptContact {
   int after;
 };
 
-/// What happened between two states of the same grains. Contacts are surfaces that touch; attractions across a
-/// gap do not count.
+/// Changes of contacts and positions between two states of the same grains. Contacts are surfaces that touch;
+/// attractions across a gap do not count.
 template <int Dim>
 struct ContactChanges {
   std::vector<KeptContact> kept;
   std::vector<int> lost;    ///< indices in the contact list before
   std::vector<int> gained;  ///< indices in the contact list after
-  int n_parted = 0;         ///< lost ones that are now attractions across a gap
+  int n_parted = 0;         ///< lost contacts that are now attractions across a gap
   /// Deformation of the cell: the affine part takes x to deformation * x. Identity - deformation is the strain,
   /// shortening positive.
   Mat<Dim> deformation = Mat<Dim>::Identity();
-  /// Of each grain, with the affine part and the mean taken off (length).
+  /// Displacement of each grain without the affine part and the mean (length).
   std::vector<Vec<Dim>> displacement;
   /// Cell vectors by which each grain was moved back into the cell: after, it is at
   /// deformation * x before + displacement + (the mean) + wrapped * cell.
@@ -38,14 +38,15 @@ struct ContactChanges {
   double largest_displacement() const;  ///< (length)
 };
 
-/// Why two packings cannot be compared: different numbers or sizes of grains, or lattices that do not
-/// correspond; empty if they can.
+/// Returns the reason why two packings cannot be compared (walls, different numbers or sizes of grains, or
+/// lattices that do not correspond), or an empty string if they can.
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
-/// Grains are identified by their index, contacts by both grains, image and key. Displacements are taken to the
-/// nearest image in reduced coordinates, so grains must move less than half the cell relative to their mean.
-/// Neither a common translation nor another choice of lattice vectors changes anything.
+/// Compares two states. Grains are identified by their index, contacts by both grains, image and key.
+/// Displacements are taken to the nearest image in reduced coordinates, so grains must move less than half the
+/// cell relative to their mean. Neither a common translation nor another choice of lattice vectors changes the
+/// result.
 /// @pre incomparable(before, after) is empty
 template <int Dim>
 ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);

@@ -16,10 +16,12 @@ struct Coordination {
   double z_zero = 0.0;   ///< of contacts whose normal force is zero within the tolerance
   int n_rattlers = 0;
   double rattler_fraction = 0.0;  ///< x0
-  double z_star = 0.0;  ///< twice the contacts per grain that is not a rattler, those of rattlers left out
-  double x22 = 0.0;     ///< share of the contacts that join two grains with two contacts each
+  /// Coordination number of the grains that are not rattlers: twice the contacts between them per such grain.
+  double z_star = 0.0;
+  double x22 = 0.0;  ///< share of the contacts that join two grains with two contacts each
 };
 
+/// Counts the contacts of a packing.
 /// @param zero_force  largest normal force that counts as zero (force), >= 0; otherwise InputError
 template <int Dim>
 Coordination coordination(const Packing<Dim>& packing, double zero_force);

@@ -16,16 +16,16 @@ struct CoverageMap {
   double operator()(int k1, int k2) const { return share[static_cast<std::size_t>(k1) * size[1] + k2]; }
 };
 
-/// Area that a disk of radius R > 0 about the origin shares with a polygon.
+/// Returns the area that a disk of radius R > 0 about the origin shares with a polygon.
 /// @param corners  counter-clockwise (length); clockwise ones give the negative area
 double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners);
 
-/// Mesh cells of a map along each lattice vector, and in all.
+/// Ranges of the number of mesh cells of a map, along each lattice vector and in all.
 inline constexpr WholeRange kMapSide{.least = 1, .most = 10000};
 inline constexpr WholeRange kMapCells{.least = 1, .most = 10000000};
 
-/// Map of the solid fraction, exact in every mesh cell: disks are cut along its edges in closed form. Its mean
-/// is the solid fraction of the packing.
+/// Computes a map of the solid fraction that is exact in every mesh cell: disks are cut along its edges in
+/// closed form. The mean of the map is the solid fraction of the packing.
 /// @param size  mesh cells along each lattice vector, >= 1   @throws InputError if it is less
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size);
 

@@ -38,7 +38,7 @@ Mat<Dim> momentum_flux(const Grains<Dim>& g) {
   return sum;
 }
 
-/// How the two surfaces of a contact move against each other in a time step, by its middle.
+/// Relative motion of the two surfaces of a contact in a time step, taken at the middle of the step.
 template <int Dim>
 struct StepMotion {
   Vec<Dim> branch;  ///< at the end (length)
@@ -70,7 +70,7 @@ struct StepMotion {
     }
   }
 
-  /// What a contact carries in its tangent plane, in the frame of the end.
+  /// Returns a tangential force carried by the contact, turned into the frame at the end of the step.
   Shear<Dim> carried(const Shear<Dim>& force) const {
     return transport<double>(force, normal_before, normal, twist);
   }
@@ -128,8 +128,9 @@ double attraction_energy(const Law& law, const Packing<Dim>& packing, const Cont
                                                 acting_parameters(law, packing.grains, c));
 }
 
-/// Change of the elastic energy, at the places that grains have at the end of a step, by what happened to the liquid in
-/// it: shared out anew, drawn into bridges that form, or left by those that no longer are in the list.
+/// Returns the change of the elastic energy, with grains at their places at the end of a step, by changes of
+/// the liquid in the step: liquid shared out anew, drawn into bridges that form, or left by bridges that are no
+/// longer in the list.
 template <int Dim>
 double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
                         const ContactChanges<Dim>& changes) {
@@ -264,7 +265,7 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
   Step<Dim>(previous_, now, time_step).add_to(terms_);
   terms_.elastic = elastic_energy_of(now);
   terms_.kinetic = kinetic_energy_of(now);
-  // Where velocities were set to zero, what the step itself had left of them is what the account lacks.
+  // Where velocities were set to zero, the energy removed is the change of the account's error in this step.
   if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
   previous_ = now;
 }

@@ -29,7 +29,7 @@ double largest_part(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// Histogram bin of a value; none beyond kMaxBins and for what is no number.
+/// Returns the histogram bin of a value; nothing beyond kMaxBins and for NaN.
 std::optional<int> bin_of(double value, double width) {
   const double bin = std::floor(value / width);
   if (!(bin >= -kMaxBins && bin < kMaxBins)) return std::nullopt;

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Moments of the contact forces and how far friction is mobilised (docs/physics.md, "Force network"), over
-/// contacts that touch; all zero without any.
+/// Moments of the contact forces and mobilisation of friction (docs/physics.md, "Force network"), over contacts
+/// that touch; all zero without any.
 struct ForceMoments {
   double mean_normal = 0.0;  ///< `<N>`, of the elastic normal force N (force)
   double largest = 0.0;      ///< the largest N (force)
@@ -17,7 +17,7 @@ struct ForceMoments {
   double M1 = 0.0, M2 = 0.0;
 };
 
-/// Of contacts between grains.
+/// Computes the moments over the contacts between grains.
 template <int Dim>
 ForceMoments force_moments(const Packing<Dim>& packing);
 

@@ -6,9 +6,8 @@
 
 namespace floc {
 
-/// z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains.
-/// Rounding of 1e-12 of their diameters is allowed for. z(0) is the coordination number of
-/// contacts.
+/// Returns z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains. Gaps
+/// count up to a rounding error of 1e-12 diameters. z(0) is the coordination number of contacts.
 /// @param gaps  h (length), ascending, >= 0
 /// @return one entry per gap
 template <int Dim>

@@ -4,7 +4,8 @@
 
 namespace floc {
 
-/// Mean mobilisation |F_T|/N of contacts that carry more, and less, than the mean force, added one by one.
+/// Mean mobilisation |F_T|/N of contacts whose force is above, and below, the mean force; contacts are added
+/// one by one.
 class MobilisationByForce {
  public:
   /// @param mean  elastic force of the contacts, > 0 (force)
@@ -19,8 +20,8 @@ class MobilisationByForce {
     ++side.n;
   }
 
-  double M1() const { return above_.value(); }  ///< of those above the mean, 0 without any
-  double M2() const { return below_.value(); }  ///< of the others
+  double M1() const { return above_.value(); }  ///< mean over contacts above the mean force, 0 without any
+  double M2() const { return below_.value(); }  ///< mean over the other contacts, 0 without any
 
  private:
   struct Mean {

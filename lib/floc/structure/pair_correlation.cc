@@ -28,7 +28,7 @@ double inner_volume(const Packing<Dim>& packing, double reach) {
   return volume;
 }
 
-/// Counts, for each grain far from the walls, those around it. @return how many such grains there are
+/// Counts the grains around each grain far from the walls. @return number of grains far from the walls
 template <int Dim>
 int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points, double reach,
                           PairCorrelation& out) {

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Stress of each grain, compression positive (force/length^(Dim-1)):
+/// Returns the stress of each grain, compression positive (force/length^(Dim-1)):
 ///
 ///   sigma_i = -(1/V_i) sum_j f_(j on i) (x) l_i,   V_i = volume of the grain / Phi
 ///
@@ -15,12 +15,13 @@ namespace floc {
 template <int Dim>
 std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 
-/// Pressure of each grain: trace of its stress over Dim.
+/// Returns the pressure of each grain: trace of its stress over Dim.
 template <int Dim>
 std::vector<double> particle_pressure(const Packing<Dim>& packing);
 
-/// Pressures that have a sign: set to zero for rattlers, whose forces are rounding, and where the pressure is
-/// no more than a force of `zero_force` makes on the largest grain, zero_force/a^(Dim-1).
+/// Returns the pressures whose sign is significant; others are set to zero. These are the pressures of
+/// rattlers, whose forces are rounding, and pressures of at most zero_force/a^(Dim-1), the one of a force
+/// `zero_force` on the largest grain.
 /// @param pressure  of each grain (stress)
 template <int Dim>
 std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,

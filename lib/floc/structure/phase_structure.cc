@@ -88,7 +88,7 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
       like += sign[other] == phase;
     }
     if (n == 0) continue;
-    // In whole numbers: a share on the border between two bins is in the upper one.
+    // Integer arithmetic puts a share on the border between two bins into the upper one.
     const int b = std::min(n_bins - 1, n_bins * like / n);
     ++bins[b].n_grains;
     bins[b].mean_size += std::abs(pressure[i]);

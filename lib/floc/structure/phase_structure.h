@@ -12,9 +12,11 @@ namespace floc {
 
 /// Settings of the comparison with random signs on the same bonds.
 struct PhaseOptions {
-  int n_shuffles = 20;  ///< enough for percolation to a tenth; each costs one search for connected parts
+  /// Number of shuffles: 20 give the share that percolates to a tenth. Each costs one search for connected
+  /// parts.
+  int n_shuffles = 20;
   std::uint64_t seed = 1;
-  int n_bins = 10;  ///< of the share of like neighbours
+  int n_bins = 10;  ///< number of bins of the share of like neighbours
 
   static constexpr WholeRange kShuffles{.least = 1, .most = 100000};
   /// Every fault as "name = value: requirement".
@@ -23,34 +25,35 @@ struct PhaseOptions {
 
 /// Mean pressure of the grains of a phase by the share of their neighbours that belong to it.
 struct LikeNeighbourBin {
-  double low = 0.0, high = 0.0;  ///< of the share, [low, high); the last bin holds 1
+  double low = 0.0, high = 0.0;  ///< range [low, high) of the share; the last bin includes 1
   int n_grains = 0;
-  double mean_size = 0.0;   ///< of |p| (stress)
-  double mean_error = 0.0;  ///< standard error of it; 0 for fewer than two grains
+  double mean_size = 0.0;   ///< mean of |p| (stress)
+  double mean_error = 0.0;  ///< standard error of mean_size; 0 for fewer than two grains
 };
 
-/// How one of the two phases of particle pressure is spread over the bonds.
+/// Connectivity of one of the two phases of particle pressure.
 struct PhaseGeometry {
-  std::vector<int> cluster_sizes;    ///< grains of its connected parts, the largest first
+  std::vector<int> cluster_sizes;    ///< numbers of grains of its connected parts, the largest first
   std::array<bool, 3> along{};       ///< lattice vectors that one of its parts winds along
   int n_directions = 0;              ///< independent ways in which one of its parts winds around the cell
-  double shuffled_directions = 0.0;  ///< the mean of that over shuffles of the signs
-  double shuffled_percolates = 0.0;  ///< share of the shuffles in which it is not zero
-  double largest_shuffled = 0.0;     ///< mean size of the largest part over shuffles (grains)
+  double shuffled_directions = 0.0;  ///< mean of n_directions over shuffles of the signs
+  double shuffled_percolates = 0.0;  ///< share of the shuffles in which n_directions is not zero
+  double largest_shuffled = 0.0;     ///< mean number of grains of the largest part over shuffles
   std::vector<LikeNeighbourBin> by_share;
 };
 
-/// The phases of positive and of negative particle pressure on the graph of bonds. Signs that were given to the
-/// grains at random would percolate too, and have like neighbours: the same signs, shuffled among the grains
-/// that have one, are the control.
+/// Phases of positive and of negative particle pressure on the graph of bonds. Random signs would percolate
+/// too, and have like neighbours; the control is therefore the same signs shuffled among the grains that have
+/// one.
 struct PhaseStructure {
   PhaseGeometry positive, negative;
-  int n_bonds = 0;              ///< between two grains with a sign
+  int n_bonds = 0;              ///< number of bonds between two grains with a sign
   double like_share = 0.0;      ///< share of these between like signs
-  double like_expected = 0.0;   ///< its mean over all shuffles, in closed form
+  double like_expected = 0.0;   ///< mean of like_share over all shuffles, in closed form
   double like_deviation = 0.0;  ///< standard deviation over the shuffles made
 };
 
+/// Computes the structure of both phases.
 /// @param pressure  of each grain of the network (stress); zero: in neither phase
 /// @param cell      of the packing
 /// @throws InputError with the faults of the options

@@ -162,9 +162,9 @@ class FaceWalk {
   std::vector<int> next_;
 };
 
-/// Takes away the faces that have no size: those that wind around the cell, or what surrounds a network that
-/// does not span it. Euler's formula decides which of the two there is, and whether the edges cross.
-/// @return false if they do
+/// Removes the faces that have no size: those that wind around the cell, or the outside of a network that does
+/// not span it. Euler's formula decides which of the two there is, and whether the edges cross.
+/// @return false if the edges cross
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;
   const int euler = n_grains - n_edges + static_cast<int>(faces.size());

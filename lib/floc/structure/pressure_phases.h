@@ -9,8 +9,8 @@ namespace floc {
 /// Grains whose pressures have the same sign, joined where two of them interact.
 struct PressurePhase {
   int n_grains = 0;
-  double share = 0.0;       ///< of all grains
-  double mean = 0.0;        ///< pressure of its grains (stress)
+  double share = 0.0;       ///< number of its grains over that of all grains
+  double mean = 0.0;        ///< mean pressure of its grains (stress)
   int n_clusters = 0;       ///< connected parts, single grains included
   int largest_cluster = 0;  ///< grains
   /// Independent ways in which one of its parts winds around the cell: it percolates if > 0.
@@ -23,7 +23,7 @@ struct PressurePhases {
   PressurePhase positive, negative;
 };
 
-/// @param pressure  of each grain of the network
+/// Computes the two phases. @param pressure  of each grain of the network (stress)
 template <int Dim>
 PressurePhases pressure_phases(const ContactNetwork<Dim>& network, const std::vector<double>& pressure);
 

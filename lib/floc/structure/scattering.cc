@@ -36,7 +36,8 @@ std::vector<std::complex<double>> transform(const CoverageMap& field) {
   return out;
 }
 
-/// sin(x)/x of x = pi n/size: what averaging over mesh cells leaves of a wave of n periods.
+/// Returns the factor by which averaging over mesh cells reduces a wave of n periods: sin(x)/x with x = pi
+/// n/size.
 double kept_by_averaging(int n, int size) {
   const double x = std::numbers::pi * n / size;
   return n == 0 ? 1.0 : std::sin(x) / x;
@@ -122,7 +123,7 @@ void ScatteringAverage::add(const Cell<2>& cell, const CoverageMap& field) {
       if (k < edges_.front() || k >= edges_.back()) continue;
       const double kept = kept1 * kept_by_averaging(n2, field.size[1]);
       const std::complex<double> chi = hat[static_cast<std::size_t>(row) * n_columns + n2];
-      // Of the row n2 = 0 both k and -k are there, of the others one.
+      // The row n2 = 0 of the transform holds both k and -k; other rows hold one of them, which counts twice.
       add_vector(k, per_cell * per_cell * std::norm(chi) / (kept * kept * area), n2 == 0 ? 1 : 2);
     }
   }

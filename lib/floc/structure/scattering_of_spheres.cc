@@ -18,7 +18,7 @@ constexpr std::uint64_t kSeed = 1, kPurpose = 0x1e;
 
 using Wave = Vec<3, int>;
 
-/// One of n and -n: the first number that is not zero is positive.
+/// Returns true for one of n and -n: the one whose first non-zero component is positive.
 bool in_half_space(const Wave& n) {
   return n[0] > 0 || (n[0] == 0 && (n[1] > 0 || (n[1] == 0 && n[2] > 0)));
 }

@@ -30,7 +30,8 @@ struct TurnedCell {
   Vec<3> there(const Vec<3>& x) const { return turn * x / unit; }
   Vec<3> here(const Vec<3>& x) const { return turn.transpose() * x * unit; }
 
-  /// Blocks of the search along an axis for which Voro++ is fastest: kGrainsPerBlock grains in each.
+  /// Returns the number of search blocks along an axis for which Voro++ is fastest: kGrainsPerBlock grains in
+  /// each.
   int blocks(int axis) const {
     return std::max(1, static_cast<int>(std::ceil(lattice(axis, axis) * std::cbrt(1.0 / kGrainsPerBlock))));
   }

@@ -14,7 +14,8 @@
 namespace floc {
 namespace {
 
-/// Vertices closer than this, in largest diameters, are one: beyond rounding, below what a packing resolves.
+/// Distance below which vertices are merged, in largest diameters: above rounding, below the accuracy of
+/// packings.
 constexpr double kSameVertex = 1e-6;
 
 /// A vertex as the cell of one grain has it.

@@ -7,10 +7,10 @@
 namespace floc {
 namespace {
 
-/// Grains so few that their order no longer matters: what they need fits a cache.
+/// Number of grains whose order no longer matters, since their data fit into a cache.
 constexpr std::size_t kLeaf = 32;
 
-/// Puts the grains that lie lowest along the longest side first. @param n_low  how many
+/// Puts the grains that lie lowest along the longest side first. @param n_low  number of these grains
 template <int Dim>
 void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::size_t n_low) {
   Vec<Dim> low = centres[grains.front()], high = low;
@@ -27,7 +27,7 @@ void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::siz
   std::nth_element(grains.begin(), grains.begin() + static_cast<std::ptrdiff_t>(n_low), grains.end(), is_lower);
 }
 
-/// Among processes first, which are told where they begin, then by halves until few are left.
+/// Divides grains first among the processes, noting the first grain of each, then by halves until few are left.
 template <int Dim>
 void divide(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::span<int> first) {
   const std::size_t n_processes = first.size();

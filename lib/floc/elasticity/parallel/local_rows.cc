@@ -56,6 +56,8 @@ void LocalRows<Dim>::gather(int process) {
     return block >= first_ && block < first_ + n_grains_;
   };
   of_start_.assign(n_grains_ + 1, 0);
+  // Grains of other processes that touch own ones are appended after the own grains, so that own rows come
+  // first. Contacts are then sorted by own grain (counting sort); one between two own grains is listed at both.
   for (int k = 0; k < static_cast<int>(network_.contacts.size()); ++k) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     if (!is_own(c.i) && !is_own(c.j)) continue;
@@ -136,6 +138,9 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
   for (const int k : contacts_of(place)) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     for_each_spring(c, [&](const ContactRows<Dim>& rows, const RowStiffness<Dim>& stiffness, const auto&) {
+      // G^T k G of the contact, of which only the rows of this grain are kept; the other grain's rows are
+      // assembled where that grain is at home. A contact with a wall or an own image has no second grain: i =
+      // j.
       const bool is_i = c.i == grain;
       const Block mine = (is_i ? rows.on_i : rows.on_j) * scale.asDiagonal();
       const Block forces = stiffness.asDiagonal() * mine;
@@ -146,6 +151,7 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
       at(shares_.block[other]) += forces.transpose() * theirs;
     });
   }
+  // Unknowns that are not solved for (scale 0) get a one on the diagonal, so that all blocks keep one size.
   auto own = at(first_ + place);
   for (int b = 0; b < kSize; ++b)
     if (scale[b] == 0.0)

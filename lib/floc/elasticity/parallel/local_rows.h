@@ -9,11 +9,11 @@
 
 namespace floc {
 
-/// The rows of K that one process holds, those of its grains, and the contacts in which these take part;
-/// divided by `unit`, in unknowns made alike: rotations times the grain's size (see ReducedUnknowns). Unknowns
-/// that are not solved for have a one on the diagonal and zeros elsewhere, so that all blocks have one size.
-/// Where K cannot have negative eigenvalues, a shift of its diagonal, far below every stiffness that resists a
-/// strain, holds mechanisms, which carry no load; refinement by balance() makes up for its effect.
+/// Rows of K of the grains of one process, and the contacts of these grains. The rows are divided by `unit`, in
+/// unknowns of one unit: rotations times the grain's size (see ReducedUnknowns). Unknowns that are not solved
+/// for have a one on the diagonal and zeros elsewhere, so that all blocks have one size. Where K cannot have
+/// negative eigenvalues, its diagonal is shifted by far less than any stiffness that resists a strain. The
+/// shift regularises mechanisms, which carry no load; refinement by balance() removes its effect.
 template <int Dim>
 class LocalRows {
  public:
@@ -36,14 +36,14 @@ class LocalRows {
     Eigen::VectorXd net;  ///< forces -(K u + the load of the boundary) on the unknowns of this process
     double energy = 0.0;  ///< (A u + B)^T k (A u + B) of the contacts that this process counts
   };
-  /// Balance under a unit of one boundary unknown.
+  /// Computes the balance of forces under a unit of one boundary unknown.
   Balance balance(const Eigen::VectorXd& u, int boundary) const;
 
   struct Energies {
     Eigen::MatrixXd stiffness;  ///< (A u_b + B_b)^T k (A u_c + B_c), see SpringSystem
-    Eigen::MatrixXd rounding;   ///< what rounding of the contacts' geometry can do to it
+    Eigen::MatrixXd rounding;   ///< bound on the error of `stiffness` from rounding of the contacts' geometry
   };
-  /// Over the contacts that this process counts; each contact is counted by one process.
+  /// Sums the energies over the contacts that this process counts; each contact is counted by one process.
   /// @param u  the response to a unit of each boundary unknown
   Energies energies(const std::vector<Eigen::VectorXd>& u) const;
 

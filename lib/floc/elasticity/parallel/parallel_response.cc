@@ -13,18 +13,19 @@
 namespace floc {
 namespace {
 
-/// Reduction of the forces that a first solution is asked for, which leaves about its square of the energy; and
-/// the least that is asked of a later one, which rounding allows.
+/// Reduction of the residual forces required of the first solution, which leaves about its square of the
+/// energy, and the strongest reduction required of a later one, as far as rounding allows.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
-/// Solutions, each of what the last one left, and the share of the energy left below which they go on.
+/// Largest number of solutions, each for the residual of the one before, and the share to which one has to
+/// reduce the remaining energy for another to follow.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
 /// Share of the smallest Ritz value taken for the softest ratio, as for other inverses of which nothing is
 /// known.
 constexpr double kShareOfRitz = 0.1;
-/// What rounding leaves of the stiffness of grains that follow the strain; a stiffness below the second share
-/// of it cannot be told from zero.
+/// Shares of the affine stiffness: the first is its relative rounding error, and a stiffness below the second
+/// cannot be told from zero.
 constexpr double kRounding = 1e-14;
 constexpr double kNothing = 1e-11;
 /// Relative error beyond which a stiffness is none.
@@ -64,7 +65,8 @@ class ParallelCondensation {
  private:
   using Balance = typename LocalRows<Dim>::Balance;
 
-  /// Solves for what is left of the net forces until what they still have to give is within the tolerance.
+  /// Solves repeatedly for the remaining net forces, until the energy that they can still release is within the
+  /// tolerance.
   std::string relax_one(int b) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(rows_.n_at_hand());
     Balance now = balance(u, b);

@@ -296,7 +296,9 @@ TEST(BoxRefusal, OfKeysInAPeriodicScene) {
              with(small_scene(), "agitation = 3.0", "agitation = 3.0\nkinetic_pressure = 1"));
   const Outcome check = run_floc("scene check bad.toml", scratch.path());
   EXPECT_NE(check.code, 0);
-  EXPECT_THAT(check.err, testing::HasSubstr("assembly.kinetic_pressure is not allowed here: it is that of the gas in a [box]"));
+  EXPECT_THAT(
+      check.err,
+      testing::HasSubstr("assembly.kinetic_pressure is not allowed here: it is that of the gas in a [box]"));
 }
 
 /// Commands that support periodic cells alone name this as the reason of their failure.

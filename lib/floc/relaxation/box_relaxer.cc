@@ -167,6 +167,7 @@ RelaxationStatus BoxRelaxer<Dim>::give_up(const char* ending, std::string words)
 template <int Dim>
 std::string BoxRelaxer<Dim>::lost() const {
   const Grains<Dim>& g = packing_.grains;
+  // A grain whose centre has passed a wall overlaps it by more than its radius, which no contact law describes.
   for (const Wall<Dim>& wall : packing_.walls)
     for (int i = 0; i < g.size(); ++i)
       if (!(wall.side * (wall.position - g.position[i][wall.axis]) > 0.0))
@@ -176,6 +177,8 @@ std::string BoxRelaxer<Dim>::lost() const {
             g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
+  // Walls that follow their forces close the box where the grains cannot bear the pressure, and move off for ever where
+  // no grain touches them.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);

@@ -21,6 +21,7 @@ inline const LayerOrder& layer_order() {
   static const LayerOrder order = {
       {"base", {}},
       {"geometry", {"base"}},
+      {"shape", {"geometry"}},
       {"contact", {"base", "geometry"}},
       {"linalg", {"base"}},
       {"fitting", {"base"}},

@@ -119,24 +119,6 @@ void require_body(const Polytope<Dim>& hull, const Shape<Dim>& shape, double cor
                                  own.maxCoeff() / own.minCoeff(), kLargestAspect));
 }
 
-template <int Dim>
-void require_apart(const std::vector<Vec<Dim>>& points, const std::string& place) {
-  if (points.empty()) return;
-  Vec<Dim> low = points[0], high = points[0];
-  for (const Vec<Dim>& v : points) low = low.cwiseMin(v), high = high.cwiseMax(v);
-  const double least = 1e-9 * (high - low).maxCoeff();
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-            [&](int i, int j) { return std::pair(points[i][0], i) < std::pair(points[j][0], j); });
-  for (std::size_t k = 0; k < order.size(); ++k)
-    for (std::size_t l = k + 1; l < order.size() && points[order[l]][0] - points[order[k]][0] <= least; ++l)
-      if ((points[order[l]] - points[order[k]]).norm() <= least)
-        throw InputError(place,
-                         fmt::format("points {} and {} are the same: expected each vertex once",
-                                     std::min(order[k], order[l]) + 1, std::max(order[k], order[l]) + 1));
-}
-
 }  // namespace
 
 template <int Dim>
@@ -217,10 +199,28 @@ Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std:
 }
 
 template <int Dim>
+void require_distinct(const std::vector<Vec<Dim>>& points, const std::string& place) {
+  if (points.empty()) return;
+  Vec<Dim> low = points[0], high = points[0];
+  for (const Vec<Dim>& v : points) low = low.cwiseMin(v), high = high.cwiseMax(v);
+  const double least = 1e-9 * (high - low).maxCoeff();
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return std::pair(points[i][0], i) < std::pair(points[j][0], j); });
+  for (std::size_t k = 0; k < order.size(); ++k)
+    for (std::size_t l = k + 1; l < order.size() && points[order[l]][0] - points[order[k]][0] <= least; ++l)
+      if ((points[order[l]] - points[order[k]]).norm() <= least)
+        throw InputError(place,
+                         fmt::format("points {} and {} are the same: expected each vertex once",
+                                     std::min(order[k], order[l]) + 1, std::max(order[k], order[l]) + 1));
+}
+
+template <int Dim>
 ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double rounding,
                                    const std::string& place) {
   const ConvexHull<Dim> hull = convex_hull<Dim>(points, place);
-  require_apart<Dim>(points, place);
+  require_distinct<Dim>(points, place);
   ShapeOfPoints<Dim> made{polytope_shape<Dim>(hull.polytope, rounding, place), {}};
   const std::size_t n_left_out = points.size() - hull.points.size();
   if (n_left_out > 0)
@@ -241,7 +241,7 @@ Shape<Dim> scaled(Shape<Dim> shape, double factor) {
 }
 
 template <int Dim>
-Shape<Dim> with_unit_diameter(const Polytope<Dim>& core, double share, const std::string& place) {
+Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const std::string& place) {
   if (!(share >= 0.0 && share <= 0.45))
     throw InputError(place,
                      fmt::format("rounding = {:g}: expected a share of the diameter from 0 to 0.45", share));
@@ -256,7 +256,13 @@ Shape<Dim> with_unit_diameter(const Polytope<Dim>& core, double share, const std
       shape = polytope_shape(core, rounding, place);
       if (done) break;
     }
-  return scaled(std::move(shape), 1.0 / shape.diameter());
+  return shape;
+}
+
+template <int Dim>
+Shape<Dim> with_unit_diameter(const Polytope<Dim>& core, double share, const std::string& place) {
+  const Shape<Dim> shape = with_rounding_share(core, share, place);
+  return scaled(shape, 1.0 / shape.diameter());
 }
 
 template struct Shape<2>;
@@ -269,6 +275,10 @@ template ShapeOfPoints<2> shape_of_points(const std::vector<Vec<2>>&, double, co
 template ShapeOfPoints<3> shape_of_points(const std::vector<Vec<3>>&, double, const std::string&);
 template Shape<2> scaled(Shape<2>, double);
 template Shape<3> scaled(Shape<3>, double);
+template void require_distinct(const std::vector<Vec<2>>&, const std::string&);
+template void require_distinct(const std::vector<Vec<3>>&, const std::string&);
+template Shape<2> with_rounding_share(const Polytope<2>&, double, const std::string&);
+template Shape<3> with_rounding_share(const Polytope<3>&, double, const std::string&);
 template Shape<2> with_unit_diameter(const Polytope<2>&, double, const std::string&);
 template Shape<3> with_unit_diameter(const Polytope<3>&, double, const std::string&);
 

@@ -95,11 +95,18 @@ ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double r
 template <int Dim>
 Shape<Dim> scaled(Shape<Dim> shape, double factor);
 
-/// Shape of diameter 1 whose rounding is a given share of the diameter.
+/// Refuses points closer than 1e-9 of the largest extent. @throws InputError naming two of them
+template <int Dim>
+void require_distinct(const std::vector<Vec<Dim>>& points, const std::string& place);
+
+/// Shape whose rounding is a given share of its diameter.
 ///
-/// @param core   vertices and faces matter, its own rounding does not
 /// @param share  from 0 (sharp) to 0.45
 /// @throws InputError as polytope_shape(), and if the share is out of its range
+template <int Dim>
+Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const std::string& place = "");
+
+/// Such a shape, magnified to a diameter of 1.
 template <int Dim>
 Shape<Dim> with_unit_diameter(const Polytope<Dim>& core, double share, const std::string& place = "");
 

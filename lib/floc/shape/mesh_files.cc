@@ -1,0 +1,171 @@
+#include "floc/shape/mesh_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/shape/convex_hull.h"
+#include "floc/shape/text_lines.h"
+
+namespace floc {
+namespace {
+
+constexpr WholeRange kVertexCount{.least = 1, .most = kMostHullPoints};
+/// Triangles of a closed surface of that many vertices, and as many again.
+constexpr WholeRange kFaceCount{.least = 0, .most = 4 * std::int64_t{kMostHullPoints}};
+
+template <int Dim>
+void add_vertex(const TextLines& lines, std::size_t first_word, Mesh<Dim>& mesh) {
+  if (mesh.vertices.size() == kMostHullPoints)
+    lines.refuse(fmt::format("more vertices than {}: expected at most so many", kMostHullPoints));
+  mesh.vertices.push_back(lines.vector<Dim>(first_word));
+}
+
+/// A face from a line with the number of corners and their indices.
+void add_counted_face(const TextLines& lines, Mesh<3>& mesh) {
+  const std::int64_t n_vertices = static_cast<std::int64_t>(mesh.vertices.size());
+  const int n = lines.whole(0, {.least = 3, .most = n_vertices});
+  std::vector<int> face;
+  for (int k = 1; k <= n; ++k)
+    face.push_back(lines.whole(static_cast<std::size_t>(k), {.least = 0, .most = n_vertices - 1}));
+  mesh.faces.push_back(std::move(face));
+}
+
+}  // namespace
+
+Mesh<3> parse_off(const std::string& place, std::string_view text) {
+  TextLines lines(place, text);
+  lines.require_next("OFF");
+  std::size_t first = 0;
+  if (!parse_number<double>(lines.word(0))) {
+    if (lines.word(0) != "OFF") lines.refuse(fmt::format("\"{}\": expected OFF", lines.word(0).substr(0, 40)));
+    first = 1;
+  }
+  // The counts stand behind OFF or on a line of their own.
+  if (lines.n_words() == first) {
+    lines.require_next("the numbers of vertices, faces and edges");
+    first = 0;
+  }
+  const int n_vertices = lines.whole(first, kVertexCount), n_faces = lines.whole(first + 1, kFaceCount);
+  Mesh<3> mesh;
+  for (int k = 0; k < n_vertices; ++k) {
+    lines.require_next(fmt::format("vertex {} of {}", k + 1, n_vertices));
+    add_vertex(lines, 0, mesh);
+  }
+  for (int k = 0; k < n_faces; ++k) {
+    lines.require_next(fmt::format("face {} of {}", k + 1, n_faces));
+    add_counted_face(lines, mesh);
+  }
+  if (lines.next()) lines.refuse(fmt::format("expected the end of the file after {} faces", n_faces));
+  return mesh;
+}
+
+Mesh<3> parse_obj(const std::string& place, std::string_view text) {
+  static constexpr std::array<std::string_view, 12> kSkipped = {"vn", "vt", "vp", "g",      "o",      "s",
+                                                                "l",  "p",  "mg", "usemtl", "mtllib", "end"};
+  TextLines lines(place, text);
+  Mesh<3> mesh;
+  while (lines.next()) {
+    const std::string_view key = lines.word(0);
+    if (key == "v") {
+      add_vertex(lines, 1, mesh);
+    } else if (key == "f") {
+      if (static_cast<std::int64_t>(mesh.faces.size()) >= kFaceCount.most)
+        lines.refuse(fmt::format("more faces than {}: expected at most so many", kFaceCount.most));
+      const auto n = static_cast<std::int64_t>(mesh.vertices.size());
+      if (lines.n_words() < 4)
+        lines.refuse("a face of fewer than three corners: expected f and three indices or more");
+      std::vector<int>& face = mesh.faces.emplace_back();
+      for (std::size_t k = 1; k < lines.n_words(); ++k) {
+        const std::string_view index = lines.word(k).substr(0, lines.word(k).find('/'));
+        const auto i = parse_number<std::int64_t>(index);
+        if (!i || *i == 0 || *i > n || *i < -n)
+          lines.refuse(
+              fmt::format("\"{}\": expected the number of a vertex before, from 1 to {}, or from -{} to -1",
+                          lines.word(k).substr(0, 40), n, n));
+        face.push_back(static_cast<int>(*i > 0 ? *i - 1 : n + *i));
+      }
+    } else if (std::find(kSkipped.begin(), kSkipped.end(), key) == kSkipped.end()) {
+      lines.refuse(fmt::format("\"{}\": expected v or f", key.substr(0, 40)));
+    }
+  }
+  if (mesh.vertices.empty()) throw InputError(place, "has no vertex: expected lines that begin with v");
+  return mesh;
+}
+
+template <int Dim>
+Mesh<Dim> parse_points(const std::string& place, std::string_view text) {
+  TextLines lines(place, text, ",;");
+  constexpr std::array<std::string_view, 3> kColumns = {"x", "y", "z"};
+  const std::string expected = Dim == 2 ? "the columns x and y" : "the columns x, y and z";
+  lines.require_next(expected);
+  bool is_header = lines.n_words() == Dim;
+  for (int a = 0; a < Dim && is_header; ++a) {
+    std::string_view name = lines.word(static_cast<std::size_t>(a));
+    if (name.size() == 3 && name.front() == '"' && name.back() == '"') name = name.substr(1, 1);
+    is_header = name == kColumns[static_cast<std::size_t>(a)];
+  }
+  if (!is_header) lines.refuse("the first line: expected the names of " + expected);
+  Mesh<Dim> mesh;
+  while (lines.next()) {
+    if (lines.n_words() != Dim) lines.refuse(fmt::format("{} numbers: expected {}", lines.n_words(), Dim));
+    add_vertex(lines, 0, mesh);
+  }
+  if (mesh.vertices.empty())
+    throw InputError(place, "has no points: expected lines below the names of the columns");
+  return mesh;
+}
+
+std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view text) {
+  TextLines lines(place, text);
+  std::vector<Mesh<3>> shapes;
+  bool is_open = false;
+  while (lines.next()) {
+    const std::string_view key = lines.word(0);
+    if (key == "<") {
+      shapes.emplace_back();
+      shapes.back().is_oriented = false;
+      is_open = true;
+      continue;
+    }
+    if (!is_open) lines.refuse(fmt::format("\"{}\": expected <, the beginning of a shape", key.substr(0, 40)));
+    Mesh<3>& shape = shapes.back();
+    if (key == ">") {
+      is_open = false;
+    } else if (key == "name") {
+      if (lines.n_words() > 1) shape.name = lines.word(1);
+    } else if (key == "radius") {
+      shape.rounding = lines.number(1);
+      if (!(shape.rounding > 0.0)) lines.refuse("radius: expected a positive number");
+    } else if (key == "nv") {
+      for (int n = lines.whole(1, kVertexCount), k = 0; k < n; ++k) {
+        lines.require_next(fmt::format("vertex {} of {}", k + 1, n));
+        add_vertex(lines, 0, shape);
+      }
+    } else if (key == "ne") {
+      // The hull has edges of its own.
+      for (int n = lines.whole(1, kFaceCount), k = 0; k < n; ++k)
+        lines.require_next(fmt::format("edge {} of {}", k + 1, n));
+    } else if (key == "nf") {
+      for (int n = lines.whole(1, kFaceCount), k = 0; k < n; ++k) {
+        lines.require_next(fmt::format("face {} of {}", k + 1, n));
+        add_counted_face(lines, shape);
+      }
+    }
+    // Other keys, as obb.extent and volume, follow from these.
+  }
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    if (shapes[k].vertices.empty() || !(shapes[k].rounding > 0.0))
+      throw InputError(
+          place, fmt::format("shape {} \"{}\": expected nv with vertices, and radius", k + 1, shapes[k].name));
+  if (shapes.empty()) throw InputError(place, "has no shape: expected < on a line");
+  return shapes;
+}
+
+template Mesh<2> parse_points(const std::string&, std::string_view);
+template Mesh<3> parse_points(const std::string&, std::string_view);
+
+}  // namespace floc

@@ -1,0 +1,192 @@
+#include "floc/shape/read_shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <utility>
+
+#include "floc/base/error.h"
+#include "floc/base/range.h"
+#include "floc/base/read_file.h"
+#include "floc/shape/moments.h"
+
+namespace floc {
+namespace {
+
+/// A surface that encloses less of its hull is not convex.
+constexpr double kConvexShare = 1.0 - 1e-6;
+
+/// Refuses faces that do not close a surface.
+void require_closed(const std::string& place, const Mesh<3>& mesh) {
+  // Number of faces that go along each pair of vertices, from the first to the second.
+  std::map<std::pair<int, int>, int> along;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const std::vector<int>& face = mesh.faces[f];
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const int from = face[k], to = face[(k + 1) % face.size()];
+      if (from == to)
+        throw InputError(place,
+                         fmt::format("face {} has vertex {} twice: expected each once", f + 1, from + 1));
+      ++along[{from, to}];
+    }
+  }
+  for (const auto& [ends, n] : along) {
+    const auto back = along.find({ends.second, ends.first});
+    const int n_back = back == along.end() ? 0 : back->second;
+    if (n + n_back != 2)
+      throw InputError(
+          place,
+          fmt::format("the edge between vertices {} and {} has {} faces: expected a closed surface, two at "
+                      "each edge",
+                      ends.first + 1, ends.second + 1, n + n_back));
+    if (mesh.is_oriented && n != 1)
+      throw InputError(
+          place,
+          fmt::format("two faces have vertex {} before vertex {}: expected all corners in one sense as seen "
+                      "from outside",
+                      ends.first + 1, ends.second + 1));
+  }
+}
+void require_closed(const std::string&, const Mesh<2>&) {}
+
+/// The vertices that faces have; all where there is no face.
+template <int Dim>
+std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
+  if (mesh.faces.empty()) return mesh.vertices;
+  std::vector<bool> is_used(mesh.vertices.size(), false);
+  for (const std::vector<int>& face : mesh.faces)
+    for (const int i : face) is_used[i] = true;
+  std::vector<Vec<Dim>> used;
+  for (std::size_t i = 0; i < is_used.size(); ++i)
+    if (is_used[i]) used.push_back(mesh.vertices[i]);
+  return used;
+}
+
+/// Chosen points, each the furthest from those before; the first is the furthest from the mean of all.
+template <int Dim>
+std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) {
+  Vec<Dim> mean = Vec<Dim>::Zero();
+  for (const Vec<Dim>& p : points) mean += p / static_cast<double>(points.size());
+  std::vector<double> distance;
+  for (const Vec<Dim>& p : points) distance.push_back((p - mean).squaredNorm());
+  std::vector<Vec<Dim>> chosen;
+  for (int k = 0; k < n && k < static_cast<int>(points.size()); ++k) {
+    const Vec<Dim>& next = points[std::max_element(distance.begin(), distance.end()) - distance.begin()];
+    chosen.push_back(next);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      distance[i] =
+          k == 0 ? (points[i] - next).squaredNorm() : std::min(distance[i], (points[i] - next).squaredNorm());
+  }
+  return chosen;
+}
+
+/// Volume enclosed, from a vertex on, so that a far origin costs no digits.
+template <int Dim>
+double volume_of(Polytope<Dim> surface) {
+  const Vec<Dim> origin = surface.vertices[0];
+  for (Vec<Dim>& v : surface.vertices) v -= origin;
+  return sharp_moments(surface).volume;
+}
+
+/// Shape of a core of one or two vertices: a round one or a capsule.
+template <int Dim>
+Shape<Dim> shape_of_few(const std::string& place, const Mesh<Dim>& mesh) {
+  if (mesh.vertices.size() == 1) return round_shape<Dim>(mesh.rounding);
+  const double length = (mesh.vertices[1] - mesh.vertices[0]).norm();
+  if (!(length > 0.0)) throw InputError(place, "points 1 and 2 are the same: expected each vertex once");
+  if (length > 38.0 * mesh.rounding)  // 20 times as long as thick
+    throw InputError(place,
+                     fmt::format("the capsule is {:.3g} times as long as it is thick: expected at most 20",
+                                 0.5 * length / mesh.rounding + 1.0));
+  return capsule_shape<Dim>(length, mesh.rounding);
+}
+
+std::string ending(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string found = dot == std::string::npos ? "" : path.substr(dot);
+  std::transform(found.begin(), found.end(), found.begin(), [](unsigned char c) { return std::tolower(c); });
+  return found;
+}
+
+std::vector<Mesh<2>> meshes_of(const std::string& path, std::string_view content, Vec<2>) {
+  if (ending(path) != ".csv")
+    throw InputError(path, "expected the corners of a polygon in a file that ends in .csv");
+  return {parse_points<2>(path, content)};
+}
+
+std::vector<Mesh<3>> meshes_of(const std::string& path, std::string_view content, Vec<3>) {
+  const std::string format = ending(path);
+  if (format == ".off") return {parse_off(path, content)};
+  if (format == ".obj") return {parse_obj(path, content)};
+  if (format == ".stl") return {parse_stl(path, content)};
+  if (format == ".csv") return {parse_points<3>(path, content)};
+  if (format == ".shp") return parse_rockable(path, content);
+  throw InputError(path, "expected a file that ends in .off, .obj, .stl, .csv or .shp");
+}
+
+}  // namespace
+
+template <int Dim>
+NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
+                              const ShapeFileOptions& options) {
+  if (options.vertices != 0)
+    require_in_range("vertices", std::int64_t{options.vertices}, {.least = Dim + 1, .most = kMostVertices});
+  if (options.rounding > 0.0 && mesh.rounding > 0.0)
+    throw InputError(place,
+                     fmt::format("rounding = {:g}: the file has its own, expected none", options.rounding));
+  if (mesh.rounding > 0.0 && mesh.vertices.size() <= 2) return {mesh.name, shape_of_few(place, mesh), {}};
+
+  const std::vector<Vec<Dim>> points = used_vertices(mesh);
+  NamedShape<Dim> made{mesh.name, {}, {}};
+  ConvexHull<Dim> hull = convex_hull<Dim>(points, place);
+  require_distinct<Dim>(points, place);
+  if (!mesh.faces.empty()) require_closed(place, mesh);
+  const std::size_t n_left_out = points.size() - hull.points.size();
+  if (n_left_out > 0)
+    made.remarks.push_back(fmt::format("{} of {} points are no vertices of the convex hull, which is the shape",
+                                       n_left_out, points.size()));
+  const double whole = volume_of(hull.polytope);
+  if (!mesh.faces.empty() && mesh.is_oriented) {
+    const double enclosed = std::abs(volume_of(Polytope<Dim>{mesh.vertices, mesh.faces}));
+    if (enclosed < kConvexShare * whole)
+      made.remarks.push_back(fmt::format(
+          "the surface is not convex: it encloses {:.4g} of its hull, which is the shape", enclosed / whole));
+  }
+  const std::size_t n_before = hull.polytope.vertices.size();
+  if (options.vertices != 0 && static_cast<int>(n_before) > options.vertices) {
+    hull = convex_hull<Dim>(spread_points<Dim>(hull.polytope.vertices, options.vertices), place);
+    made.remarks.push_back(fmt::format("{} of {} vertices are kept, with {:.4g} of the volume",
+                                       hull.points.size(), n_before, volume_of(hull.polytope) / whole));
+  }
+  made.shape = mesh.rounding > 0.0 ? polytope_shape<Dim>(hull.polytope, mesh.rounding, place)
+                                   : with_rounding_share<Dim>(hull.polytope, options.rounding, place);
+  return made;
+}
+
+template <int Dim>
+std::vector<NamedShape<Dim>> parse_shapes(const std::string& path, std::string_view content,
+                                          const ShapeFileOptions& options) {
+  std::vector<NamedShape<Dim>> shapes;
+  const std::vector<Mesh<Dim>> meshes = meshes_of(path, content, Vec<Dim>());
+  for (const Mesh<Dim>& mesh : meshes) {
+    const std::string place = meshes.size() > 1 ? fmt::format("{}, shape \"{}\"", path, mesh.name) : path;
+    shapes.push_back(shape_of_mesh<Dim>(place, mesh, options));
+  }
+  return shapes;
+}
+
+template <int Dim>
+std::vector<NamedShape<Dim>> read_shapes(const std::string& path, const ShapeFileOptions& options) {
+  return parse_shapes<Dim>(path, read_file(path), options);
+}
+
+template NamedShape<2> shape_of_mesh(const std::string&, const Mesh<2>&, const ShapeFileOptions&);
+template NamedShape<3> shape_of_mesh(const std::string&, const Mesh<3>&, const ShapeFileOptions&);
+template std::vector<NamedShape<2>> parse_shapes(const std::string&, std::string_view, const ShapeFileOptions&);
+template std::vector<NamedShape<3>> parse_shapes(const std::string&, std::string_view, const ShapeFileOptions&);
+template std::vector<NamedShape<2>> read_shapes(const std::string&, const ShapeFileOptions&);
+template std::vector<NamedShape<3>> read_shapes(const std::string&, const ShapeFileOptions&);
+
+}  // namespace floc

@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "floc/base/error.h"
+#include "floc/shape/convex_hull.h"
+#include "floc/shape/mesh_files.h"
+#include "floc/shape/text_lines.h"
+
+namespace floc {
+namespace {
+
+/// Bytes of a binary file before its triangles, and per triangle.
+constexpr std::size_t kHeader = 84, kTriangle = 50;
+
+/// Gives corners at equal coordinates one number.
+class Welder {
+ public:
+  Welder(std::string place, Mesh<3>& mesh) : place_(std::move(place)), mesh_(mesh) {}
+
+  int vertex(const Vec<3>& v) {
+    // Adding zero makes -0 and 0 one number.
+    const auto [at, is_new] =
+        numbers_.try_emplace({v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}, static_cast<int>(mesh_.vertices.size()));
+    if (is_new) {
+      if (mesh_.vertices.size() == kMostHullPoints)
+        throw InputError(place_,
+                         fmt::format("has more vertices than {}: expected at most so many", kMostHullPoints));
+      mesh_.vertices.push_back(v);
+    }
+    return at->second;
+  }
+
+  /// Triangles whose corners are not three are no part of the surface.
+  void add(const std::array<Vec<3>, 3>& corners) {
+    const int a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
+    if (a != b && b != c && c != a) mesh_.faces.push_back({a, b, c});
+    if (mesh_.faces.size() > 4 * kMostHullPoints)
+      throw InputError(
+          place_, fmt::format("has more triangles than {}: expected at most so many", 4 * kMostHullPoints));
+  }
+
+ private:
+  std::string place_;
+  Mesh<3>& mesh_;
+  std::map<std::array<double, 3>, int> numbers_;
+};
+
+std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (int k = 3; k >= 0; --k)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(k)]);
+  return value;
+}
+
+Mesh<3> parse_binary(const std::string& place, std::string_view bytes) {
+  const std::size_t n = (bytes.size() - kHeader) / kTriangle;
+  Mesh<3> mesh;
+  Welder welder(place, mesh);
+  for (std::size_t t = 0; t < n; ++t) {
+    std::array<Vec<3>, 3> corners;
+    for (std::size_t k = 0; k < 9; ++k) {
+      // The normal comes first, of three numbers.
+      const std::uint32_t word = little_endian(bytes, kHeader + t * kTriangle + 12 + 4 * k);
+      float number = 0.0F;
+      std::memcpy(&number, &word, sizeof number);
+      if (!std::isfinite(number))
+        throw InputError(place,
+                         fmt::format("triangle {}: expected coordinates that are finite numbers", t + 1));
+      corners[k / 3][static_cast<Eigen::Index>(k % 3)] = number;
+    }
+    welder.add(corners);
+  }
+  return mesh;
+}
+
+Mesh<3> parse_text(const std::string& place, std::string_view text) {
+  TextLines lines(place, text);
+  Mesh<3> mesh;
+  Welder welder(place, mesh);
+  const auto require = [&](std::string_view first, std::string_view second) {
+    const std::string words = fmt::format("{}{}{}", first, second.empty() ? "" : " ", second);
+    lines.require_next(words);
+    if (lines.word(0) != first || (!second.empty() && (lines.n_words() < 2 || lines.word(1) != second)))
+      lines.refuse(fmt::format("\"{}\": expected {}", lines.word(0).substr(0, 40), words));
+  };
+  require("solid", "");
+  if (lines.n_words() > 1) mesh.name = lines.word(1);
+  for (;;) {
+    lines.require_next("facet or endsolid");
+    if (lines.word(0) == "endsolid") break;
+    if (lines.word(0) != "facet")
+      lines.refuse(fmt::format("\"{}\": expected facet or endsolid", lines.word(0).substr(0, 40)));
+    require("outer", "loop");
+    std::array<Vec<3>, 3> corners;
+    for (Vec<3>& corner : corners) {
+      require("vertex", "");
+      corner = lines.vector<3>(1);
+    }
+    welder.add(corners);
+    require("endloop", "");
+    require("endfacet", "");
+  }
+  if (lines.next()) lines.refuse("expected the end of the file after endsolid: one solid a file");
+  return mesh;
+}
+
+}  // namespace
+
+Mesh<3> parse_stl(const std::string& place, std::string_view bytes) {
+  // Binary files may begin with "solid" too, but have the length that their count says.
+  const bool has_count = bytes.size() >= kHeader;
+  const std::uint64_t n = has_count ? little_endian(bytes, 80) : 0;
+  Mesh<3> mesh;
+  if (has_count && bytes.size() == kHeader + n * kTriangle) {
+    mesh = parse_binary(place, bytes);
+  } else if (bytes.substr(0, bytes.find_first_of(" \t\r\n")) == "solid") {
+    mesh = parse_text(place, bytes);
+  } else {
+    throw InputError(
+        place, has_count
+                   ? fmt::format("{} bytes for {} triangles: expected {}, or a text that begins with solid",
+                                 bytes.size(), n, kHeader + n * kTriangle)
+                   : fmt::format("{} bytes: expected STL, a text that begins with solid or a binary file of "
+                                 "at least 84 bytes",
+                                 bytes.size()));
+  }
+  if (mesh.faces.empty()) throw InputError(place, "has no triangle");
+  return mesh;
+}
+
+}  // namespace floc

@@ -1,0 +1,168 @@
+#include "floc/shape/clipped_face.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace floc {
+namespace {
+
+constexpr int kReferenceSide = 512;
+
+/// Convex polygon while it is clipped; in 2D a segment, there and back.
+template <int Dim>
+struct Polygon {
+  using Point = typename ClippedFace<Dim>::Point;
+  /// Each side of the reference face can add one corner.
+  static constexpr int kMost = 2 * kMostVertices + 4;
+
+  int n = 0;
+  std::array<Point, kMost> points;
+
+  void add(const Vec<Dim>& x, int side) {
+    if (n < kMost) points[n++] = {x, 0.0, side};
+  }
+};
+
+template <int Dim>
+int most_antiparallel_face(const Shape<Dim>& incident, int vertex, const Vec<Dim>& n) {
+  int best = -1;
+  double least = 2.0;
+  for (const int f : incident.faces_at(vertex)) {
+    const double cosine = incident.normals[f].dot(n);
+    if (cosine < least) least = cosine, best = f;
+  }
+  return best;
+}
+
+template <int Dim>
+void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polygon<Dim>& from,
+          Polygon<Dim>& to) {
+  to.n = 0;
+  const auto height = [&](int k) { return outward.dot(from.points[k].x - origin); };
+  double here = height(0);
+  for (int k = 0; k < from.n; ++k) {
+    const auto& p = from.points[k];
+    const auto& q = from.points[k + 1 < from.n ? k + 1 : 0];
+    const double there = k + 1 < from.n ? height(k + 1) : height(0);
+    if (here <= 0.0) to.add(p.x, p.side);
+    if ((here <= 0.0) != (there <= 0.0)) {
+      // A corner on the way out begins the clipping side, one on the way in goes on along the clipped side.
+      const double share = here / (here - there);
+      to.add(p.x + share * (q.x - p.x), here <= 0.0 ? side : p.side);
+    }
+    here = there;
+  }
+}
+
+/// Plane of a side of the reference face: a point and an outward normal of any length.
+std::pair<Vec<3>, Vec<3>> side_plane(const Shape<3>& shape, int face, int k) {
+  const std::span<const int> loop = shape.loop(face);
+  const Vec<3>& from = shape.vertices[loop[k]];
+  const Vec<3>& to = shape.vertices[loop[k + 1 < static_cast<int>(loop.size()) ? k + 1 : 0]];
+  return {from, (to - from).cross(shape.normals[face])};
+}
+std::pair<Vec<2>, Vec<2>> side_plane(const Shape<2>& shape, int face, int k) {
+  const std::span<const int> loop = shape.loop(face);
+  const Vec<2>& end = shape.vertices[loop[k]];
+  return {end, end - shape.vertices[loop[1 - k]]};
+}
+
+/// Joins corners next to each other that are one point; the lower side is kept, which is that of the incident face.
+template <int Dim>
+void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
+  int n = 0;
+  for (int k = 0; k < polygon.n; ++k) {
+    auto& p = polygon.points[k];
+    bool is_new = true;
+    // In a segment there and back the point before is not the only neighbour.
+    for (int l = polygon.n <= 4 ? 0 : std::max(0, n - 1); l < n && is_new; ++l)
+      if ((polygon.points[l].x - p.x).squaredNorm() <= tolerance * tolerance) {
+        polygon.points[l].side = std::min(polygon.points[l].side, p.side);
+        is_new = false;
+      }
+    if (is_new) polygon.points[n++] = p;
+  }
+  if (n > 1 && (polygon.points[0].x - polygon.points[n - 1].x).squaredNorm() <= tolerance * tolerance) --n;
+  polygon.n = n;
+}
+
+/// The first with the largest value: another has to be larger by the tolerance.
+template <class Value>
+int largest(int n, double tolerance, const Value& value) {
+  int best = 0;
+  double most = value(0);
+  for (int k = 1; k < n; ++k)
+    if (const double here = value(k); here > most + tolerance) most = here, best = k;
+  return best;
+}
+
+/// Takes at most four points that support as all do: the deepest, the furthest from it, and the two that add most area.
+void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, ClippedFace<3>& kept) {
+  const auto& p = polygon.points;
+  if (polygon.n <= 4) {
+    kept.n = polygon.n;
+    std::copy_n(p.begin(), polygon.n, kept.points.begin());
+    return;
+  }
+  const int deepest = largest(polygon.n, tolerance, [&](int k) { return -p[k].height; });
+  const auto from_deepest = [&](int k) { return Vec<3>(p[k].x - p[deepest].x); };
+  const int furthest = largest(polygon.n, tolerance, [&](int k) { return from_deepest(k).norm(); });
+  const Vec<3> across = normal.cross(from_deepest(furthest)).normalized();
+  const int left = largest(polygon.n, tolerance, [&](int k) { return across.dot(from_deepest(k)); });
+  const int right = largest(polygon.n, tolerance, [&](int k) { return -across.dot(from_deepest(k)); });
+  for (const int k : {deepest, furthest, left, right}) {
+    bool is_new = true;
+    for (int l = 0; l < kept.n; ++l) is_new = is_new && kept.points[l].side != p[k].side;
+    if (is_new) kept.points[kept.n++] = p[k];
+  }
+}
+
+void select(const Polygon<2>& polygon, const Vec<2>&, double, ClippedFace<2>& kept) {
+  kept.n = std::min(polygon.n, 2);
+  std::copy_n(polygon.points.begin(), kept.n, kept.points.begin());
+}
+
+}  // namespace
+
+template <int Dim>
+ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
+                              const RelativePlace<Dim>& place, int lowest, double reach, double tolerance) {
+  ClippedFace<Dim> kept;
+  const Vec<Dim>& n = reference.normals[face];
+  Polygon<Dim> one, two;
+  Polygon<Dim>*from = &one, *to = &two;
+  if (incident.is_round()) {
+    from->add(place.offset, 0);
+  } else if (incident.n_faces() == 0) {
+    for (int v = 0; v < incident.n_vertices(); ++v) from->add(place.point(incident.vertices[v]), v);
+  } else {
+    kept.incident_face = most_antiparallel_face<Dim>(incident, lowest, place.rotation.transpose() * n);
+    int side = 0;
+    for (const int v : incident.loop(kept.incident_face)) from->add(place.point(incident.vertices[v]), side++);
+  }
+  const int n_sides = static_cast<int>(reference.loop(face).size());
+  for (int k = 0; k < n_sides && from->n > 0; ++k) {
+    const auto [origin, outward] = side_plane(reference, face, k);
+    clip<Dim>(origin, outward, kReferenceSide + k, *from, *to);
+    std::swap(from, to);
+  }
+  int n_kept = 0;
+  for (int k = 0; k < from->n; ++k) {
+    auto& p = from->points[k];
+    p.height = n.dot(p.x) - reference.offsets[face];
+    if (p.height < reach) from->points[n_kept++] = p;
+  }
+  from->n = n_kept;
+  join_equal_points<Dim>(*from, tolerance);
+  select(*from, n, tolerance, kept);
+  return kept;
+}
+
+template ClippedFace<2> clipped_face(const Shape<2>&, int, const Shape<2>&, const RelativePlace<2>&, int,
+                                     double, double);
+template ClippedFace<3> clipped_face(const Shape<3>&, int, const Shape<3>&, const RelativePlace<3>&, int,
+                                     double, double);
+
+}  // namespace floc

@@ -1,0 +1,284 @@
+#include "floc/shape/manifold.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "floc/shape/clipped_face.h"
+#include "floc/shape/closest_points.h"
+
+namespace floc {
+namespace {
+
+/// Closest points along the normal of a face within this angle (as 1 - cosine) are a contact of the face.
+constexpr double kAlongFace = 0.5e-3 * 1e-3;
+/// The corners over that face may lie further away than the closest points by this share of the smaller inner radius: the
+/// closest point can be just beside the face.
+constexpr double kBesideFace = 1e-6;
+/// Sine of the angle below which two capsules lie side by side.
+constexpr double kSideBySide = 1e-3;
+/// Corner field of the key of closest points.
+constexpr std::uint32_t kClosest = 1023;
+
+std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t corner, bool edges) {
+  return (of_second ? 1U << 31 : 0U) | static_cast<std::uint32_t>(reference) << 21 |
+         static_cast<std::uint32_t>(incident) << 11 | corner << 1 | (edges ? 1U : 0U);
+}
+
+/// The search for the contact of one pair, in the own coordinates of the first shape.
+template <int Dim>
+class PairSearch {
+ public:
+  PairSearch(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach)
+      : first_(first),
+        second_(second),
+        a_(*first.shape),
+        b_(*second.shape),
+        place_(first, second),
+        roundings_(first.rounding() + second.rounding()),
+        reach_(reach),
+        size_(std::min(first.inner_radius(), second.inner_radius()) / first.scale) {}
+
+  Manifold<Dim> run(AxisFeatures& last) {
+    const bool is_faceless = a_.n_faces() == 0 && b_.n_faces() == 0;
+    const bool is_rounded = roundings_ > 0.0;
+    SeparatingAxis<Dim> axis;
+    if (!is_faceless) {
+      const double limit = (reach_ + roundings_) / first_.scale;
+      axis = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 1e-4 * size_}, limit, last);
+      if (axis.separation > limit) return {};
+    }
+    // Axes are those of all directions only where both cores have an inside: a segment has sides that they do not see.
+    const bool is_thin = a_.n_vertices() < 3 || b_.n_vertices() < 3;
+    if (is_rounded && (is_thin || axis.separation > 0.0)) {
+      const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_);
+      if (!closest.overlap) return of_cores_apart(closest, axis);
+      if (is_faceless) return of_crossed_cores();
+    }
+    if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
+    if (Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond); found.n > 0)
+      return found;
+    return of_nothing_over_the_face(axis);
+  }
+
+ private:
+  double world(double own) const { return first_.scale * own; }
+
+  /// @param x  point midway between the surfaces, in own coordinates of the first shape
+  void add(Manifold<Dim>& found, const Vec<Dim>& x, double gap, std::uint32_t key) const {
+    if (found.n < Manifold<Dim>::kMostPoints)
+      found.points[found.n++] = {first_.rotation * (first_.scale * x), gap, key};
+  }
+
+  /// Point midway between the surfaces, of points of the cores that face each other along n.
+  Vec<Dim> midway(const Vec<Dim>& on_first, const Vec<Dim>& on_second, const Vec<Dim>& n) const {
+    return 0.5 * (on_first + on_second) + 0.5 * (first_.rounding() - second_.rounding()) / first_.scale * n;
+  }
+
+  Manifold<Dim> of_cores_apart(const ClosestPoints<Dim>& closest, const SeparatingAxis<Dim>& axis) {
+    const double gap = world(closest.distance) - roundings_;
+    if (!(gap < reach_)) return {};
+    // Balls have no face to lie on another.
+    if (!a_.is_round() && !b_.is_round()) {
+      const bool prefers_second = axis.features.kind == AxisKind::kFaceOfSecond;
+      for (const bool of_second : {prefers_second, !prefers_second})
+        if (is_along_face(closest.normal, axis, of_second))
+          if (Manifold<Dim> found = of_face(axis, of_second);
+              found.n > 0 && found.least_gap() - gap <= kBesideFace * world(size_))
+            return found;
+      if constexpr (Dim == 3) {
+        if (a_.n_faces() == 0 && b_.n_faces() == 0)
+          if (Manifold<Dim> found = of_capsules_side_by_side(closest); found.n > 0) return found;
+      }
+    }
+    Manifold<Dim> found;
+    found.normal = first_.rotation * closest.normal;
+    found.type = Dim == 3 && closest.n_first == 2 && closest.n_second == 2 ? ContactType::kEdgeEdge
+                                                                           : ContactType::kVertexFace;
+    add(found, midway(closest.on_first, closest.on_second, closest.normal), gap,
+        key_of(false, 0, 0, kClosest, false));
+    return found;
+  }
+
+  bool is_along_face(const Vec<Dim>& n, const SeparatingAxis<Dim>& axis, bool of_second) const {
+    const FaceAxis& face = of_second ? axis.of_second : axis.of_first;
+    if (face.face < 0) return false;
+    const Vec<Dim> outward =
+        of_second ? Vec<Dim>(-place_.direction(b_.normals[face.face])) : a_.normals[face.face];
+    return 1.0 - outward.dot(n) < kAlongFace;
+  }
+
+  /// Corners of the incident face over the face that separates most, of the first or the second shape.
+  Manifold<Dim> of_face(const SeparatingAxis<Dim>& axis, bool of_second) {
+    const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
+    Manifold<Dim> found;
+    if (best.face < 0) return found;
+    const Shape<Dim>&reference = of_second ? b_ : a_, &incident = of_second ? a_ : b_;
+    const double scale = of_second ? second_.scale : first_.scale;
+    const RelativePlace<Dim> place = of_second ? place_.inverse() : place_;
+    const ClippedFace<Dim> clipped =
+        clipped_face<Dim>(reference, best.face, incident, place, best.vertex, (reach_ + roundings_) / scale,
+                          1e-9 * size_ * first_.scale / scale);
+    const Vec<Dim> outward = reference.normals[best.face];
+    const Vec<Dim> n = of_second ? Vec<Dim>(-place_.direction(outward)) : outward;
+    found.normal = first_.rotation * n;
+    for (int k = 0; k < clipped.n; ++k) {
+      const auto& p = clipped.points[k];
+      const Vec<Dim> foot = p.x - p.height * outward;
+      const Vec<Dim> x = of_second ? midway(place_.point(p.x), place_.point(foot), n) : midway(foot, p.x, n);
+      add(found, x, scale * p.height - roundings_,
+          key_of(of_second, best.face, clipped.incident_face, static_cast<std::uint32_t>(p.side), false));
+    }
+    found.type = type_of(found.n);
+    return found;
+  }
+
+  static ContactType type_of(int n) {
+    if (n <= 1) return ContactType::kVertexFace;
+    return n == 2 && Dim == 3 ? ContactType::kDouble : ContactType::kFaceFace;
+  }
+
+  Manifold<Dim> of_edge_pair(const SeparatingAxis<Dim>& axis) {
+    Manifold<Dim> found;
+    const double gap = world(axis.separation) - roundings_;
+    if constexpr (Dim == 3) {
+      if (!(gap < reach_)) return found;
+      const ShapeEdge &e = a_.edges[axis.features.first], &f = b_.edges[axis.features.second];
+      const Vec<3> p = a_.vertices[e.from], u = a_.vertices[e.to] - p;
+      const Vec<3> q = place_.point(b_.vertices[f.from]), v = place_.point(b_.vertices[f.to]) - q;
+      // The points where the lines are closest lie within the edges, whose arcs cross, but for rounding.
+      const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), pu = u.dot(q - p), pv = v.dot(q - p);
+      const double determinant = uu * vv - uv * uv;
+      const double s = std::clamp((pu * vv - pv * uv) / determinant, 0.0, 1.0);
+      const double t = std::clamp((pu * uv - pv * uu) / determinant, 0.0, 1.0);
+      const Vec<3> n = edge_pair_normal(a_, axis.features.first, b_, axis.features.second, place_);
+      found.normal = first_.rotation * n;
+      found.type = ContactType::kEdgeEdge;
+      add(found, midway(p + s * u, q + t * v, n), gap,
+          key_of(false, axis.features.first, axis.features.second, 0, true));
+    }
+    return found;
+  }
+
+  /// A face axis without a corner over the face: vertices pass each other, or the edge pair that is deeper by less than its
+  /// margin gave way to the face.
+  Manifold<Dim> of_nothing_over_the_face(const SeparatingAxis<Dim>& axis) {
+    if (axis.separation > 0.0) {
+      const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_);
+      if (!closest.overlap) {
+        Manifold<Dim> found;
+        const double gap = world(closest.distance) - roundings_;
+        if (!(gap < reach_)) return found;
+        found.normal = first_.rotation * closest.normal;
+        add(found, midway(closest.on_first, closest.on_second, closest.normal), gap,
+            key_of(false, 0, 0, kClosest, false));
+        return found;
+      }
+    }
+    const bool of_second = axis.features.kind == AxisKind::kFaceOfSecond;
+    const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
+    Manifold<Dim> found;
+    const double gap = world(axis.separation) - roundings_;
+    if (best.face < 0 || !(gap < reach_)) return found;
+    const Vec<Dim> n = of_second ? Vec<Dim>(-place_.direction(b_.normals[best.face])) : a_.normals[best.face];
+    const Shape<Dim>& incident = of_second ? a_ : b_;
+    const Vec<Dim> own = core_vertex<Dim>(incident, best.vertex);
+    const Vec<Dim> x = of_second ? own : place_.point(own);
+    found.normal = first_.rotation * n;
+    add(found, of_second ? midway(x, x + axis.separation * n, n) : midway(x - axis.separation * n, x, n), gap,
+        key_of(of_second, best.face, 0, kClosest, false));
+    return found;
+  }
+
+  /// Two capsules that are parallel: the ends of the piece over which they lie side by side.
+  Manifold<Dim> of_capsules_side_by_side(const ClosestPoints<Dim>& closest) {
+    Manifold<Dim> found;
+    const Vec<Dim> p = a_.vertices[0], u = a_.vertices[1] - p;
+    const Vec<Dim> q = place_.point(b_.vertices[0]), v = place_.point(b_.vertices[1]) - q;
+    const double length = u.norm(), parallel = u.dot(v) / (length * v.norm());
+    if (1.0 - parallel * parallel > kSideBySide * kSideBySide) return found;
+    // Positions along the first core at which the second one begins and ends.
+    const Vec<Dim> along = u / length;
+    double from = along.dot(q - p), to = along.dot(q + v - p);
+    const bool is_turned = from > to;
+    if (is_turned) std::swap(from, to);
+    const double low = std::max(from, 0.0), high = std::min(to, length);
+    if (!(high - low > kSideBySide * size_)) return found;
+    found.normal = first_.rotation * closest.normal;
+    for (const double s : {low, high}) {
+      const double share = (s - from) / (to - from);
+      const Vec<Dim> on_first = p + s * along, on_second = q + (is_turned ? 1.0 - share : share) * v;
+      const double gap = world(closest.normal.dot(on_second - on_first)) - roundings_;
+      if (gap < reach_)
+        add(found, midway(on_first, on_second, closest.normal), gap,
+            key_of(false, 0, 0, s == low ? 0 : 1, false));
+    }
+    found.type = type_of(found.n);
+    return found;
+  }
+
+  /// Balls or capsules whose cores meet: the normal is that of both segments, or any where there is none.
+  Manifold<Dim> of_crossed_cores() {
+    Manifold<Dim> found;
+    Vec<Dim> n = Vec<Dim>::Unit(0);
+    const auto axis_of = [](const Shape<Dim>& shape) {
+      return shape.is_round() ? Vec<Dim>(Vec<Dim>::Zero()) : Vec<Dim>(shape.vertices[1] - shape.vertices[0]);
+    };
+    const Vec<Dim> u = axis_of(a_), v = place_.direction(axis_of(b_));
+    if constexpr (Dim == 3) {
+      const Vec<3> longer = u.norm() > v.norm() ? u : v, across = u.cross(v);
+      if (across.norm() > kSideBySide * u.norm() * v.norm())
+        n = across.normalized();
+      else if (!longer.isZero(0.0))
+        n = longer.unitOrthogonal();
+    }
+    if (n.dot(place_.offset) < 0.0) n = -n;
+    found.normal = first_.rotation * n;
+    add(found, midway(place_.offset, place_.offset, n), -roundings_, key_of(false, 0, 0, kClosest, false));
+    return found;
+  }
+
+  const PlacedShape<Dim>&first_, &second_;
+  const Shape<Dim>&a_, &b_;
+  RelativePlace<Dim> place_;
+  double roundings_;  ///< of both, in the unit of space
+  double reach_;
+  double size_;  ///< smaller inner radius
+};
+
+}  // namespace
+
+std::string contact_type_name(ContactType type) {
+  switch (type) {
+    case ContactType::kVertexFace:
+      return "vertex-face";
+    case ContactType::kEdgeEdge:
+      return "edge-edge";
+    case ContactType::kDouble:
+      return "double";
+    case ContactType::kFaceFace:
+      break;
+  }
+  return "face-face";
+}
+
+template <int Dim>
+double Manifold<Dim>::least_gap() const {
+  double least = points[0].gap;
+  for (int k = 1; k < n; ++k) least = std::min(least, points[k].gap);
+  return least;
+}
+
+template <int Dim>
+Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
+                               AxisFeatures* last) {
+  AxisFeatures none;
+  return PairSearch<Dim>(first, second, reach).run(last != nullptr ? *last : none);
+}
+
+template struct Manifold<2>;
+template struct Manifold<3>;
+template Manifold<2> contact_manifold(const PlacedShape<2>&, const PlacedShape<2>&, double, AxisFeatures*);
+template Manifold<3> contact_manifold(const PlacedShape<3>&, const PlacedShape<3>&, double, AxisFeatures*);
+
+}  // namespace floc

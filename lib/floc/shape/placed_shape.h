@@ -1,0 +1,62 @@
+#pragma once
+
+#include "floc/shape/shape.h"
+
+namespace floc {
+
+/// A grain's surface in space: x = position + scale * rotation * own.
+template <int Dim>
+struct PlacedShape {
+  const Shape<Dim>* shape = nullptr;
+  double scale = 1.0;
+  Vec<Dim> position = Vec<Dim>::Zero();      ///< of the centre of mass
+  Mat<Dim> rotation = Mat<Dim>::Identity();  ///< own axes to those of space
+
+  double rounding() const { return scale * shape->rounding; }
+  double inner_radius() const { return scale * shape->inner_radius; }
+  double outer_radius() const { return scale * shape->outer_radius; }
+};
+
+/// Takes the own coordinates of a second shape to those of a first: x = offset + scale * rotation * own.
+template <int Dim>
+struct RelativePlace {
+  Mat<Dim> rotation;
+  Vec<Dim> offset;
+  double scale;
+
+  RelativePlace(const Mat<Dim>& turn, const Vec<Dim>& shift, double factor)
+      : rotation(turn), offset(shift), scale(factor) {}
+  RelativePlace(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second)
+      : rotation(first.rotation.transpose() * second.rotation),
+        offset(first.rotation.transpose() * (second.position - first.position) / first.scale),
+        scale(second.scale / first.scale) {}
+
+  RelativePlace inverse() const {
+    return {rotation.transpose(), Vec<Dim>(rotation.transpose() * offset / -scale), 1.0 / scale};
+  }
+  Vec<Dim> point(const Vec<Dim>& own) const { return offset + scale * (rotation * own); }
+  Vec<Dim> direction(const Vec<Dim>& own) const { return rotation * own; }
+};
+
+/// Vertex of a core; the only one of a point is its centre.
+template <int Dim>
+inline Vec<Dim> core_vertex(const Shape<Dim>& shape, int vertex) {
+  return shape.is_round() ? Vec<Dim>(Vec<Dim>::Zero()) : shape.vertices[vertex];
+}
+
+/// Vertex of a core with the least product with a direction in its own axes.
+template <int Dim>
+inline int lowest_vertex(const Shape<Dim>& shape, const Vec<Dim>& direction) {
+  const Vec<Dim>* const vertices = shape.vertices.data();
+  const int n = shape.n_vertices();
+  if (n == 0) return 0;
+  int lowest = 0;
+  double least = vertices[0].dot(direction);
+  for (int v = 1; v < n; ++v) {
+    const double height = vertices[v].dot(direction);
+    if (height < least) least = height, lowest = v;
+  }
+  return lowest;
+}
+
+}  // namespace floc

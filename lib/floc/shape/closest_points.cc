@@ -150,12 +150,12 @@ void refine(const Simplex<3>& s, Vec<3>& v) {
 
 template <int Dim>
 ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& second,
-                                  const RelativePlace<Dim>& place) {
+                                  const RelativePlace<Dim>& place, const Vec<Dim>& guess) {
   constexpr int kMostPasses = 100;
   const double size = first.outer_radius + place.scale * second.outer_radius;
   ClosestPoints<Dim> found;
   Simplex<Dim> s;
-  s.corner[0] = support<Dim>(first, second, place, place.offset);
+  s.corner[0] = support<Dim>(first, second, place, guess);
   s.weight[0] = 1.0;
   s.n = 1;
   Vec<Dim> v = s.corner[0].difference;
@@ -196,7 +196,9 @@ ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& sec
   return found;
 }
 
-template ClosestPoints<2> closest_points(const Shape<2>&, const Shape<2>&, const RelativePlace<2>&);
-template ClosestPoints<3> closest_points(const Shape<3>&, const Shape<3>&, const RelativePlace<3>&);
+template ClosestPoints<2> closest_points(const Shape<2>&, const Shape<2>&, const RelativePlace<2>&,
+                                         const Vec<2>&);
+template ClosestPoints<3> closest_points(const Shape<3>&, const Shape<3>&, const RelativePlace<3>&,
+                                         const Vec<3>&);
 
 }  // namespace floc

@@ -12,8 +12,8 @@ namespace {
 
 /// Closest points along the normal of a face within this angle (as 1 - cosine) are a contact of the face.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
-/// The corners over that face may lie further away than the closest points by this share of the smaller inner radius: the
-/// closest point can be just beside the face.
+/// The corners over a face may lie further away than the closest or deepest points, which can be just beside the face, by
+/// this share of the smaller inner radius.
 constexpr double kBesideFace = 1e-6;
 /// Sine of the angle below which two capsules lie side by side.
 constexpr double kSideBySide = 1e-3;
@@ -43,26 +43,50 @@ class PairSearch {
     const bool is_faceless = a_.n_faces() == 0 && b_.n_faces() == 0;
     const bool is_rounded = roundings_ > 0.0;
     SeparatingAxis<Dim> axis;
+    const double limit = (reach_ + roundings_) / first_.scale;
     if (!is_faceless) {
-      const double limit = (reach_ + roundings_) / first_.scale;
       axis = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 1e-4 * size_}, limit, last);
       if (axis.separation > limit) return {};
     }
     // Axes are those of all directions only where both cores have an inside: a segment has sides that they do not see.
     const bool is_thin = a_.n_vertices() < 3 || b_.n_vertices() < 3;
     if (is_rounded && (is_thin || axis.separation > 0.0)) {
-      const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_);
+      const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
       if (!closest.overlap) return of_cores_apart(closest, axis);
       if (is_faceless) return of_crossed_cores();
     }
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
-    if (Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond); found.n > 0)
-      return found;
-    return of_nothing_over_the_face(axis);
+    const Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
+    if (!misses_the_deepest(found, axis)) return found;
+    // The deepest vertex is beside the face, so that an edge pair separates more, be it by less than its margin.
+    if (a_.n_edges() > 0 && b_.n_edges() > 0) {
+      AxisFeatures none;
+      const SeparatingAxis<Dim> exact = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 0.0}, limit, none);
+      if (exact.features.kind == AxisKind::kEdgePair) {
+        last = none;
+        return of_edge_pair(exact);
+      }
+    }
+    return found.n > 0 ? found : of_nothing_over_the_face(axis);
   }
 
  private:
   double world(double own) const { return first_.scale * own; }
+
+  /// Whether the points over a face lie higher than the vertex that is lowest above its plane.
+  bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
+    return found.n == 0 ||
+           found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
+  }
+
+  /// Direction of the axis, to begin the search for closest points with.
+  Vec<Dim> guess(const SeparatingAxis<Dim>& axis) const {
+    if (axis.features.kind == AxisKind::kFaceOfFirst && axis.of_first.face >= 0)
+      return a_.normals[axis.of_first.face];
+    if (axis.features.kind == AxisKind::kFaceOfSecond && axis.of_second.face >= 0)
+      return -place_.direction(b_.normals[axis.of_second.face]);
+    return place_.offset;
+  }
 
   /// @param x  point midway between the surfaces, in own coordinates of the first shape
   void add(Manifold<Dim>& found, const Vec<Dim>& x, double gap, std::uint32_t key) const {
@@ -160,11 +184,10 @@ class PairSearch {
     return found;
   }
 
-  /// A face axis without a corner over the face: vertices pass each other, or the edge pair that is deeper by less than its
-  /// margin gave way to the face.
+  /// A face axis without a corner over the face: vertices pass each other.
   Manifold<Dim> of_nothing_over_the_face(const SeparatingAxis<Dim>& axis) {
     if (axis.separation > 0.0) {
-      const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_);
+      const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
       if (!closest.overlap) {
         Manifold<Dim> found;
         const double gap = world(closest.distance) - roundings_;

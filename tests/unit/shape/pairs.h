@@ -30,7 +30,8 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
   double best = -1e9;
   const Vec<Dim> towards = (second.position - first.position).normalized();
   for (int start = 0; start < 10; ++start) {
-    Vec<Dim> n = (towards + 0.8 * random_direction<Dim>(random) * random.uniform()).normalized();
+    const double spread = 0.8 * random.uniform();
+    Vec<Dim> n = (towards + spread * random_direction<Dim>(random)).normalized();
     double here = separation_along(first, second, n);
     for (double step = 0.3; step > 1e-11; step *= 0.5) {
       bool is_better = true;
@@ -48,6 +49,25 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
     if (normal != nullptr) *normal = n;
   }
   return best;
+}
+
+/// Largest separation of two sharp polyhedra over the normals of all faces and all pairs of edges: the separation of
+/// overlapping shapes, without a look at arcs.
+inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedShape<3>& second) {
+  double most = -1e9;
+  const auto try_axis = [&](const Vec<3>& n) { most = std::max(most, separation_along<3>(first, second, n)); };
+  for (const Vec<3>& n : first.shape->normals) try_axis(first.rotation * n);
+  for (const Vec<3>& n : second.shape->normals) try_axis(-(second.rotation * n));
+  const auto along = [](const PlacedShape<3>& one, const ShapeEdge& e) {
+    return Vec<3>(one.rotation * (one.shape->vertices[e.to] - one.shape->vertices[e.from]));
+  };
+  for (const ShapeEdge& e : first.shape->edges)
+    for (const ShapeEdge& f : second.shape->edges) {
+      const Vec<3> n = along(first, e).cross(along(second, f)).normalized();
+      try_axis(n);
+      try_axis(-n);
+    }
+  return most;
 }
 
 /// Two random shapes of diameter 1 and 1.3 at random rotations.

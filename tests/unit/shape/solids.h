@@ -54,7 +54,8 @@ Vec<Dim> random_direction(RandomStream& random) {
 }
 
 inline Mat<3> random_turn(RandomStream& random, Vec<3>) {
-  Eigen::Quaterniond q(random.normal(), random.normal(), random.normal(), random.normal());
+  Eigen::Quaterniond q;
+  for (int k = 0; k < 4; ++k) q.coeffs()[k] = random.normal();
   return q.normalized().toRotationMatrix();
 }
 inline Mat<2> random_turn(RandomStream& random, Vec<2>) {
@@ -69,7 +70,10 @@ Mat<Dim> random_turn(RandomStream& random) {
 template <int Dim>
 std::vector<Vec<Dim>> random_points(RandomStream& random, int n) {
   std::vector<Vec<Dim>> points;
-  for (int k = 0; k < n; ++k) points.push_back(random_direction<Dim>(random) * random.uniform(0.8, 1.0));
+  for (int k = 0; k < n; ++k) {
+    const double radius = random.uniform(0.8, 1.0);
+    points.push_back(radius * random_direction<Dim>(random));
+  }
   return points;
 }
 

@@ -1,0 +1,44 @@
+#include "floc/shape/point_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace floc {
+namespace {
+
+ManifoldPoint<3> point(double x, double y, std::uint32_t key) {
+  ManifoldPoint<3> p;
+  p.arm = {x, y, 0};
+  p.key = key;
+  return p;
+}
+
+using Points = std::vector<ManifoldPoint<3>>;
+
+PointMatches<3> matched(const Points& now, const Points& before, double radius) {
+  return matched_points<3>(std::span(now), std::span(before), radius);
+}
+
+TEST(PointMemory, GoesByKeyHoweverFar) {
+  EXPECT_EQ(matched({point(0, 0, 7), point(1, 0, 8)}, {point(0, 0, 8), point(1, 0, 7)}, 0.1),
+            (PointMatches<3>{1, 0, -1, -1}));
+}
+
+TEST(PointMemory, GoesToTheNearestUnclaimedPointInTheRadius) {
+  const Points before = {point(0, 0, 1), point(1, 0, 2), point(2, 0, 3)};
+  // The first keeps its key; the second is nearest to a claimed point and takes the next one; the third is too far.
+  EXPECT_EQ(matched({point(0.5, 0, 1), point(0.4, 0, 9), point(5, 0, 10)}, before, 0.7),
+            (PointMatches<3>{0, 1, -1, -1}));
+  // Two points near one: the nearer has it.
+  EXPECT_EQ(matched({point(1.2, 0, 11), point(1.1, 0, 12)}, {before[1]}, 0.7),
+            (PointMatches<3>{-1, 0, -1, -1}));
+}
+
+TEST(PointMemory, OfNothingIsNothing) {
+  EXPECT_EQ(matched({}, {point(0, 0, 1)}, 1.0), (PointMatches<3>{-1, -1, -1, -1}));
+  EXPECT_EQ(matched({point(0, 0, 1)}, {}, 1.0), (PointMatches<3>{-1, -1, -1, -1}));
+}
+
+}  // namespace
+}  // namespace floc

@@ -69,7 +69,8 @@ std::pair<Vec<2>, Vec<2>> side_plane(const Shape<2>& shape, int face, int k) {
   return {end, end - shape.vertices[loop[1 - k]]};
 }
 
-/// Joins corners next to each other that are one point; the lower side is kept, which is that of the incident face.
+/// Joins corners next to each other that are one point; the lower side is kept, which is that of the incident
+/// face.
 template <int Dim>
 void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   int n = 0;
@@ -98,7 +99,8 @@ int largest(int n, double tolerance, const Value& value) {
   return best;
 }
 
-/// Takes at most four points that support as all do: the deepest, the furthest from it, and the two that add most area.
+/// Takes at most four points that support as all do: the deepest, the furthest from it, and the two that add
+/// most area.
 void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, ClippedFace<3>& kept) {
   const auto& p = polygon.points;
   if (polygon.n <= 4) {

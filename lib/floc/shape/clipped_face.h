@@ -23,8 +23,8 @@ struct ClippedFace {
 
 /// Clips the incident face by the sides of the reference face and keeps points below `reach`, at most 2 or 4.
 ///
-/// The incident face is the most antiparallel among those at the lowest vertex: the most antiparallel of all misses the deepest
-/// vertex. Cores of one or two vertices are their own incident face.
+/// The incident face is the most antiparallel among those at the lowest vertex: the most antiparallel of all
+/// misses the deepest vertex. Cores of one or two vertices are their own incident face.
 ///
 /// @param place   takes own coordinates of `incident` to those of `reference`
 /// @param lowest  vertex of `incident` that is lowest above the face

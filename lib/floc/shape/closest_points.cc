@@ -49,8 +49,8 @@ void reduce_segment(Simplex<Dim>& s) {
   s.keep({{0, 1.0 - along / length2}, {1, along / length2}});
 }
 
-/// Regions of a triangle by dot products alone, so that it serves in the plane too (Ericson, Real-Time Collision Detection,
-/// section 5.1.5).
+/// Regions of a triangle by dot products alone, so that it serves in the plane too (Ericson, Real-Time
+/// Collision Detection, section 5.1.5).
 template <int Dim>
 void reduce_triangle(Simplex<Dim>& s) {
   const Vec<Dim>&a = s.corner[0].difference, &b = s.corner[1].difference, &c = s.corner[2].difference;

@@ -15,11 +15,13 @@ struct ClosestPoints {
   int n_second = 0;  ///< number of such corners of the second core
 };
 
-/// Closest points by Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a point.
+/// Closest points by Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a
+/// point.
+///
+/// Positions are right to a few times rounding times the size of the shapes, the normal to that over the
+/// distance. Cores nearer than 1e-12 of their size count as overlapping.
 ///
 /// @param guess  direction from the first core to the second near that of the closest points, of any length > 0
-/// Positions are right to a few times rounding times the size of the shapes, the normal to that over the distance. Cores
-/// nearer than 1e-12 of their size count as overlapping.
 template <int Dim>
 ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& second,
                                   const RelativePlace<Dim>& place, const Vec<Dim>& guess);

@@ -70,8 +70,8 @@ std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
   return loop;
 }
 
-/// Number of the face that each triangle belongs to: triangles of nearly one direction are joined across their common
-/// edges, and slivers, whose direction is rounding, across their longest.
+/// Number of the face that each triangle belongs to: triangles of nearly one direction are joined across their
+/// common edges, and slivers, whose direction is rounding, across their longest.
 std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vector<HullTriangle>& triangles) {
   std::vector<int> group(triangles.size());
   std::iota(group.begin(), group.end(), 0);

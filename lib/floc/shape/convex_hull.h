@@ -17,13 +17,13 @@ struct ConvexHull {
   std::vector<int> points;  ///< index of the point at each vertex
 };
 
-/// Takes the convex hull, by Barber, Dobkin and Huhdanpaa's order of points (ACM Trans. Math. Softw. 22, 1996) in 3D and
-/// by Andrew's chain in 2D. Faces whose directions differ by less than 1e-6 are one; points that lie on a face or an
-/// edge are no vertices.
+/// Takes the convex hull, by Barber, Dobkin and Huhdanpaa's order of points (ACM Trans. Math. Softw. 22, 1996)
+/// in 3D and by Andrew's chain in 2D. Faces whose directions differ by less than 1e-6 are one; points that lie
+/// on a face or an edge are no vertices.
 ///
 /// @param place  of the points, for messages
-/// @throws InputError if there are fewer than Dim + 1 points or more than kMostHullPoints, if a coordinate is not finite,
-/// or if all points lie in one plane (in 2D on one line)
+/// @throws InputError if there are fewer than Dim + 1 points or more than kMostHullPoints, if a coordinate is
+/// not finite, or if all points lie in one plane (in 2D on one line)
 template <int Dim>
 ConvexHull<Dim> convex_hull(const std::vector<Vec<Dim>>& points, const std::string& place = "");
 

@@ -47,7 +47,8 @@ Vec<Dim> direction(RandomStream& random) {
   }
 }
 
-/// Directions at mutual distances of at least half the mean spacing; they fill a fifth of the sphere, half of a circle.
+/// Directions at mutual distances of at least half the mean spacing; they fill a fifth of the sphere, half of a
+/// circle.
 template <int Dim>
 std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
   const double least = 0.5 * (Dim == 2 ? 2.0 * kPi / n : std::sqrt(4.0 * kPi / n));
@@ -68,7 +69,8 @@ int uniform_integer(RandomStream& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::uint64_t>(most - least + 1)));
 }
 
-/// Shapes of points that `draw` makes from a stream; points that make no body, as nearly flat ones, are drawn again.
+/// Shapes of points that `draw` makes from a stream; points that make no body, as nearly flat ones, are drawn
+/// again.
 template <int Dim, class Draw>
 std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t seed, std::uint64_t purpose,
                                      const Draw& draw) {

@@ -7,8 +7,9 @@
 
 namespace floc {
 
-/// Generators of shapes. All have diameter 1 (of the circumscribed circle or sphere about the centre of mass); `rounding` is
-/// a share of the diameter, from 0 to 0.45. One seed gives one set of shapes, of which a larger count gives more.
+/// Generators of shapes. All have diameter 1 (of the circumscribed circle or sphere about the centre of mass);
+/// `rounding` is a share of the diameter, from 0 to 0.45. One seed gives one set of shapes, of which a larger
+/// count gives more.
 ///
 /// They throw InputError naming the key of a scene's grains.shape, its value and what was expected.
 
@@ -23,8 +24,8 @@ Shape<Dim> box(const Vec<Dim>& sides, double rounding);
 template <int Dim>
 Shape<Dim> capsule(double aspect);
 
-/// Hulls of random points on a sphere (in 2D on a circle), at mutual distances of at least half the mean spacing
-/// sqrt(4 pi/n) (2 pi/n), stretched by `aspect` along one axis.
+/// Hulls of random points on a sphere (in 2D on a circle), at mutual distances of at least half the mean
+/// spacing sqrt(4 pi/n) (2 pi/n), stretched by `aspect` along one axis.
 struct HullOptions {
   int least_vertices = 12;
   int most_vertices = 24;
@@ -35,7 +36,8 @@ struct HullOptions {
 template <int Dim>
 std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Intersections of half-spaces n . x <= 1 + u, with u uniform in +-spread/2 and directions n as the points of hull_shapes().
+/// Intersections of half-spaces n . x <= 1 + u, with u uniform in +-spread/2 and directions n as the points of
+/// hull_shapes().
 struct CutOptions {
   int least_faces = 10;
   int most_faces = 20;
@@ -46,7 +48,8 @@ struct CutOptions {
 template <int Dim>
 std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Voronoi cells of random points in a periodic box, `relaxed` times moved to the centres of mass of their cells.
+/// Voronoi cells of random points in a periodic box, `relaxed` times moved to the centres of mass of their
+/// cells.
 struct VoronoiOptions {
   int cells = 500;
   int relaxed = 2;

@@ -12,8 +12,8 @@ namespace {
 
 /// Closest points along the normal of a face within this angle (as 1 - cosine) are a contact of the face.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
-/// The corners over a face may lie further away than the closest or deepest points, which can be just beside the face, by
-/// this share of the smaller inner radius.
+/// The corners over a face may lie further away than the closest or deepest points, which can be just beside
+/// the face, by this share of the smaller inner radius.
 constexpr double kBesideFace = 1e-6;
 /// Sine of the angle below which two capsules lie side by side.
 constexpr double kSideBySide = 1e-3;
@@ -48,7 +48,8 @@ class PairSearch {
       axis = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 1e-4 * size_}, limit, last);
       if (axis.separation > limit) return {};
     }
-    // Axes are those of all directions only where both cores have an inside: a segment has sides that they do not see.
+    // Axes are those of all directions only where both cores have an inside: a segment has sides that they do
+    // not see.
     const bool is_thin = a_.n_vertices() < 3 || b_.n_vertices() < 3;
     if (is_rounded && (is_thin || axis.separation > 0.0)) {
       const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
@@ -58,7 +59,8 @@ class PairSearch {
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
     const Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
-    // The deepest vertex is beside the face, so that an edge pair separates more, be it by less than its margin.
+    // The deepest vertex is beside the face, so that an edge pair separates more, be it by less than its
+    // margin.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 0.0}, limit, none);

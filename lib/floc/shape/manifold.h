@@ -27,8 +27,8 @@ struct ManifoldPoint {
   Vec<Dim> arm = Vec<Dim>::Zero();
   double gap = 0.0;  ///< between the surfaces along the normal; negative where they overlap
   /// Number that the point keeps while the features that meet in it stay. Bits from the highest: body of the
-  /// reference face (1), reference feature (10), incident feature (10), side that begins at the corner (10; 1023 for
-  /// closest points), edge pair (1). Keys of one contact differ.
+  /// reference face (1), reference feature (10), incident feature (10), side that begins at the corner (10;
+  /// 1023 for closest points), edge pair (1). Keys of one contact differ.
   std::uint32_t key = 0;
 };
 
@@ -47,19 +47,19 @@ struct Manifold {
 
 /// Contact of two shapes: points with a gap below `reach`.
 ///
-/// Cores that are polytopes meet along the axis of the largest separation (separating_axis.h). A face axis gives the
-/// corners of the incident face clipped by the sides of the reference face, in 3D at most four of them: the deepest, the
-/// furthest from it, and those furthest to either side of the line through both. An edge pair gives one point. Shapes
-/// with rounding, whose cores are apart, meet in their closest points, but along a face whose normal is within 1e-3 of
-/// theirs as faces do.
+/// Cores that are polytopes meet along the axis of the largest separation (separating_axis.h). A face axis
+/// gives the corners of the incident face clipped by the sides of the reference face, in 3D at most four of
+/// them: the deepest, the furthest from it, and those furthest to either side of the line through both. An edge
+/// pair gives one point. Shapes with rounding, whose cores are apart, meet in their closest points, but along a
+/// face whose normal is within 1e-3 of theirs as faces do.
 ///
-/// Gaps are those of the axis of largest separation but for the margins of separating_axis(): 1e-4 of the smaller inner
-/// radius for edges, 1e-6 for faces. Exchange of the shapes turns the normal round and keeps gaps and points but for
-/// such ties.
+/// Gaps are those of the axis of largest separation but for the margins of separating_axis(): 1e-4 of the
+/// smaller inner radius for edges, 1e-6 for faces. Exchange of the shapes turns the normal round and keeps gaps
+/// and points but for such ties.
 ///
 /// @param reach  length >= 0
-/// @param last   features of the step before, to begin with, replaced by those found: they reject most pairs that do
-///               not touch at the cost of one support.
+/// @param last   features of the step before, to begin with, replaced by those found: they reject most pairs
+///               that do not touch at the cost of one support.
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
                                AxisFeatures* last = nullptr);

@@ -20,12 +20,14 @@ struct Mesh {
 
 /// Readers of text, and of bytes for binary STL. `place` is the name of the file.
 ///
-/// Nothing is allocated on the word of a count in a file. @throws InputError naming file and line, what is there and what was
-/// expected; also for more than kMostHullPoints vertices.
+/// Nothing is allocated on the word of a count in a file. @throws InputError naming file and line, what is
+/// there and what was expected; also for more than kMostHullPoints vertices.
 
-/// Object file format: "OFF", counts of vertices, faces and edges, vertices, faces as counts and indices from 0.
+/// Object file format: "OFF", counts of vertices, faces and edges, vertices, faces as counts and indices from
+/// 0.
 Mesh<3> parse_off(const std::string& place, std::string_view text);
-/// Wavefront: v x y z, f with indices from 1 or back from the last vertex; normals, textures and groups are skipped.
+/// Wavefront: v x y z, f with indices from 1 or back from the last vertex; normals, textures and groups are
+/// skipped.
 Mesh<3> parse_obj(const std::string& place, std::string_view text);
 /// Stereolithography, text or binary. Corners at equal coordinates are one vertex.
 Mesh<3> parse_stl(const std::string& place, std::string_view bytes);

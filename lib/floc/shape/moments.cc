@@ -18,7 +18,8 @@ Mat<Dim> symmetric_product(const Vec<Dim>& a, const Vec<Dim>& b) {
   return a * b.transpose() + b * a.transpose();
 }
 
-/// Integrals of w = cos(phi) a + sin(phi) t and of w w' over the arc from direction a to direction b, t normal to a.
+/// Integrals of w = cos(phi) a + sin(phi) t and of w w' over the arc from direction a to direction b, t normal
+/// to a.
 template <int Dim>
 struct Arc {
   double angle;
@@ -34,7 +35,8 @@ struct Arc {
   }
 };
 
-/// The arc between the outward normals of two faces that meet in an edge along `axis` (unit, left of it the first).
+/// The arc between the outward normals of two faces that meet in an edge along `axis` (unit, left of it the
+/// first).
 Arc<3> arc_of_edge(const Vec<3>& left, const Vec<3>& right, const Vec<3>& axis) {
   return {left, axis.cross(left), std::atan2(axis.dot(left.cross(right)), left.dot(right))};
 }
@@ -90,11 +92,11 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
 /// Integrals of 1, u and u u' over the part of the unit sphere that the normals at one vertex enclose.
 using NormalCone = Moments<3>;
 
-/// Adds the side of a normal cone that lies along the arc of an edge. `outward` is the normal of the arc that points out
-/// of the cone: the direction of the edge away from the vertex.
+/// Adds the side of a normal cone that lies along the arc of an edge. `outward` is the normal of the arc that
+/// points out of the cone: the direction of the edge away from the vertex.
 ///
-/// Integral of u: half the sum of angle * inward normal. Integral of u u' (Arvo 1995): a third of the solid angle times
-/// unity less the sum of outward normal times the integral of u along the arc.
+/// Integral of u: half the sum of angle * inward normal. Integral of u u' (Arvo 1995): a third of the solid
+/// angle times unity less the sum of outward normal times the integral of u along the arc.
 void add_arc(NormalCone& cone, const Vec<3>& outward, const Arc<3>& arc) {
   cone.first -= 0.5 * arc.angle * outward;
   cone.second -= symmetric_product<3>(outward, arc.first) / 6.0;
@@ -191,8 +193,8 @@ Moments<3> rounding_moments(const Polytope<3>& polytope, double rounding) {
     for (std::size_t k = 0; k < loop.size(); ++k)
       face_left_of[{loop[k], loop[(k + 1) % loop.size()]}] = static_cast<int>(f);
   }
-  // The normals at a vertex enclose a convex polygon on the sphere, with the arcs of the vertex's edges for sides: their
-  // triangles with one of the normals make up its solid angle.
+  // The normals at a vertex enclose a convex polygon on the sphere, with the arcs of the vertex's edges for
+  // sides: their triangles with one of the normals make up its solid angle.
   std::vector<NormalCone> cones(polytope.vertices.size());
   std::vector<int> any_face(polytope.vertices.size(), -1);
   for (const auto& [ends, left] : face_left_of) {

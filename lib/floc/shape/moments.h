@@ -23,8 +23,8 @@ struct Moments {
 template <int Dim>
 Moments<Dim> sharp_moments(const Polytope<Dim>& polytope);
 
-/// Moments of the layer that rounding adds around a polytope: prisms on faces, sectors of cylinders along edges and of
-/// balls at vertices, each in closed form. Their volumes are the terms of Steiner's formula.
+/// Moments of the layer that rounding adds around a polytope: prisms on faces, sectors of cylinders along edges
+/// and of balls at vertices, each in closed form. Their volumes are the terms of Steiner's formula.
 template <int Dim>
 Moments<Dim> rounding_moments(const Polytope<Dim>& polytope, double rounding);
 

@@ -11,8 +11,8 @@ namespace floc {
 template <int Dim>
 using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;
 
-/// Matches points of one pair from step to step: first those of equal keys, then each of the others to the nearest point
-/// of the step before that none has claimed, the nearest pairs first.
+/// Matches points of one pair from step to step: first those of equal keys, then each of the others to the
+/// nearest point of the step before that none has claimed, the nearest pairs first.
 ///
 /// @param now, before  at most kMostPoints each; arms from the centre of the same body
 /// @param radius  distance up to which points without a key in common match: 0.25 of the smaller outer radius

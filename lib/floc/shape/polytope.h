@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Corners and faces of a convex polytope, or of a surface that a file describes. In 2D a face is a side: the loop of its
-/// two ends.
+/// Corners and faces of a convex polytope, or of a surface that a file describes. In 2D a face is a side: the
+/// loop of its two ends.
 template <int Dim>
 struct Polytope {
   std::vector<Vec<Dim>> vertices;
@@ -17,7 +17,8 @@ struct Polytope {
 
 /// Largest number of vertices of a shape.
 inline constexpr int kMostVertices = 200;
-/// Largest number of faces, and of edges: keys of contact points have ten bits for each, and one value to spare.
+/// Largest number of faces, and of edges: keys of contact points have ten bits for each, and one value to
+/// spare.
 inline constexpr int kMostFaces = 1023;
 
 }  // namespace floc

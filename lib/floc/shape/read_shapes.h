@@ -24,9 +24,11 @@ struct ShapeFileOptions {
   double rounding = 0.0;
 };
 
-/// Convex hulls of the shapes of a file: .off, .obj, .stl, .csv or .shp, the last with several. In 2D only .csv.
+/// Convex hulls of the shapes of a file: .off, .obj, .stl, .csv or .shp, the last with several. In 2D only
+/// .csv.
 ///
-/// @throws InputError as the readers of mesh_files.h and shape_of_mesh(), or if the file's name ends in none of these
+/// @throws InputError as the readers of mesh_files.h and shape_of_mesh(), or if the file's name ends in none of
+/// these
 template <int Dim>
 std::vector<NamedShape<Dim>> read_shapes(const std::string& path, const ShapeFileOptions& options = {});
 
@@ -37,8 +39,8 @@ std::vector<NamedShape<Dim>> parse_shapes(const std::string& path, std::string_v
 
 /// Convex hull of a mesh, with remarks if vertices are left out, or if the surface encloses less than its hull.
 ///
-/// @throws InputError as shape_of_points(), and if faces form no closed surface: an edge has one face, or more than two, or
-/// two that go along it in one sense
+/// @throws InputError as shape_of_points(), and if faces form no closed surface: an edge has one face, or more
+/// than two, or two that go along it in one sense
 template <int Dim>
 NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh, const ShapeFileOptions& options);
 

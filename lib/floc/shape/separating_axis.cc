@@ -54,9 +54,9 @@ class FaceSearch {
 
   /// Whether an edge can be the first's part in a pair that separates by more than a threshold.
   ///
-  /// The normal of a pair is n = alpha a + beta b with the normals a, b of the edge's faces, alpha, beta >= 0 and
-  /// 1 <= alpha + beta <= sqrt(2/(1 + a . b)). No point p of the other shape may lie lower than the separation:
-  /// it is at most alpha (height of p above a) + beta (height above b).
+  /// The normal of a pair is n = alpha a + beta b with the normals a, b of the edge's faces, alpha, beta >= 0
+  /// and 1 <= alpha + beta <= sqrt(2/(1 + a . b)). No point p of the other shape may lie lower than the
+  /// separation: it is at most alpha (height of p above a) + beta (height above b).
   bool edge_may_exceed(const ShapeEdge& edge, double threshold) const {
     const Vec<Dim>&a = one_.normals[edge.left], &b = one_.normals[edge.right];
     for (int k = 0; k < n_points_; ++k) {
@@ -114,7 +114,8 @@ PlacedEdge edge_of(const Shape<3>& shape, int edge, const RelativePlace<3>& plac
           place.direction(own.right)};
 }
 
-/// Whether the arc of edge `a` crosses that of edge `b` turned round, so that they are a face of the Minkowski difference.
+/// Whether the arc of edge `a` crosses that of edge `b` turned round, so that they are a face of the Minkowski
+/// difference.
 bool arcs_cross(const PlacedEdge& a, const PlacedEdge& b) {
   const double c = b.left.dot(a.along), d = b.right.dot(a.along);
   if (!(c * d < 0.0)) return false;

@@ -9,8 +9,8 @@ namespace floc {
 /// Kind of features that the axis between two cores is normal to.
 enum class AxisKind : std::uint8_t { kNone, kFaceOfFirst, kFaceOfSecond, kEdgePair };
 
-/// Features that gave the axis of a pair, which the next search for the pair begins with. One is kept for each pair of
-/// grains from step to step; it can be lost at no cost but time.
+/// Features that gave the axis of a pair, which the next search for the pair begins with. One is kept for each
+/// pair of grains from step to step; it can be lost at no cost but time.
 struct AxisFeatures {
   AxisKind kind = AxisKind::kNone;
   std::int16_t first = 0;   ///< face or edge of the first shape
@@ -40,8 +40,9 @@ struct AxisMargins {
 
 /// Separating axes: faces of both cores, and in 3D the edge pairs whose arcs cross on the Gauss sphere.
 ///
-/// The largest separation wins, but an edge pair only where it beats faces, and a face of the second shape only where it beats
-/// one of the first, by more than a margin; the features of the step before keep their place within the same margin.
+/// The largest separation wins, but an edge pair only where it beats faces, and a face of the second shape only
+/// where it beats one of the first, by more than a margin; the features of the step before keep their place
+/// within the same margin.
 ///
 /// @param limit  separation above which the search ends, with whatever axis has been found to exceed it
 /// @param last   features of the step before; those found are written to it

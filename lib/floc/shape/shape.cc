@@ -246,8 +246,8 @@ Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const st
     throw InputError(place,
                      fmt::format("rounding = {:g}: expected a share of the diameter from 0 to 0.45", share));
   Shape<Dim> shape = polytope_shape(core, 0.0, place);
-  // Rounding moves the centre of mass a little, and with it the outer radius: the share converges at once where there
-  // is a centre of symmetry, and by two or three digits in each pass elsewhere.
+  // Rounding moves the centre of mass a little, and with it the outer radius: the share converges at once where
+  // there is a centre of symmetry, and by two or three digits in each pass elsewhere.
   if (share > 0.0)
     for (int pass = 0; pass < 20; ++pass) {
       const double outer = shape.outer_radius - shape.rounding;

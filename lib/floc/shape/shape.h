@@ -16,13 +16,13 @@ struct ShapeEdge {
   int left, right;  ///< faces, as seen from outside with `from` below and `to` above
 };
 
-/// Convex grain: the sum of a core and a ball of radius `rounding`. The core is a polytope, a segment (two vertices: a
-/// capsule) or a point (no vertex: a disk or sphere).
+/// Convex grain: the sum of a core and a ball of radius `rounding`. The core is a polytope, a segment (two
+/// vertices: a capsule) or a point (no vertex: a disk or sphere).
 ///
-/// Coordinates are about the centre of mass of the rounded shape, in 3D along its principal axes. Faces of the core have
-/// outward unit normals n, and n . x = offset on them. In 2D faces are sides, in counter-clockwise order, and there are no
-/// edges; a segment in the plane has two sides, in space no face. Numbers of length have the unit of the vertices; mass
-/// properties are those of density 1.
+/// Coordinates are about the centre of mass of the rounded shape, in 3D along its principal axes. Faces of the
+/// core have outward unit normals n, and n . x = offset on them. In 2D faces are sides, in counter-clockwise
+/// order, and there are no edges; a segment in the plane has two sides, in space no face. Numbers of length
+/// have the unit of the vertices; mass properties are those of density 1.
 template <int Dim>
 struct Shape {
   std::vector<Vec<Dim>> vertices;
@@ -72,8 +72,9 @@ Shape<Dim> capsule_shape(double length, double rounding);
 ///
 /// @param hull   its faces are those of convex_hull()
 /// @param place  for messages
-/// @throws InputError if there are more than kMostVertices vertices or kMostFaces faces or edges, the volume of the core is
-/// below 1e-6 of its box, or its extents along the principal axes differ by more than a factor of 20
+/// @throws InputError if there are more than kMostVertices vertices or kMostFaces faces or edges, the volume of
+/// the core is below 1e-6 of its box, or its extents along the principal axes differ by more than a factor of
+/// 20
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place = "");
 
@@ -86,7 +87,8 @@ struct ShapeOfPoints {
 
 /// Hull of points, rounded.
 ///
-/// @throws InputError as convex_hull() and polytope_shape(), and if two points are closer than 1e-9 of the largest extent
+/// @throws InputError as convex_hull() and polytope_shape(), and if two points are closer than 1e-9 of the
+/// largest extent
 template <int Dim>
 ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double rounding,
                                    const std::string& place = "");

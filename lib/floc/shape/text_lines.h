@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// Lines of a text and their words, with messages that name file and line. Comments from # on and lines without words are
-/// skipped.
+/// Lines of a text and their words, with messages that name file and line. Comments from # on and lines without
+/// words are skipped.
 class TextLines {
  public:
   /// @param place  name of the file  @param text  has to outlive this
@@ -20,7 +20,8 @@ class TextLines {
 
   /// Goes to the next line with words. @return whether there is one
   bool next();
-  /// Goes to the next line. @param what  expected there, for the message. @throws InputError at the end of the text
+  /// Goes to the next line. @param what  expected there, for the message. @throws InputError at the end of the
+  /// text
   void require_next(const std::string& what);
 
   const std::vector<std::string_view>& words() const { return words_; }

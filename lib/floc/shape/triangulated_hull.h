@@ -17,7 +17,8 @@ struct HullTriangle {
   double twice_area = 0.0;  ///< (length^2)
 };
 
-/// Closed surface of the convex hull of points. Points within 1e-10 of the largest extent of it count as inside.
+/// Closed surface of the convex hull of points. Points within 1e-10 of the largest extent of it count as
+/// inside.
 /// @throws InputError if all points lie in one plane to 1e-9 of the largest extent
 std::vector<HullTriangle> triangulated_hull(const std::vector<Vec<3>>& points, const std::string& place);
 

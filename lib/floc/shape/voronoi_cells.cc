@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Branches from point i to all images of the others that can be near it: the nearest images where points are many, else
-/// those of the boxes around too.
+/// Branches from point i to all images of the others that can be near it: the nearest images where points are
+/// many, else those of the boxes around too.
 template <int Dim>
 std::vector<Vec<Dim>> branches_from(const std::vector<Vec<Dim>>& points, std::size_t i) {
   const int reach = points.size() < 100 ? 1 : 0;

@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Vertices of the Voronoi cells of random points in a periodic unit box, about their points.
+/// Vertices of the Voronoi cells of random points in a periodic unit box, about their points. Cells that
+/// rounding leaves open are empty.
 ///
 /// @param n        number of points, >= 8
 /// @param relaxed  number of times that all points go to the centres of mass of their cells (Lloyd)
-/// Cells that rounding leaves open are empty.
 template <int Dim>
 std::vector<std::vector<Vec<Dim>>> voronoi_cells(int n, int relaxed, std::uint64_t seed);
 

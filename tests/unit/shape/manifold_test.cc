@@ -146,7 +146,8 @@ TEST(Manifold, OfPentagonsHasSidesOrAVertex) {
 }
 
 TEST(Manifold, OfTrianglesOnTheirHypotenusesHasTwoPoints) {
-  // Hypotenuse from (0, 0) to (5, 0), the other corner above; the second one is the first turned by 180 degrees, shifted.
+  // Hypotenuse from (0, 0) to (5, 0), the other corner above; the second one is the first turned by 180
+  // degrees, shifted.
   const Shape<2> triangle = shape_of<2>({{0, 0}, {5, 0}, {3.2, 2.4}});
   const auto a = placed<2>(triangle, Vec<2>::Zero(), Mat<2>::Identity());
   const auto b = placed<2>(triangle, {5.5, -0.01}, turn_by(180.0));
@@ -213,10 +214,12 @@ void expect_gaps_of_a_search_over_directions(double rounding) {
     const Manifold<Dim> contact = contact_manifold<Dim>(pair.first(), pair.second(), 1e-3);
     const double expected = separation_by_search(pair.first(), pair.second());
     ASSERT_GT(contact.n, 0) << trial;
-    // The search ends below the largest separation; an edge pair gives way to a face within 1e-4 of the inner radius.
+    // The search ends below the largest separation; an edge pair gives way to a face within 1e-4 of the inner
+    // radius.
     EXPECT_GT(contact.least_gap(), expected - 1e-4 * 0.5) << trial;
-    // The normal is one along which the shapes are apart by no less than that, but for points just beside a face. Where
-    // cores are apart that holds of the distance alone: a face may be 1e-3 off the normal of the closest points.
+    // The normal is one along which the shapes are apart by no less than that, but for points just beside a
+    // face. Where cores are apart that holds of the distance alone: a face may be 1e-3 off the normal of the
+    // closest points.
     if (rounding == 0.0) {
       EXPECT_NEAR(separation_along(pair.first(), pair.second(), contact.normal), contact.least_gap(), 0.5e-6)
           << trial;
@@ -271,8 +274,8 @@ TEST(Manifold, OfRoundedShapesApartHasTheirDistance) {
     const double expected = a.scale * closest.distance - a.rounding() - b.rounding();
     EXPECT_NEAR(separation_along<3>(a, b, a.rotation * closest.normal), expected, 1e-14) << trial;
     EXPECT_NEAR((closest.on_second - closest.on_first - closest.distance * closest.normal).norm(), 0.0, 1e-13);
-    // Along a face the normal may be 1e-3 off, which costs half its square of the distance of the cores, and points may
-    // lie 1e-6 of the inner radius further.
+    // Along a face the normal may be 1e-3 off, which costs half its square of the distance of the cores, and
+    // points may lie 1e-6 of the inner radius further.
     const Manifold<3> contact = contact_manifold<3>(a, b, 0.1);
     ASSERT_GT(contact.n, 0);
     EXPECT_NEAR(contact.least_gap(), expected, 6e-7) << trial;
@@ -340,7 +343,8 @@ TEST(Manifold, OfCapsulesHasOnePointOrTwoSideBySide) {
   EXPECT_NEAR(in_line.points[0].gap, -0.01, kExact);
 }
 
-/// The upper cube's edge turns through the direction of the lower one's: gaps stay continuous, points stay on the edge.
+/// The upper cube's edge turns through the direction of the lower one's: gaps stay continuous, points stay on
+/// the edge.
 TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));
   const auto below = placed<3>(cube, Vec<3>::Zero(), turn_about(Vec<3>::UnitX(), 45.0));
@@ -369,7 +373,8 @@ TEST(Manifold, OfEdgesThatTurnThroughParallelIsContinuous) {
 }
 
 TEST(Manifold, KeepsTheFeaturesOfTheStepBeforeWithinTheMargin) {
-  // A corner of a square in the plane that looks along the diagonal of another: two faces tie, and noise decides.
+  // A corner of a square in the plane that looks along the diagonal of another: two faces tie, and noise
+  // decides.
   const Shape<2> square = shape_of<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   const PlacedShape<2> one{&square, 1.0, {0, 0}, Mat<2>::Identity()};
   RandomStream random(2, 1);

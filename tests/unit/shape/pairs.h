@@ -21,8 +21,8 @@ double separation_along(const PlacedShape<Dim>& first, const PlacedShape<Dim>& s
   return extent(second, n) + extent(first, -n);
 }
 
-/// Largest separation over all directions, by climbing from many of them with steps that shrink: distance of shapes that are
-/// apart, depth of those that overlap.
+/// Largest separation over all directions, by climbing from many of them with steps that shrink: distance of
+/// shapes that are apart, depth of those that overlap.
 template <int Dim>
 double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second,
                             Vec<Dim>* normal = nullptr) {
@@ -51,8 +51,8 @@ double separation_by_search(const PlacedShape<Dim>& first, const PlacedShape<Dim
   return best;
 }
 
-/// Largest separation of two sharp polyhedra over the normals of all faces and all pairs of edges: the separation of
-/// overlapping shapes, without a look at arcs.
+/// Largest separation of two sharp polyhedra over the normals of all faces and all pairs of edges: the
+/// separation of overlapping shapes, without a look at arcs.
 inline double separation_by_all_axes(const PlacedShape<3>& first, const PlacedShape<3>& second) {
   double most = -1e9;
   const auto try_axis = [&](const Vec<3>& n) { most = std::max(most, separation_along<3>(first, second, n)); };
@@ -80,8 +80,8 @@ class RandomPair {
         turn_a_(random_turn<Dim>(random)),
         turn_b_(random_turn<Dim>(random)) {}
 
-  /// Moves the second along a random direction until the largest separation along normals of faces is -depth. Edges can
-  /// separate the shapes more.
+  /// Moves the second along a random direction until the largest separation along normals of faces is -depth.
+  /// Edges can separate the shapes more.
   void set_depth(RandomStream& random, double depth) {
     towards_ = random_direction<Dim>(random);
     double near = 0.0, far = 3.0;

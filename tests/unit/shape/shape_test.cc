@@ -86,7 +86,8 @@ TEST(MassProperties, RoundOnesAndCapsulesHaveTheirClosedForms) {
   EXPECT_NEAR(sphere.volume, 32.0 / 3.0 * kPi, 1e-13);
   EXPECT_NEAR(sphere.inertia[1], 0.4 * sphere.volume * 4.0, 1e-12);
   EXPECT_NEAR(round_shape<2>(2.0).inertia[0], 8.0 * kPi, 1e-13);
-  // A capsule in the plane: a rectangle and two half disks, whose centres of mass are 4 rho/(3 pi) from the core's ends.
+  // A capsule in the plane: a rectangle and two half disks, whose centres of mass are 4 rho/(3 pi) from the
+  // core's ends.
   const double length = 1.3, rho = 0.4;
   const Shape<2> flat = capsule_shape<2>(length, rho);
   EXPECT_NEAR(flat.volume, 2.0 * rho * length + kPi * rho * rho, 1e-15);

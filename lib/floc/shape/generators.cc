@@ -66,7 +66,8 @@ std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
 }
 
 int uniform_integer(RandomStream& random, int least, int most) {
-  return least + static_cast<int>(random.below(static_cast<std::uint64_t>(most - least + 1)));
+  const int n_values = most - least + 1;
+  return least + static_cast<int>(random.below(static_cast<std::uint64_t>(n_values)));
 }
 
 /// Shapes of points that `draw` makes from a stream; points that make no body, as nearly flat ones, are drawn

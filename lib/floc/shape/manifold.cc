@@ -57,7 +57,7 @@ class PairSearch {
       if (is_faceless) return of_crossed_cores();
     }
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
-    const Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
+    Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
     // The deepest vertex is beside the face, so that an edge pair separates more, be it by less than its
     // margin.

@@ -110,13 +110,18 @@ std::string ending(const std::string& path) {
   return found;
 }
 
-std::vector<Mesh<2>> meshes_of(const std::string& path, std::string_view content, Vec<2>) {
+template <int Dim>
+std::vector<Mesh<Dim>> meshes_of(const std::string& path, std::string_view content);
+
+template <>
+std::vector<Mesh<2>> meshes_of(const std::string& path, std::string_view content) {
   if (ending(path) != ".csv")
     throw InputError(path, "expected the corners of a polygon in a file that ends in .csv");
   return {parse_points<2>(path, content)};
 }
 
-std::vector<Mesh<3>> meshes_of(const std::string& path, std::string_view content, Vec<3>) {
+template <>
+std::vector<Mesh<3>> meshes_of(const std::string& path, std::string_view content) {
   const std::string format = ending(path);
   if (format == ".off") return {parse_off(path, content)};
   if (format == ".obj") return {parse_obj(path, content)};
@@ -169,7 +174,7 @@ template <int Dim>
 std::vector<NamedShape<Dim>> parse_shapes(const std::string& path, std::string_view content,
                                           const ShapeFileOptions& options) {
   std::vector<NamedShape<Dim>> shapes;
-  const std::vector<Mesh<Dim>> meshes = meshes_of(path, content, Vec<Dim>());
+  const std::vector<Mesh<Dim>> meshes = meshes_of<Dim>(path, content);
   for (const Mesh<Dim>& mesh : meshes) {
     const std::string place = meshes.size() > 1 ? fmt::format("{}, shape \"{}\"", path, mesh.name) : path;
     shapes.push_back(shape_of_mesh<Dim>(place, mesh, options));

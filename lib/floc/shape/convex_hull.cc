@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "floc/base/error.h"
+#include "floc/shape/cross_product.h"
 #include "floc/shape/triangulated_hull.h"
 
 namespace floc {
@@ -27,17 +28,13 @@ void require_points(const std::vector<Vec<Dim>>& points, const std::string& plac
       throw InputError(place, fmt::format("point {}: expected coordinates that are finite numbers", i + 1));
 }
 
-double cross(const Vec<2>& a, const Vec<2>& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /// Removes corners at which the direction turns by less than kOneDirection.
 void drop_straight_corners(const std::vector<Vec<2>>& points, std::vector<int>& loop) {
   for (std::size_t k = 0; k < loop.size() && loop.size() > 2;) {
     const std::size_t n = loop.size();
     const Vec<2> before = points[loop[k]] - points[loop[(k + n - 1) % n]];
     const Vec<2> after = points[loop[(k + 1) % n]] - points[loop[k]];
-    if (cross(before, after) <= kOneDirection * before.norm() * after.norm()) {
+    if (cross_product(before, after) <= kOneDirection * before.norm() * after.norm()) {
       loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(k));
       k = k > 0 ? k - 1 : 0;
     } else {
@@ -58,8 +55,8 @@ std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
     const std::size_t first = loop.size();
     for (std::size_t k = 0; k < order.size(); ++k) {
       const int i = side == 0 ? order[k] : order[order.size() - 1 - k];
-      while (loop.size() >= first + 2 &&
-             cross(points[loop.back()] - points[loop[loop.size() - 2]], points[i] - points[loop.back()]) <= 0.0)
+      while (loop.size() >= first + 2 && cross_product(points[loop.back()] - points[loop[loop.size() - 2]],
+                                                       points[i] - points[loop.back()]) <= 0.0)
         loop.pop_back();
       loop.push_back(i);
     }

@@ -16,7 +16,6 @@
 namespace floc {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr WholeRange kCounts{.least = 1, .most = 100000};
 constexpr NumberRange kRounding{.least = 0.0, .most = 0.45};
 /// Draws of one shape before the options are held to have none.
@@ -38,10 +37,10 @@ std::vector<std::string> interval_faults(const std::string& key, int least, int 
 template <int Dim>
 Vec<Dim> direction(RandomStream& random) {
   if constexpr (Dim == 2) {
-    const double angle = random.uniform(0.0, 2.0 * kPi);
+    const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
     return {std::cos(angle), std::sin(angle)};
   } else {
-    const double z = random.uniform(-1.0, 1.0), angle = random.uniform(0.0, 2.0 * kPi);
+    const double z = random.uniform(-1.0, 1.0), angle = random.uniform(0.0, 2.0 * std::numbers::pi);
     const double rho = std::sqrt(1.0 - z * z);
     return {rho * std::cos(angle), rho * std::sin(angle), z};
   }
@@ -51,7 +50,7 @@ Vec<Dim> direction(RandomStream& random) {
 /// circle.
 template <int Dim>
 std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
-  const double least = 0.5 * (Dim == 2 ? 2.0 * kPi / n : std::sqrt(4.0 * kPi / n));
+  const double least = 0.5 * (Dim == 2 ? 2.0 * std::numbers::pi / n : std::sqrt(4.0 * std::numbers::pi / n));
   for (;;) {
     std::vector<Vec<Dim>> chosen;
     // Few points can block all places that are left: then the drawing starts again.
@@ -106,7 +105,7 @@ Shape<2> regular_polygon(int sides, double rounding) {
   require_in_range("rounding", rounding, kRounding);
   std::vector<Vec<2>> points;
   for (int k = 0; k < sides; ++k) {
-    const double angle = kPi * (0.5 + 2.0 * k / sides);
+    const double angle = std::numbers::pi * (0.5 + 2.0 * k / sides);
     points.emplace_back(std::cos(angle), std::sin(angle));
   }
   return with_unit_diameter<2>(convex_hull<2>(points).polytope, rounding);

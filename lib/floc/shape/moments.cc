@@ -6,12 +6,10 @@
 #include <numbers>
 #include <utility>
 
+#include "floc/shape/cross_product.h"
+
 namespace floc {
 namespace {
-
-double cross(const Vec<2>& a, const Vec<2>& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 template <int Dim>
 Mat<Dim> symmetric_product(const Vec<Dim>& a, const Vec<Dim>& b) {
@@ -51,7 +49,7 @@ Moments<2> side_layer(const Vec<2>& a, const Vec<2>& b, const Vec<2>& n, double 
 }
 
 Moments<2> corner_layer(const Vec<2>& v, const Vec<2>& from, const Vec<2>& to, double rho) {
-  double angle = std::atan2(cross(from, to), from.dot(to));
+  double angle = std::atan2(cross_product(from, to), from.dot(to));
   if (angle < 0.0) angle += 2.0 * std::numbers::pi;
   const Arc<2> arc(from, Vec<2>(-from[1], from[0]), angle);
   const double area = 0.5 * rho * rho * angle, rho3 = rho * rho * rho;
@@ -144,7 +142,7 @@ Moments<2> sharp_moments(const Polytope<2>& polytope) {
   Moments<2> sum;
   for (const std::vector<int>& side : polytope.faces) {
     const Vec<2>&a = polytope.vertices[side[0]], &b = polytope.vertices[side[1]];
-    const double x = cross(a, b);
+    const double x = cross_product(a, b);
     const Vec<2> s = a + b;
     sum += {0.5 * x, x / 6.0 * s, x / 24.0 * (a * a.transpose() + b * b.transpose() + s * s.transpose())};
   }

@@ -16,7 +16,6 @@
 namespace floc {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 /// Extents along the principal axes may differ by this factor.
 constexpr double kLargestAspect = 20.0;
 /// The core has to fill this share of its box.
@@ -123,14 +122,15 @@ void require_body(const Polytope<Dim>& hull, const Shape<Dim>& shape, double cor
 
 template <int Dim>
 double Shape<Dim>::equal_volume_diameter() const {
-  return Dim == 2 ? std::sqrt(4.0 * volume / kPi) : std::cbrt(6.0 * volume / kPi);
+  return Dim == 2 ? std::sqrt(4.0 * volume / std::numbers::pi) : std::cbrt(6.0 * volume / std::numbers::pi);
 }
 
 template <int Dim>
 Shape<Dim> round_shape(double radius) {
   Shape<Dim> shape;
   shape.rounding = shape.outer_radius = shape.inner_radius = radius;
-  shape.volume = Dim == 2 ? kPi * power(radius, 2) : 4.0 / 3.0 * kPi * power(radius, 3);
+  shape.volume =
+      Dim == 2 ? std::numbers::pi * power(radius, 2) : 4.0 / 3.0 * std::numbers::pi * power(radius, 3);
   shape.inertia.setConstant((Dim == 2 ? 0.5 : 0.4) * shape.volume * radius * radius);
   shape.first_corner = shape.first_of_vertex = {0};
   return shape;
@@ -158,7 +158,8 @@ Shape<3> capsule_shape(double length, double rounding) {
   Shape<3> shape;
   shape.vertices = {{-0.5 * length, 0.0, 0.0}, {0.5 * length, 0.0, 0.0}};
   shape.rounding = rounding;
-  const double r2 = rounding * rounding, rod = kPi * r2 * length, ball = 4.0 / 3.0 * kPi * r2 * rounding;
+  const double r2 = rounding * rounding, rod = std::numbers::pi * r2 * length,
+               ball = 4.0 / 3.0 * std::numbers::pi * r2 * rounding;
   shape.volume = rod + ball;
   const double across = rod * (length * length / 12.0 + 0.25 * r2) +
                         ball * (0.4 * r2 + 0.25 * length * length + 0.375 * length * rounding);

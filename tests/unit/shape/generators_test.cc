@@ -5,22 +5,13 @@
 
 #include "floc/base/error.h"
 #include "floc/shape/voronoi_cells.h"
+#include "unit/shape/message_of.h"
 #include "unit/shape/solids.h"
 
 namespace floc {
 namespace {
 
 using testing::HasSubstr;
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 template <int Dim>
 void expect_bodies_of_unit_diameter(const std::vector<Shape<Dim>>& shapes, std::size_t count, double rounding) {
@@ -112,23 +103,23 @@ TEST(Voronoi, RelaxedCellsAreRounder) {
 }
 
 TEST(Generators, RefuseWhatIsOutOfRangeInWords) {
-  EXPECT_THAT(message_of([] { regular_polygon(2, 0.0); }),
+  EXPECT_THAT(test::message_of([] { regular_polygon(2, 0.0); }),
               HasSubstr("sides = 2: expected a whole number from 3 to 200"));
-  EXPECT_THAT(message_of([] { regular_polygon(5, 0.6); }), HasSubstr("rounding = 0.6"));
-  EXPECT_THAT(message_of([] { box<3>({1, -1, 1}, 0.0); }), HasSubstr("sides[1] = -1"));
-  EXPECT_THAT(message_of([] { box<3>({1, 30, 1}, 0.0); }), HasSubstr("as long as it is thick"));
-  EXPECT_THAT(message_of([] { capsule<2>(0.5); }), HasSubstr("aspect = 0.5"));
-  EXPECT_THAT(message_of([] { hull_shapes<3>({3, 10, 1.0}, 1, 0.0, 1); }), HasSubstr("vertices[0] = 3"));
-  EXPECT_THAT(message_of([] {
+  EXPECT_THAT(test::message_of([] { regular_polygon(5, 0.6); }), HasSubstr("rounding = 0.6"));
+  EXPECT_THAT(test::message_of([] { box<3>({1, -1, 1}, 0.0); }), HasSubstr("sides[1] = -1"));
+  EXPECT_THAT(test::message_of([] { box<3>({1, 30, 1}, 0.0); }), HasSubstr("as long as it is thick"));
+  EXPECT_THAT(test::message_of([] { capsule<2>(0.5); }), HasSubstr("aspect = 0.5"));
+  EXPECT_THAT(test::message_of([] { hull_shapes<3>({3, 10, 1.0}, 1, 0.0, 1); }), HasSubstr("vertices[0] = 3"));
+  EXPECT_THAT(test::message_of([] {
                 hull_shapes<3>({10, 5, 1.0}, 1, 0.0, 1);
               }),
               HasSubstr("the smaller number first"));
-  EXPECT_THAT(message_of([] { cut_shapes<3>({10, 500, 0.3}, 1, 0.0, 1); }), HasSubstr("faces[1] = 500"));
-  EXPECT_THAT(message_of([] {
+  EXPECT_THAT(test::message_of([] { cut_shapes<3>({10, 500, 0.3}, 1, 0.0, 1); }), HasSubstr("faces[1] = 500"));
+  EXPECT_THAT(test::message_of([] {
                 voronoi_shapes<3>({10, 0}, 11, 0.0, 1);
               }),
               HasSubstr("count = 11: expected at most 10"));
-  EXPECT_THAT(message_of([] { hull_shapes<2>({}, 0, 0.0, 1); }), HasSubstr("count = 0"));
+  EXPECT_THAT(test::message_of([] { hull_shapes<2>({}, 0, 0.0, 1); }), HasSubstr("count = 0"));
 }
 
 }  // namespace

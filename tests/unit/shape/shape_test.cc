@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "floc/base/error.h"
+#include "unit/shape/message_of.h"
 #include "unit/shape/solids.h"
 
 namespace floc {
@@ -15,16 +16,6 @@ using namespace test;
 using testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
-
-template <class Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 Vec<3> sorted(Vec<3> v) {
   std::sort(v.data(), v.data() + 3);
@@ -247,7 +238,7 @@ TEST(Shape, OfUnitDiameterHasTheRoundingAskedFor) {
     EXPECT_NEAR(shape.rounding, share, 1e-14);
   }
   const Polytope<2> core = convex_hull<2>(polygon_points(5)).polytope;
-  EXPECT_THAT(message_of([&] { with_unit_diameter<2>(core, 0.5); }), HasSubstr("from 0 to 0.45"));
+  EXPECT_THAT(test::message_of([&] { with_unit_diameter<2>(core, 0.5); }), HasSubstr("from 0 to 0.45"));
 }
 
 TEST(Hull, MergesCoplanarTrianglesAndLeavesOutPointsOnThem) {
@@ -280,13 +271,13 @@ TEST(Hull, OfPointsOnASphereHasThemAll) {
   const ConvexHull<3> hull = convex_hull<3>(points);
   EXPECT_EQ(hull.points.size(), points.size());
   EXPECT_EQ(hull.polytope.faces.size(), 2 * points.size() - 4);
-  EXPECT_THAT(message_of([&] { polytope_shape<3>(hull.polytope, 0.0, "x.stl"); }),
+  EXPECT_THAT(test::message_of([&] { polytope_shape<3>(hull.polytope, 0.0, "x.stl"); }),
               HasSubstr("x.stl: the convex hull has 3000 vertices: expected at most 200"));
 }
 
 TEST(Shape, RefusesBadPointsInWords) {
   const auto message = [](const std::vector<Vec<3>>& points) {
-    return message_of([&] { shape_of_points<3>(points, 0.0, "p.csv"); });
+    return test::message_of([&] { shape_of_points<3>(points, 0.0, "p.csv"); });
   };
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), HasSubstr("p.csv: 3 points: expected at least 4"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), HasSubstr("in one plane"));
@@ -302,7 +293,7 @@ TEST(Shape, RefusesBadPointsInWords) {
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}),
               HasSubstr("point 3: expected coordinates"));
   EXPECT_THAT(message(box_points(1, 1, 21)), HasSubstr("21 times as long as it is thick: expected at most 20"));
-  EXPECT_THAT(message_of([] {
+  EXPECT_THAT(test::message_of([] {
                 shape_of_points<2>({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, 0.0);
               }),
               HasSubstr("on one line"));

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// Third component of the cross product of two vectors in the plane: twice the area of the triangle that they span,
+/// positive where the second is turned counter-clockwise from the first.
+inline double cross_product(const Vec<2>& a, const Vec<2>& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+}  // namespace floc

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "floc/base/error.h"
+
+namespace floc::test {
+
+/// Message of the InputError that a call throws.
+template <class Call>
+std::string message_of(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace floc::test

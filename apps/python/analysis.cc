@@ -11,6 +11,7 @@
 #include "floc/structure/porosity_probe.h"
 #include "floc/tables/chain_rows.h"
 #include "floc/tables/compare_rows.h"
+#include "floc/tables/equilibrium_warning.h"
 #include "floc/tables/moduli_rows.h"
 #include "floc/tables/network_rows.h"
 #include "floc/tables/structure_columns.h"
@@ -22,14 +23,14 @@ namespace {
 using States = std::vector<NamedState>;
 using Names = std::vector<std::string>;
 
-/// @throws EquilibriumError unless the state is an equilibrium or the caller accepts any state
+/// @throws EquilibriumError unless the state is an equilibrium or the caller accepts any state, after a warning
 void require_equilibrium(const NamedState& s, bool force, const Remarks& remarks) {
+  if (force)
+    return std::visit([&](const auto& state) { warn_unless_in_equilibrium(s.name, state, remarks); }, *s.state);
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, *s.state);
-  if (faults.empty()) return;
-  if (!force)
+  if (!faults.empty())
     throw EquilibriumError(s.name + ": this state is not in equilibrium: " + faults +
                            "; force=True computes moduli anyway");
-  remarks.warn(s.name, "this state is not in equilibrium: " + faults);
 }
 
 /// Options of moduli and whether states have to be in equilibrium.
@@ -60,8 +61,7 @@ py::tuple moduli(const States& states, const py::object& strains, bool prestress
   require_tables(tables, {"increments"});
   ModuliCall call{.options = {}, .force = force};
   ModuliTableOptions& options = call.options;
-  options.moduli.strains =
-      word_of("strains", strains, {"diagonal", "full"}) == "full" ? StrainSet::full : StrainSet::diagonal;
+  options.moduli.strains = strain_set(word_of("strains", strains, {"diagonal", "full"}));
   options.moduli.prestress = prestress;
   if (const auto given = number_if_any("tolerance", tolerance, kPositiveNumber))
     options.moduli.tolerance = *given;
@@ -116,10 +116,7 @@ py::tuple network(const States& states, const py::object& zero_force, const py::
   NetworkTableOptions options;
   options.zero_force = number_if_any("zero_force", zero_force, kNotNegativeNumber);
   options.least_contacts = whole_if_any("least_contacts", least_contacts, kLeastContacts);
-  const std::string unit_word = word_of("unit", unit, {"mean", "F0", "P"});
-  options.unit = unit_word == "F0"  ? ForceUnit::pull_off
-                 : unit_word == "P" ? ForceUnit::pressure
-                                    : ForceUnit::mean;
+  options.unit = force_unit_named(word_of("unit", unit, {"mean", "F0", "P"}));
   options.bin_width = number_of("bin_width", bin_width, kPositiveNumber);
   options.bonds.bonds = contains(groups, "bonds");
   options.bonds.phases = contains(groups, "phases");

@@ -9,6 +9,7 @@
 #include "floc/base/error.h"
 #include "floc/io/atomic_file.h"
 #include "floc/packing/equilibrium_check.h"
+#include "floc/tables/equilibrium_warning.h"
 #include "floc/tables/moduli_rows.h"
 #include "process/command.h"
 #include "process/output.h"
@@ -36,7 +37,7 @@ struct ModuliCommand {
 ModuliTableOptions options_of(const ModuliCommand& command) {
   constexpr double kGigabyte = 1e9;
   ModuliTableOptions options = command.options;
-  options.moduli.strains = command.strains == "full" ? StrainSet::full : StrainSet::diagonal;
+  options.moduli.strains = strain_set(command.strains);
   options.moduli.method = moduli_method(command.method);
   options.accuracy = moduli_accuracy(command.accuracy);
   options.solver = command.solver == "petsc"     ? ModuliSolver::petsc
@@ -57,17 +58,18 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Returns whether a state is an equilibrium. If it is not, prints an error, or with `force` adds a warning.
-bool check_equilibrium(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
+/// Returns whether the moduli of a state are to be computed: those of an equilibrium, and with `force` of any state,
+/// after a warning. Prints an error if not.
+bool accepts_state(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
+  if (force) {
+    std::visit([&](const auto& state) { warn_unless_in_equilibrium(file, state, remarks); }, any);
+    return true;
+  }
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
-  if (faults.empty()) return true;
-  if (force)
-    remarks.warn(file, "this state is not in equilibrium: " + faults,
-                 std::visit([](const auto& s) { return equilibrium_excess(s); }, any));
-  else
+  if (!faults.empty())
     std::cerr << "floc: " << file << ": this state is not in equilibrium: " << faults
               << "; --force computes moduli anyway\n";
-  return false;
+  return faults.empty();
 }
 
 /// Writes a table in the format of `--format`, as csv without it. @throws IoError if the file cannot be written
@@ -94,8 +96,7 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   Table increments;
   const int code =
       for_each_state(command.files, [&](const std::string& file, const AnyState& any, const Remarks& remarks) {
-        if (!check_equilibrium(file, any, command.force, remarks) && !command.force)
-          return int{kVerificationFailed};
+        if (!accepts_state(file, any, command.force, remarks)) return int{kVerificationFailed};
         require_strains(file, any, options.moduli.strains);
         std::vector<ModuliRow> computed = std::visit(
             [&](const auto& state) {
@@ -117,7 +118,7 @@ int run_together(const ModuliCommand& command, const ModuliTableOptions& options
   std::vector<ModuliRow> rows;
   const auto check = [&](const std::string& file, const AnyState& any, const Remarks& remarks) {
     require_strains(file, any, options.moduli.strains);
-    return check_equilibrium(file, any, command.force, remarks) || command.force ? kDone : kVerificationFailed;
+    return accepts_state(file, any, command.force, remarks) ? kDone : kVerificationFailed;
   };
   const auto work = [&](const std::string& file, AnyState& any, const Remarks& remarks) {
     std::visit(

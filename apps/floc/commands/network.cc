@@ -25,9 +25,7 @@ struct NetworkCommand {
 /// Returns the options of the library, with the groups and tables that the command line selects.
 NetworkTableOptions options_of(const NetworkCommand& command) {
   NetworkTableOptions options = command.options;
-  options.unit = command.unit == "F0"  ? ForceUnit::pull_off
-                 : command.unit == "P" ? ForceUnit::pressure
-                                       : ForceUnit::mean;
+  options.unit = force_unit_named(command.unit);
   options.mechanics = command.without.empty();
   options.bonds.bonds = std::ranges::find(command.with, "bonds") != command.with.end();
   options.bonds.phases = std::ranges::find(command.with, "phases") != command.with.end();

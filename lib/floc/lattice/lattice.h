@@ -22,7 +22,8 @@ struct LatticeBond {
 template <int Dim>
 struct Lattice {
   Cell<Dim> cell;
-  double spacing = 0.0;  ///< of neighbours; where it varies, of a regular lattice of equal density (length)
+  /// Distance of neighbours; where it varies, that in a regular lattice of equal density (length).
+  double spacing = 0.0;
   std::vector<Vec<Dim>> node;  ///< inside the cell
   std::vector<double> volume;  ///< volume of the cell of each node; the sum is that of the periodic cell
   std::vector<LatticeBond<Dim>> bonds;

@@ -133,7 +133,7 @@ Shape<Dim> capsule(double aspect) {
   return capsule_shape<Dim>(1.0 - 1.0 / aspect, 0.5 / aspect);
 }
 
-std::vector<std::string> HullOptions::faults(int dim) const {
+std::vector<std::string> HullOptions::validate(int dim) const {
   std::vector<std::string> found =
       interval_faults("vertices", least_vertices, most_vertices, {.least = dim + 1, .most = kMostVertices});
   add_fault(found, range_fault("aspect", aspect, {.least = 1.0, .most = 10.0}));
@@ -143,7 +143,7 @@ std::vector<std::string> HullOptions::faults(int dim) const {
 template <int Dim>
 std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, double rounding,
                                     std::uint64_t seed) {
-  refuse_faults(options.faults(Dim));
+  refuse_faults(options.validate(Dim));
   return drawn_shapes<Dim>(count, rounding, seed, kHullStream, [&](RandomStream& random) {
     const int n = uniform_integer(random, options.least_vertices, options.most_vertices);
     std::vector<Vec<Dim>> points = spread_directions<Dim>(random, n);
@@ -152,7 +152,7 @@ std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, doubl
   });
 }
 
-std::vector<std::string> CutOptions::faults(int dim) const {
+std::vector<std::string> CutOptions::validate(int dim) const {
   std::vector<std::string> found =
       interval_faults("faces", least_faces, most_faces, {.least = dim + 1, .most = kMostVertices / 2});
   add_fault(found, range_fault("spread", spread, {.least = 0.0, .most = 1.0}));
@@ -161,7 +161,7 @@ std::vector<std::string> CutOptions::faults(int dim) const {
 
 template <int Dim>
 std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double rounding, std::uint64_t seed) {
-  refuse_faults(options.faults(Dim));
+  refuse_faults(options.validate(Dim));
   return drawn_shapes<Dim>(count, rounding, seed, kCutStream, [&](RandomStream& random) {
     const int n = uniform_integer(random, options.least_faces, options.most_faces);
     std::vector<HalfSpace<Dim>> half_spaces;
@@ -171,7 +171,7 @@ std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double 
   });
 }
 
-std::vector<std::string> VoronoiOptions::faults() const {
+std::vector<std::string> VoronoiOptions::validate() const {
   std::vector<std::string> found;
   add_fault(found, range_fault("cells", std::int64_t{cells}, {.least = 8, .most = 5000}));
   add_fault(found, range_fault("relaxed", std::int64_t{relaxed}, {.least = 0, .most = 100}));
@@ -181,7 +181,7 @@ std::vector<std::string> VoronoiOptions::faults() const {
 template <int Dim>
 std::vector<Shape<Dim>> voronoi_shapes(const VoronoiOptions& options, int count, double rounding,
                                        std::uint64_t seed) {
-  refuse_faults(options.faults());
+  refuse_faults(options.validate());
   if (count > options.cells)
     throw InputError("",
                      fmt::format("count = {}: expected at most {}, the number of cells", count, options.cells));

@@ -31,7 +31,7 @@ struct HullOptions {
   int most_vertices = 24;
   double aspect = 1.4;
 
-  std::vector<std::string> faults(int dim) const;
+  std::vector<std::string> validate(int dim) const;
 };
 template <int Dim>
 std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, double rounding, std::uint64_t seed);
@@ -43,7 +43,7 @@ struct CutOptions {
   int most_faces = 20;
   double spread = 0.3;
 
-  std::vector<std::string> faults(int dim) const;
+  std::vector<std::string> validate(int dim) const;
 };
 template <int Dim>
 std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double rounding, std::uint64_t seed);
@@ -54,7 +54,7 @@ struct VoronoiOptions {
   int cells = 500;
   int relaxed = 2;
 
-  std::vector<std::string> faults() const;
+  std::vector<std::string> validate() const;
 };
 /// @param count  at most options.cells
 template <int Dim>

@@ -10,7 +10,7 @@ namespace floc {
 /// Half-space normal . x <= offset.
 template <int Dim>
 struct HalfSpace {
-  Vec<Dim> normal;      ///< of any length
+  Vec<Dim> normal;      ///< normal out of the half-space, of any length
   double offset = 0.0;  ///< > 0: the origin is inside
 };
 

@@ -266,7 +266,7 @@ class PairSearch {
   const PlacedShape<Dim>&first_, &second_;
   const Shape<Dim>&a_, &b_;
   RelativePlace<Dim> place_;
-  double roundings_;  ///< of both, in the unit of space
+  double roundings_;  ///< sum of both roundings, in the unit of space
   double reach_;
   double size_;  ///< smaller inner radius
 };

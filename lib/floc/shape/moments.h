@@ -8,8 +8,8 @@ namespace floc {
 template <int Dim>
 struct Moments {
   double volume = 0.0;
-  Vec<Dim> first = Vec<Dim>::Zero();   ///< of x (length^(Dim + 1))
-  Mat<Dim> second = Mat<Dim>::Zero();  ///< of x x' (length^(Dim + 2))
+  Vec<Dim> first = Vec<Dim>::Zero();   ///< integral of x (length^(Dim + 1))
+  Mat<Dim> second = Mat<Dim>::Zero();  ///< integral of x x' (length^(Dim + 2))
 
   Moments& operator+=(const Moments& other);
 };

@@ -29,8 +29,8 @@ struct ConsolidationFitOptions {
 struct ConsolidationSample {
   std::string name;
   Loading loading;
-  std::vector<PathStep> steps;  ///< of all rows
-  std::string unit;             ///< of the pressures
+  std::vector<PathStep> steps;  ///< steps of all rows
+  std::string unit;             ///< unit of the pressures; empty if the table names none
   std::string stress = {};      ///< stress that is the pressure of oedometric rows: see PathTable::stress
 };
 

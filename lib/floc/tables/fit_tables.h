@@ -37,8 +37,8 @@ struct PathTable {
   std::vector<PathRow> rows;
   std::string unit;  ///< unit of the pressures; empty if the header has none
   CsvTable table;
-  std::string stress =
-      {};  ///< stress taken as the pressure of oedometric rows, "driven" or "mean"; empty without them
+  /// Stress taken as the pressure of oedometric rows, "driven" or "mean"; empty without such rows.
+  std::string stress = {};
   std::vector<std::string> notes = {};            ///< conversions of the pressures, as messages for stderr
   std::vector<std::string> inconsistencies = {};  ///< warnings of values that may be in another unit
 

@@ -11,8 +11,8 @@
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
 #include "floc/elasticity/moduli.h"
-#include "floc/packing/equilibrium_check.h"
 #include "floc/packing/require_periodic.h"
+#include "floc/tables/equilibrium_warning.h"
 
 namespace floc {
 namespace {
@@ -103,8 +103,7 @@ std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim
                                         const Remarks& remarks) {
   const Packing<Dim>& packing = state.packing;
   require_periodic(packing, "modes are found", file);
-  if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    remarks.warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
+  warn_unless_in_equilibrium(file, state, remarks);
   ModuliOptions options;
   options.prestress = true;
   const ContactNetwork<Dim> network = options.loaded_network(packing);

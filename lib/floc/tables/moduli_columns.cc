@@ -178,6 +178,10 @@ ModuliMethod moduli_method(const std::string& keyword) {
   return kMethods.at(keyword);
 }
 
+StrainSet strain_set(const std::string& keyword) {
+  return keyword == "full" ? StrainSet::full : StrainSet::diagonal;
+}
+
 std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
                                               const std::vector<ModuliRow>& rows) {
   std::vector<ModuliColumn> columns = contract_columns();

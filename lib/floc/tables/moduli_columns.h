@@ -16,6 +16,9 @@ namespace floc {
 /// Returns the method that a keyword of `floc moduli --method` names.
 /// @pre the keyword is valid
 ModuliMethod moduli_method(const std::string& keyword);
+/// Returns the strains that a keyword of `floc moduli --strains` names: "diagonal" or "full".
+/// @pre the keyword is valid
+StrainSet strain_set(const std::string& keyword);
 
 /// One row: properties of a state and its moduli.
 struct ModuliRow {

@@ -16,6 +16,7 @@
 #include "floc/packing/law/stiffness_check.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
+#include "floc/tables/equilibrium_warning.h"
 
 namespace floc {
 namespace {
@@ -300,6 +301,7 @@ Table moduli_table(const AnyState& state, const ModuliTableOptions& options, con
                    const Remarks& remarks) {
   for (const std::string& fault : options.validate()) throw InputError("floc moduli", "--" + fault);
   require_strains(file, state, options.moduli.strains);
+  std::visit([&](const auto& s) { warn_unless_in_equilibrium(file, s, remarks); }, state);
   ModuliRows computation(options);
   return moduli_table(
       options, std::visit([&](const auto& s) { return computation.of(file, s, nullptr, remarks); }, state));

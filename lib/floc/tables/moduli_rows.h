@@ -26,11 +26,11 @@ enum class ModuliSolver {
 struct ModuliTableOptions {
   ModuliOptions moduli;
   std::optional<ModuliAccuracy> accuracy;  ///< replaces the method by the cheapest one that reaches it
-  std::vector<double>
-      rolling_stiffness;  ///< replaces that of the states (force * length), a row for each value; empty: their own
+  /// Values that replace the rolling stiffness of the states (force * length), with a row for each; empty: their own.
+  std::vector<double> rolling_stiffness;
   ModuliSolver solver = ModuliSolver::automatic;
-  std::optional<double>
-      memory;  ///< largest factor of the automatic solver (bytes); without it 0.7 of the free memory
+  /// Largest factor of the automatic solver (bytes); default: 0.7 of the free memory.
+  std::optional<double> memory;
   bool increments = false;  ///< adds the table of the increments of every contact
 
   /// Lists every fault as "name = value: requirement".
@@ -89,7 +89,8 @@ std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccur
 /// Returns the table of rows that were computed with these options.
 Table moduli_table(const ModuliTableOptions& options, const std::vector<ModuliRow>& rows);
 
-/// Computes the row of `floc moduli` of one state in one call; docs/columns.md describes its columns.
+/// Computes the row of `floc moduli` of one state in one call; docs/columns.md describes its columns. A state that is
+/// not an equilibrium has a row too, and a warning among the remarks. The increments of contacts need ModuliRows.
 /// @param file  name of the state in the table and in messages
 /// @throws InputError if an option is not valid or cannot apply to the state; NoResult if the state has no moduli
 Table moduli_table(const AnyState& state, const ModuliTableOptions& options = {}, const std::string& file = "",

@@ -8,10 +8,10 @@
 #include "floc/network/carrying_structure.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
-#include "floc/packing/equilibrium_check.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/elastic_energy.h"
 #include "floc/structure/particle_stress.h"
+#include "floc/tables/equilibrium_warning.h"
 
 namespace floc {
 namespace {
@@ -135,13 +135,17 @@ void add_pressures(const std::string& file, const Packing<Dim>& packing, const s
 
 }  // namespace
 
+ForceUnit force_unit_named(const std::string& keyword) {
+  if (keyword == "F0") return ForceUnit::pull_off;
+  return keyword == "P" ? ForceUnit::pressure : ForceUnit::mean;
+}
+
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
                        NetworkTables& side, const Remarks& remarks) {
   const double start = processor_seconds();
   const Packing<Dim>& packing = state.packing;
-  if (const std::string faults = equilibrium_faults(state); !faults.empty())
-    remarks.warn(file, "this state is not in equilibrium: " + faults, equilibrium_excess(state));
+  warn_unless_in_equilibrium(file, state, remarks);
   NetworkRow row;
   row.file = file;
   row.units = state.units;

@@ -20,8 +20,8 @@ namespace floc {
 
 /// Options of the rows of `floc network`.
 struct NetworkTableOptions {
-  std::optional<double>
-      zero_force;  ///< normal force that counts as zero, in F1; default: tolerance of the state
+  /// Largest normal force that counts as zero, in F1; default: tolerance of the state.
+  std::optional<double> zero_force;
   std::optional<int> least_contacts;  ///< fewest contacts of a grain that carries; default: least_contacts()
   bool mechanics = true;              ///< adds the columns that need the moduli
   bool distributions = false;         ///< adds the table of force distributions
@@ -30,6 +30,10 @@ struct NetworkTableOptions {
   bool pressures = false;             ///< adds the table of particle stresses
   BondTableOptions bonds;
 };
+
+/// Returns the unit that a keyword of `floc network --unit` names: "mean", "F0" or "P".
+/// @pre the keyword is valid
+ForceUnit force_unit_named(const std::string& keyword);
 
 /// One row: the contact network of a state.
 struct NetworkRow {

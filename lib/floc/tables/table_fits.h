@@ -49,8 +49,8 @@ Json as_json(const std::string& name, const CompactionFit& fit, const Compaction
 /// Options of fits to force distributions, as keywords of `floc fit force-distribution`.
 struct ForceDistributionOptions {
   std::string form = "all";
-  std::optional<double>
-      threshold;  ///< magnitude at which tails begin (force); default: the mean of the forces of each sign
+  /// Magnitude at which tails begin (force); default: the mean of the forces of each sign.
+  std::optional<double> threshold;
   ForceFitOptions fit;
 };
 

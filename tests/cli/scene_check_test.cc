@@ -16,8 +16,8 @@ using testing::HasSubstr;
 
 const std::string kDemoScene = source_directory() + "/data/scenes/demo.toml";
 
-double group(const std::string& json, const std::string& name) {
-  for (const auto& row : nlohmann::json::parse(json))
+double group(const std::string& printed, const std::string& name) {
+  for (const auto& row : nlohmann::json::parse(printed))
     if (row["group"] == name) return row["value"];
   return std::nan("");
 }

@@ -15,7 +15,6 @@ using test::for_each_kind_of_law_and_dimension;
 using test::pair_at;
 using test::pull_off_force;
 using test::stiffness_at;
-using Dual = ceres::Jet<double, 1>;
 
 /// Largest gap at which surfaces that have met touch under the law.
 double holding_range(const auto& law) {
@@ -44,7 +43,7 @@ TEST(NormalForce, IsMinusTheSlopeOfTheEnergy) {
   for_each_kind_of_law([](const auto& law) {
     for (const double h : gaps(law)) {
       SCOPED_TRACE(h);
-      const double slope = test::pressed_energy(law, Dual(h, 0)).v[0];
+      const double slope = test::pressed_energy(law, ceres::Jet<double, 1>(h, 0)).v[0];
       // Each piece of the energy is a quadratic: only rounding separates the two.
       EXPECT_NEAR(static_force(law, h), -slope, 1e-14 * (std::abs(slope) + 1.0));
     }
@@ -69,7 +68,7 @@ TEST(NormalStiffness, IsMinusTheSlopeOfTheForce) {
   for_each_kind_of_law([](const auto& law) {
     for (const double h : gaps(law)) {
       SCOPED_TRACE(h);
-      const double slope = test::pressed_response(law, Dual(h, 0)).force().v[0];
+      const double slope = test::pressed_response(law, ceres::Jet<double, 1>(h, 0)).force().v[0];
       EXPECT_DOUBLE_EQ(test::pressed_response(law, h).stiffness, -slope);
       EXPECT_DOUBLE_EQ(test::pressed_response(law, h).elastic_stiffness, -slope);
       EXPECT_DOUBLE_EQ(test::pressed_stiffness(law, h).normal, -slope);

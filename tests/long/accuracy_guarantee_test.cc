@@ -25,7 +25,7 @@ constexpr HeldOut kHeldOut[] = {{"demo", 501},
                                 {"type2_rolling_large", 503},
                                 {"type1_rolling_small", 504},
                                 {"type1_no_rolling", 505}};
-constexpr int kSamples = 4;
+constexpr int kSamplesOfStudy = 4;
 
 /// An accuracy, as asked for in a scene, and the error it guarantees of each observable.
 struct Guarantee {
@@ -65,7 +65,7 @@ void count_means(const std::vector<SamplePath>& references, const std::vector<Sa
   const ObservableErrors errors = compare(pointers(references), pointers(paths), std::nullopt);
   for (const auto& [k, guaranteed_error] : guarantee.of_observables) {
     const MeanDifference& mean = errors[static_cast<std::size_t>(k)].mean;
-    if (mean.n < kSamples) continue;
+    if (mean.n < kSamplesOfStudy) continue;
     constexpr double kStudent = 3.18;  // four samples, 95 %
     ++guarantee.n_means;
     guarantee.means_kept += std::abs(mean.difference) <= guaranteed_error + kStudent * mean.standard_error;
@@ -93,7 +93,7 @@ void hold_out(const HeldOut& held, std::vector<Guarantee>& guarantees) {
   finest.numerical = strict_settings();
   const Scene scene = scene_of(held, {});
   std::vector<SamplePath> references;
-  for (int s = 0; s < kSamples; ++s) {
+  for (int s = 0; s < kSamplesOfStudy; ++s) {
     const RunOptions options = run_options(scene, finest, held.seed + s);
     references.push_back(sample(options, options.relaxation, nullptr));
   }
@@ -101,7 +101,7 @@ void hold_out(const HeldOut& held, std::vector<Guarantee>& guarantees) {
     StudiedSetting chosen;
     chosen.numerical = NumericalSettings::of(scene_of(held, guarantee.wanted).relaxation);
     std::vector<SamplePath> paths;
-    for (int s = 0; s < kSamples; ++s) {
+    for (int s = 0; s < kSamplesOfStudy; ++s) {
       const RelaxationOptions strict = run_options(scene, finest, held.seed + s).relaxation;
       paths.push_back(sample(run_options(scene, chosen, held.seed + s), strict, &references[s]));
       guarantee.strict_seconds += references[s].core_seconds;

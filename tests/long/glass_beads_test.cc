@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kSamples = 2;
+constexpr int kSeeds = 2;
 
 /// A series of [AR2007] with 500 beads, from the gas to 100 MPa and back. Claims are about means over the samples,
 /// within what 500 beads in place of 4000 leave open.
@@ -24,7 +24,7 @@ class GlassBeads : public ::testing::Test {
                        scratch_.path())
                   .code,
               0);
-    for (int seed = 1; seed <= kSamples; ++seed) {
+    for (int seed = 1; seed <= kSeeds; ++seed) {
       const std::string files = " out/seed-" + std::to_string(seed) + "/state-*.h5";
       EXPECT_EQ(run_floc("verify" + files, scratch_.path()).code, 0);
       rows_.push_back(
@@ -37,7 +37,7 @@ class GlassBeads : public ::testing::Test {
     double sum = 0.0;
     for (const json& sample : rows_) {
       const int n = static_cast<int>(sample.size());
-      sum += sample[state < 0 ? n + state : state].at(column).get<double>() / kSamples;
+      sum += sample[state < 0 ? n + state : state].at(column).get<double>() / kSeeds;
     }
     return sum;
   }

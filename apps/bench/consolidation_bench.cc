@@ -1,4 +1,4 @@
-// Cost of a fit of the consolidation law and of its bootstrap, for a curve of 26 pressures:
+// Benchmark of a fit of the consolidation law and its bootstrap, for a curve with 26 pressures:
 //   floc_bench --benchmark_filter=consolidation
 
 #include <benchmark/benchmark.h>
@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Returns a curve of the law with a plateau before it: ten points per decade, each with a relative error of 0.3 %.
+/// Returns a consolidation curve that follows the law after a plateau at low pressure. It has ten points per decade,
+/// each with a relative error of 0.3 %.
 ConsolidationCurve noisy_curve() {
   const ConsolidationLawParameters law{0.11, 0.9, 0.8, 2.0};
   RandomStream random(2, 0);
@@ -24,7 +25,7 @@ ConsolidationCurve noisy_curve() {
   return curve;
 }
 
-/// @param state  range(0) is the number of samples of the bootstrap
+/// @param state  benchmark whose argument range(0) is the number of resampled fits of the bootstrap
 void consolidation(benchmark::State& state) {
   const ConsolidationCurve curve = noisy_curve();
   ConsolidationOptions options;

@@ -1,15 +1,16 @@
 // Compares the response of packings of spheres to a change of pressure with their elastic moduli.
 //
-// For the moduli every contact is two springs of its present stiffness. The contact law differs from this: if the
-// normal force decreases, Mindlin's tangential force is reduced with the stiffness, and contacts with fully mobilised
-// friction slide. The response therefore depends on the sign of the change (docs/physics.md, "Moduli and the
-// response"). Each state is brought to balance to rounding. Its pressure is then raised and lowered by a small share,
-// and Newton steps on the law itself find the balance again.
+// For the moduli, every contact is two springs with its present stiffnesses. The contact law differs from this: if the
+// normal force decreases, the tangential force of Mindlin's law is reduced with the stiffness, and contacts with fully
+// mobilised friction slide. The response therefore depends on the sign of the change (docs/physics.md, "Moduli and the
+// response"). Each state is first brought to equilibrium up to rounding errors. Its pressure is then raised and lowered
+// by a small fraction, and Newton steps with the contact law find the new equilibrium.
 //
 //   floc_pressure_response [--step SHARE] STATE...
 //
-// Prints one row per state and sign: the bulk modulus of the network with prestress, 1/(sum of its compliances), the
-// measured -dP/d(ln V), the number of contacts with fully mobilised friction before, and of those that open or close.
+// Prints one row per state and sign of the change: the bulk modulus of the network with prestress, 1/(sum of its
+// compliances); the measured -dP/d(ln V), with the volume V; the number of contacts with fully mobilised friction
+// before the change; and the number of contacts that open or close.
 
 #include <fmt/format.h>
 
@@ -51,7 +52,7 @@ std::set<std::array<int, 5>> touching(const Packing<3>& packing) {
   return pairs;
 }
 
-/// Counts the contacts that only one of two packings has.
+/// Counts the contacts that exist in only one of two packings.
 std::size_t count_changed(const Packing<3>& from, const Packing<3>& to) {
   const auto before = touching(from), after = touching(to);
   std::vector<std::array<int, 5>> changed;
@@ -60,7 +61,7 @@ std::size_t count_changed(const Packing<3>& from, const Packing<3>& to) {
   return changed.size();
 }
 
-/// Returns the bulk modulus of the network, with prestress, under an isotropic increment of stress.
+/// Returns the bulk modulus of the contact network, with prestress, for an isotropic increment of stress.
 double bulk_modulus(const Packing<3>& packing) {
   ModuliOptions options;
   options.prestress = true;
@@ -71,14 +72,14 @@ void print_response(const std::string& file, const State<3>& state, double step)
   const double pressure = state.target_stress.mean();
   const StaticSolution<3> start = balanced(state.packing, pressure);
   if (!start.converged) {
-    fmt::print("{:<32} {:>10.4g}  no balance: {}\n", file, pressure, start.reason);
+    fmt::print("{:<32} {:>10.4g}  no equilibrium found: {}\n", file, pressure, start.reason);
     return;
   }
   const double expected = bulk_modulus(start.packing);
   for (const double sign : {1.0, -1.0}) {
     const StaticSolution<3> end = balanced(start.packing, pressure * (1.0 + sign * step));
     if (!end.converged) {
-      fmt::print("{:<32} {:>10.4g} {:>3}  no balance: {}\n", file, pressure, sign > 0.0 ? "+" : "-",
+      fmt::print("{:<32} {:>10.4g} {:>3}  no equilibrium found: {}\n", file, pressure, sign > 0.0 ? "+" : "-",
                  end.reason);
       continue;
     }
@@ -113,7 +114,7 @@ int main(int argc, char** argv) {
     if (const auto* state = std::get_if<floc::State<3>>(&any))
       floc::print_response(file, *state, step);
     else
-      fmt::print("{:<32}  not of spheres\n", file);
+      fmt::print("{:<32}  is not a state of spheres\n", file);
   }
   return 0;
 }

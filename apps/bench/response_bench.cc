@@ -1,10 +1,11 @@
-// Cost of the linear response of a network for packings tiled to size from a relaxed state:
+// Benchmark of the linear response of a contact network, for packings made of periodic copies of a relaxed state:
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='response/grains:90000'
-// Without a state a triangular lattice of disks is used. Grains are renumbered along a space-filling curve, as in runs,
-// and stiffnesses have a jitter of a percent, so that the copies are no symmetry. Spheres are an fcc lattice with bonds
-// removed at random down to z = 6, or tiles of the state FLOC_BENCH_SPHERES, such as
+// Without a state, a triangular lattice of disks is used. Grains are renumbered along a space-filling curve,
+// as in runs. Stiffnesses are changed at random by up to half a percent, so that the copies are not a symmetry of the
+// network. The network of spheres is an fcc lattice from which bonds are removed at random until the coordination
+// number z is 6, or copies of the state FLOC_BENCH_SPHERES, such as
 //   floc convert data/packings/yade/spheres.txt spheres.h5 --contacts data/packings/yade/spheres.interactions
-// peak_MB is the peak of the whole process: select one case per call.
+// The counter peak_MB is the peak memory of the whole process: select one case per call.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -25,15 +26,15 @@
 namespace floc {
 namespace {
 
-/// Returns the processor time (s), which other programs on the machine do not affect.
+/// Returns the processor time of a function (s), which other programs on the machine do not affect.
 double seconds_of(const auto& work) {
   const std::clock_t start = std::clock();
   work();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// Returns the system time of this process so far (s). Most of it is spent on providing fresh memory, and it varies
-/// between runs by a factor of three with the state of the machine.
+/// Returns the system time that this process has used so far (s). Most of it is spent on providing new memory. It
+/// varies between calls by a factor of three, depending on the state of the machine.
 double system_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -46,7 +47,7 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Renumbers grains along a space-filling curve, and their contacts accordingly.
+/// Renumbers the grains of a packing along a space-filling curve, and adapts the grain indices of its contacts.
 template <int Dim>
 void renumber(Packing<Dim>& packing) {
   const std::vector<int> order = space_order(packing.cell, packing.grains);
@@ -62,7 +63,7 @@ void renumber(Packing<Dim>& packing) {
   for (Contact<Dim>& c : packing.contacts) c.i = place[c.i], c.j = place[c.j];
 }
 
-/// Tiles a packing along each lattice vector and renumbers its grains.
+/// Makes a packing of periodic copies of another packing along each lattice vector, and renumbers its grains.
 template <int Dim>
 Packing<Dim> large(const Packing<Dim>& unit, const Vec<Dim, int>& copies) {
   Packing<Dim> packing = tiled(unit, copies);
@@ -84,7 +85,7 @@ LawParameters lattice_law() {
   return law;
 }
 
-/// Returns one lattice cell with unit distance between touching grains.
+/// Returns one unit cell of a lattice whose touching grains are at the distance 1.
 template <int Dim>
 Packing<Dim> lattice() {
   Packing<Dim> packing;
@@ -109,7 +110,8 @@ ContactNetwork<2> disks(int n) {
   return contact_network(packing);
 }
 
-/// Returns the packing that FLOC_BENCH_SPHERES names, otherwise the thinned lattice.
+/// Returns the contact network of about n spheres: copies of the packing that FLOC_BENCH_SPHERES names or, without it,
+/// the lattice with bonds removed.
 ContactNetwork<3> spheres(int n) {
   const char* file = std::getenv("FLOC_BENCH_SPHERES");
   const Packing<3> unit = file == nullptr ? lattice<3>() : std::get<State<3>>(read_state(file)).packing;
@@ -125,7 +127,8 @@ ContactNetwork<3> spheres(int n) {
   return contact_network(packing);
 }
 
-/// Measures assembly, ordering, factor and two solves separately, on K plus a shift in place of pinned grains.
+/// Measures the time of the assembly, ordering and factorization of the stiffness matrix and of two solutions. A shift
+/// of the diagonal replaces pinned grains.
 template <int Dim>
 void solve_stages(benchmark::State& state, const ContactNetwork<Dim>& network) {
   double unit = 0.0;
@@ -140,7 +143,7 @@ void solve_stages(benchmark::State& state, const ContactNetwork<Dim>& network) {
   k.grains = {};
   bool positive = false;
   const double first = seconds_of([&] { positive = factor.factorize_positive(1e-6 * unit); });
-  if (!positive) return state.SkipWithError("not positive definite");
+  if (!positive) return state.SkipWithError("the stiffness matrix is not positive definite");
   const double solve = seconds_of([&] { benchmark::DoNotOptimize(factor.solve(k.border.leftCols(2), 0)); });
   state.counters["peak_MB"] = peak_megabytes();
   state.counters["system_s"] = system_seconds() - system_before;
@@ -173,7 +176,7 @@ BENCHMARK(stages)
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 
-/// Measures the whole response with its error bound, as `floc moduli` computes it.
+/// Measures the time to compute the whole response with its error bound, as the command `floc moduli` computes it.
 void response(benchmark::State& state) {
   const ContactNetwork<2> network = disks(static_cast<int>(state.range(0)));
   for (auto _ : state) {

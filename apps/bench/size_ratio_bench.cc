@@ -1,10 +1,13 @@
-// Contact updates per second of the time stepping, including new lists of pairs, for grains of sizes 1:2 and 1:30,
-// under P/K_N = 1e-4 with friction. Diameters are uniform, as in scenes, or uniform by area, P(d) ~ d^-2 (Voivret et
-// al., Phys. Rev. Lett. 102, 178001), in which case most grains are small and touch no other. Compare the rows of one
-// run and distribution. FLOC_BENCH_RATIO=100 adds a ratio.
+// Benchmark of packings of grains of different sizes.
 //
-// Pairs found per second and contact updates per second, for spheres of one size and of sizes 1:20, uniform by volume,
-// P(d) ~ d^-3. The packing is a gas whose spheres have grown until some touch.
+// Disks with size ratios 1:2 and 1:30, under a pressure of 1e-4 times the normal stiffness, with friction: contact
+// updates per second of the time stepping, including new lists of pairs. Diameters d have a uniform distribution, as in
+// scenes, or one that is uniform by area, P(d) ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), in which most
+// grains are small and touch no other grain. Compare results of one call and one distribution only.
+// FLOC_BENCH_RATIO=100 adds a size ratio.
+//
+// Spheres of one size, and with a size ratio 1:20 and a distribution uniform by volume, P(d) ~ d^-3: pairs found per
+// second and contact updates per second. The packing is a gas whose spheres have been enlarged until some touch.
 
 #include <benchmark/benchmark.h>
 
@@ -25,19 +28,19 @@ namespace floc {
 namespace {
 
 constexpr int kGrains = 5000;
-constexpr double kPressure = 10.0;  ///< of K_N = 1e5, a = m = 1
+constexpr double kPressure = 10.0;  ///< pressure, in units in which the normal stiffness is 1e5
 
 enum Load {
   kIsotropic,  ///< isotropic pressure: the packing comes to rest
-  kBiaxial,    ///< 0.5 of the pressure on one axis and 1.5 on the other: the packing flows
+  kBiaxial,    ///< stress of 0.5 times the pressure on one axis and 1.5 times on the other: the packing flows
 };
 
 enum Sizes {
-  kUniform,        ///< P(d) constant
-  kUniformByArea,  ///< P(d) ~ d^-2
+  kUniform,        ///< probability density P(d) of diameters is constant
+  kUniformByArea,  ///< probability density P(d) of diameters is proportional to d^-2
 };
 
-/// Returns n diameters in [1/ratio, 1], equally spaced quantiles of their distribution.
+/// Returns n diameters in [1/ratio, 1]: equally spaced quantiles of their distribution.
 std::vector<double> diameters(int n, double ratio, Sizes sizes) {
   std::vector<double> diameter(n);
   for (int i = 0; i < n; ++i) {
@@ -71,8 +74,8 @@ DynamicsSettings settings_of(const Packing<Dim>& packing) {
   return {time_step_of(packing, RelaxationOptions().time_step), 0.01};
 }
 
-/// Returns a loaded packing: a gas compressed for 1.5 times as long as it takes to become dense, then loaded. Each
-/// packing is made once.
+/// Returns a packing under load: a gas is compressed for 1.5 times the time after which it is dense, and then loaded.
+/// Each packing is made only once.
 const Packing<2>& dense(double ratio, Sizes sizes, Load load) {
   static std::map<std::tuple<double, Sizes, Load>, Packing<2>> made;
   const auto [entry, is_new] = made.try_emplace({ratio, sizes, load});
@@ -103,7 +106,7 @@ void size_ratio(benchmark::State& state) {
   const Packing<2>& start = dense(static_cast<double>(state.range(0)), sizes, load);
   const Vec<2> stress = load == kBiaxial ? Vec<2>(kPressure * Vec<2>(0.5, 1.5)) : Vec<2>::Constant(kPressure);
   DynamicsSettings settings = settings_of(start);
-  // Ten chunks that are not timed set the skin of the lists.
+  // Ten chunks of time steps without timing adapt the skin (the margin) of the lists of pairs.
   Packing<2> packing = moved_for(start, stress, 10 * kStepsPerChunk * settings.time_step, settings);
   std::int64_t updates = 0;
   for (auto _ : state) {
@@ -118,7 +121,8 @@ void size_ratio(benchmark::State& state) {
   state.counters["skin"] = settings.skin;
 }
 
-/// Returns spheres at a solid fraction of 0.45 without overlap, then enlarged by 6 %. Each packing is made once.
+/// Returns spheres without overlap at a solid fraction of 0.45, which are then enlarged by 6 %. Each packing is made
+/// only once.
 const Packing<3>& grown_gas(double ratio) {
   static std::map<double, Packing<3>> made;
   const auto [entry, is_new] = made.try_emplace(ratio);

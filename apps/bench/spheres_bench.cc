@@ -1,5 +1,6 @@
-// Contact updates per second of spheres: elastic spheres (Hertz, Mindlin friction, damping) and linear ones, for each
-// size and instruction set; wet spheres; and sticky spheres with and without walls. Time is processor time:
+// Benchmark of the time stepping of spheres: contact updates per second for elastic spheres (Hertz, Mindlin friction,
+// damping) and spheres with a linear law, for each number of grains and instruction set; for wet spheres; and for
+// sticky spheres with and without walls. Times are processor times:
 //   floc_bench --benchmark_filter='spheres|box'
 
 #include <benchmark/benchmark.h>
@@ -20,11 +21,12 @@
 namespace floc {
 namespace {
 
-constexpr int kUnit = 500;  ///< grains of the packing that larger ones are tiled from
+constexpr int kUnit = 500;  ///< number of grains of the packing whose periodic copies make larger packings
 
 enum Law { kHertz, kLinear, kLinearRolling, kWet };
 
-/// Returns a law in units of the diameter, the mass and E~ of a grain, or its K_N.
+/// Returns a contact law in units of the diameter and mass of a grain and of its modulus E~ (Hertz) or stiffness K_N
+/// (linear).
 LawParameters law_of(int which) {
   LawParameters law;
   if (which == kHertz) {
@@ -37,12 +39,14 @@ LawParameters law_of(int which) {
   law.damping = ViscousDamping{0.1, DampingMass::effective};
   law.friction = CoulombFriction{0.3, 0.8};
   if (which == kLinearRolling) law.rolling = RollingSpring{0.005, 1e-4};
-  // Water between grains of 1 to 2 mm: K_N a/f0 = 3300, P a^2/f0 = 0.33.
+  // Water between grains with diameters a of 1 to 2 mm: K_N a/f0 = 3300 and P a^2/f0 = 0.33, with the stiffness K_N,
+  // the pressure P and the capillary force f0.
   if (which == kWet) law.adhesion = CapillaryAdhesion{9.65e-5, 0.0, 0.007, 2.6};
   return law;
 }
 
-/// Relaxes a gas to equilibrium under a pressure of kappa = 8395 (glass at 100 kPa), or of P a/K_N = 1e-4.
+/// Relaxes a gas to equilibrium under a pressure with a stiffness number kappa = (E~/P)^(2/3) = 8395 (glass at 100 kPa)
+/// for Hertz contacts, or under P = 1e-4 K_N/a for linear contacts (stiffness K_N, diameter a).
 Packing<3> relaxed_from_gas(int which) {
   GrainOptions grains;
   grains.count = kUnit;
@@ -63,7 +67,8 @@ Packing<3> relaxed_from_gas(int which) {
   return relaxed(std::move(packing));
 }
 
-/// Returns the relaxed packing of a law, tiled to at least n grains. Each packing is made once.
+/// Returns a relaxed packing with a contact law and at least n grains, made of periodic copies. Each packing is made
+/// only once.
 const Packing<3>& dense(int n, int which) {
   static std::map<std::tuple<int, int>, Packing<3>> made;
   const auto [entry, is_new] = made.try_emplace({n, which});
@@ -88,8 +93,8 @@ BENCHMARK(spheres)
                    {static_cast<int>(InstructionSet::portable), static_cast<int>(InstructionSet::avx2)}})
     ->Unit(benchmark::kMillisecond);
 
-/// Returns sticky spheres that six walls have compressed from a gas, at eta* = 0.05 [SVI2024], in units of their
-/// diameter, their mass and the pressure.
+/// Returns sticky spheres that six walls have compressed from a gas, with the reduced cohesion eta* = 0.05 of
+/// [SVI2024]. The units are the diameter and the mass of a sphere and the pressure.
 Packing<3> compacted(int n) {
   constexpr double kPressure = 1.0, kStiffness = 1e4, kAdhesion = 5.0;
   LawParameters law;
@@ -113,8 +118,8 @@ Packing<3> compacted(int n) {
   return dynamics->packing();
 }
 
-/// Removes the walls of a packing and puts its grains in a periodic cell. The contacts between grains are kept; none is
-/// added across the boundary, where opposite walls have kept the grains apart.
+/// Removes the walls of a packing and puts its grains into a periodic cell. The contacts between grains are kept. No
+/// contact is added across the boundary, because opposite walls have kept the grains there apart.
 Packing<3> without_walls(Packing<3> packing) {
   for (const Wall<3>& wall : packing.walls)
     if (wall.side < 0)

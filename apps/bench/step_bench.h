@@ -9,7 +9,8 @@
 
 namespace floc {
 
-/// Returns a boundary that imposes the present normal stresses of a packing, with the mass of its grains as cell mass.
+/// Returns a boundary condition that imposes the present normal stresses of a packing; the mass of the cell is the mass
+/// of all grains.
 template <int Dim>
 BoundaryControl<Dim> pressed(const Packing<Dim>& packing) {
   double mass = 0.0;
@@ -17,22 +18,24 @@ BoundaryControl<Dim> pressed(const Packing<Dim>& packing) {
   return BoundaryControl<Dim>::normal_stress(static_stress(packing).diagonal(), mass);
 }
 
-/// Returns the largest memory that this process has had so far (MB).
+/// Returns the peak memory of this process so far (MB).
 inline double peak_megabytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Benchmarks time steps of a packing under its present stress; items are contact updates.
-/// @param time_step  as RelaxationOptions::time_step
+/// Benchmarks time steps of a packing under its present stress. The items that the benchmark counts are contact
+/// updates.
+/// @param time_step  time step in units of sqrt(m/K_N), with the smallest mass m and the normal stiffness K_N
 template <int Dim>
 void step(benchmark::State& state, const Packing<Dim>& packing, double time_step, int threads,
           InstructionSet instructions) {
   DynamicsSettings settings{time_step_of(packing, time_step, static_stress(packing).trace() / Dim),
                             0.01 * largest_diameter(packing.grains), threads};
   settings.instructions = instructions;
-  if (!supported(settings.instructions)) return state.SkipWithError("not on this processor");
+  if (!supported(settings.instructions))
+    return state.SkipWithError("this processor does not support these instructions");
   const auto dynamics = make_dynamics(packing, pressed(packing), settings);
   const int n_steps = packing.grains.size() > 50000 ? 20 : 200;
   for (auto _ : state) dynamics->advance(n_steps, Motion::free);

@@ -1,6 +1,6 @@
-// Cost of the quantities that `floc network` and `floc structure` compute, for a state tiled to size:
+// Benchmark of the quantities that `floc network` and `floc structure` compute, for periodic copies of a state:
 //   FLOC_BENCH_STATE=state.h5 floc_bench --benchmark_filter='network|structure'
-// Without a state a triangular lattice is used. The reading of the file is not timed.
+// Without a state, a triangular lattice of disks is used. The time to read the file is not included.
 
 #include <benchmark/benchmark.h>
 
@@ -43,7 +43,7 @@ Packing<2> unit_packing() {
   return packing;
 }
 
-/// Tiles the unit packing to at least n grains.
+/// Returns a packing of at least n grains, made of periodic copies of the state or the lattice.
 Packing<2> packing_of(int n) {
   const Packing<2> unit = unit_packing();
   const auto side = static_cast<int>(std::ceil(std::sqrt(n / static_cast<double>(unit.grains.size()))));

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What a job costs, as one table: the force loop by size, its passes, the way to equilibrium, a whole path, two jobs.
+"""Prints the processor time of a job as one table: the force loop for several numbers of grains, its passes, the
+relaxation to equilibrium, a whole load path, and two jobs at a time.
 
   apps/bench/whole_job.py BUILD_DIRECTORY [SCENE]
 
-needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON). Seconds are those of the processor but for the two jobs. The
-path is that of SCENE, by default data/scenes/type2_no_rolling.toml: a minute or two.
+needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON). Times are processor times, except for the two jobs. The load
+path is that of SCENE, by default data/scenes/type2_no_rolling.toml, which takes a minute or two.
 """
 import csv
 import json
@@ -40,10 +41,11 @@ def force_loop(build):
         at = arguments(b)
         rate = b["items_per_second"]
         name = f"{at['grains']} grains, {physics[at['physics']]}{', adhesion' if at['adhesive'] == '1' else ''}"
-        row(name, f"{rate / 1e6:6.1f} million contact updates/s, {1e9 / rate:5.1f} ns a contact, peak {b['peak_MB']:.0f} MB")
+        row(name, f"{rate / 1e6:6.1f} million contact updates/s, {1e9 / rate:5.1f} ns per contact, peak {b['peak_MB']:.0f} MB")
     for b in benchmarks(build, "passes/"):
         shares = ", ".join(f"{name} {100 * b[name]:.0f} %" for name in ("drift", "pairs", "sums"))
-        row(f"{arguments(b)['grains']} grains, share of the passes", f"{shares}; a list costs {b['list_in_steps']:.0f} steps")
+        row(f"{arguments(b)['grains']} grains, share of the passes",
+            f"{shares}; a new list of pairs takes as long as {b['list_in_steps']:.0f} steps")
 
 
 def to_equilibrium(build):
@@ -53,7 +55,7 @@ def to_equilibrium(build):
 
 
 def run(build, scene, folder, *options):
-    """Processor seconds and wall seconds of a run."""
+    """Makes a run and returns its processor time and its wall time (s)."""
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     subprocess.run([os.path.join(build, "apps/floc/floc"), "run", scene, "-o", folder, *options], check=True,
                    stderr=subprocess.DEVNULL)
@@ -69,12 +71,12 @@ def whole_path(build, scene, folder):
     steps = int(rows[-1]["n_steps"])
     loading = [r for r in rows if r["branch"] != "unload"]
     endings = [r["ending"] for r in rows]
-    row(f"{os.path.basename(scene)}, whole path", f"{cpu:.1f} s, {steps} time steps, {1e6 * cpu / steps:.1f} us a step")
-    row("  its assembly and loading", f"{sum(float(r['seconds']) for r in loading):.1f} s (of the wall)")
-    row("  steps by how they ended", ", ".join(f"{e} {endings.count(e)}" for e in sorted(set(endings))))
+    row(f"{os.path.basename(scene)}, whole path", f"{cpu:.1f} s, {steps} time steps, {1e6 * cpu / steps:.1f} us per step")
+    row("  its assembly and loading", f"{sum(float(r['seconds']) for r in loading):.1f} s (wall time)")
+    row("  steps by the way they ended", ", ".join(f"{e} {endings.count(e)}" for e in sorted(set(endings))))
     quiet = [float(r["seconds"]) for r in rows if r["ending"] == "static"]
     if quiet:
-        row("  a static step", f"{sum(quiet) / len(quiet):.2f} s in the mean, {max(quiet):.2f} s at most (of the wall)")
+        row("  a static step", f"{sum(quiet) / len(quiet):.2f} s on average, {max(quiet):.2f} s at most (wall time)")
 
 
 def two_jobs(build, folder):
@@ -82,7 +84,7 @@ def two_jobs(build, folder):
     options = ("--set", "grains.count=200", "--seeds", "1..4")
     _, one = run(build, scene, os.path.join(folder, "one"), *options, "--jobs", "1")
     _, two = run(build, scene, os.path.join(folder, "two"), *options, "--jobs", "2")
-    row("four samples, one job after another over two at a time", f"{one:.1f} s / {two:.1f} s = {one / two:.2f}")
+    row("four samples: one job at a time / two jobs at a time", f"{one:.1f} s / {two:.1f} s = {one / two:.2f}")
 
 
 def main():

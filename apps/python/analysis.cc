@@ -23,23 +23,23 @@ namespace {
 using States = std::vector<NamedState>;
 using Names = std::vector<std::string>;
 
-/// @throws EquilibriumError unless the state is an equilibrium or the caller accepts any state, after a warning
+/// @throws EquilibriumError if the state is not an equilibrium, unless `force` is set; then a warning is issued instead
 void require_equilibrium(const NamedState& s, bool force, const Remarks& remarks) {
   if (force)
     return std::visit([&](const auto& state) { warn_unless_in_equilibrium(s.name, state, remarks); }, *s.state);
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, *s.state);
   if (!faults.empty())
     throw EquilibriumError(s.name + ": this state is not in equilibrium: " + faults +
-                           "; force=True computes moduli anyway");
+                           "; force=True computes moduli of states out of equilibrium");
 }
 
-/// Options of moduli and whether states have to be in equilibrium.
+/// Options of the moduli, and whether all states have to be in equilibrium.
 struct ModuliCall {
   ModuliTableOptions options;
   bool force = false;
 };
 
-/// Adds the rows of one state.
+/// Computes the moduli of one state and adds their rows.
 void add_moduli(const NamedState& s, const ModuliCall& call, ModuliRows& computation, Table& increments,
                 std::vector<ModuliRow>& rows, const Remarks& remarks) {
   require_equilibrium(s, call.force, remarks);
@@ -87,7 +87,7 @@ py::tuple moduli(const States& states, const py::object& strains, bool prestress
   return py::make_tuple(to_python(table), further);
 }
 
-/// A table besides the rows, with its name in Python and the option that requests it.
+/// A table in addition to the main table of a function: its name in Python, and the flag that requests it.
 struct FurtherTable {
   const char* name;
   bool* asked;
@@ -147,19 +147,20 @@ py::tuple network(const States& states, const py::object& zero_force, const py::
   return py::make_tuple(to_python(table), asked_of(further));
 }
 
-/// Converts a pair LOW, HIGH. @throws InputError naming the argument
+/// Converts the argument fit_range, a pair (LOW, HIGH). @throws InputError naming the argument and its value
 std::vector<double> fit_range_of(const py::object& given) {
   std::vector<double> range = numbers_of("fit_range", given);
   if (range.size() != 2 || !(range[0] < range[1]))
     throw InputError("", "fit_range = " + py::repr(given).cast<std::string>() +
-                             ": expected two numbers, the lower one first");
+                             ": expected two numbers, the lower number first");
   return range;
 }
 
 std::vector<int> map_size_of(const py::object& given) {
   std::vector<int> size = wholes_of("map_size", given, kMapSide);
   if (size.size() != 2)
-    throw InputError("", "map_size = " + py::repr(given).cast<std::string>() + ": expected two numbers");
+    throw InputError("",
+                     "map_size = " + py::repr(given).cast<std::string>() + ": expected two numbers of cells");
   return size;
 }
 
@@ -221,7 +222,10 @@ py::tuple compare(const NamedState& before, const NamedState& after, const py::o
     std::visit(
         [&]<int Old, int New>(const State<Old>& p, const State<New>& q) {
           if constexpr (Old != New)
-            throw InputError(after.name, fmt::format("is {}D, and {} is {}D", New, before.name, Old));
+            throw InputError(
+                after.name,
+                fmt::format("is a {}D state, but {} is a {}D state: expected states of equal dimension", New,
+                            before.name, Old));
           else
             rows.push_back(compare_row(before.name, p, after.name, q, options, side));
         },

@@ -8,12 +8,12 @@
 #include "binding.h"
 #include "floc/base/range.h"
 
-/// Conversion of arguments of Python to numbers of C++, within the ranges of the library. Each of these functions
-/// throws InputError with the name of the argument, its value and the expectation.
+/// Converts arguments from Python to numbers of C++ and checks that they are within the ranges of the library. Each of
+/// these functions throws InputError with the name of the argument, its value and the expectation.
 namespace floc::python {
 
 double number_of(const char* name, const py::handle& given, const NumberRange& range = kFiniteNumber);
-/// Converts a number; None gives no value.
+/// Converts a number; absent if the argument is None.
 std::optional<double> number_if_any(const char* name, const py::handle& given,
                                     const NumberRange& range = kFiniteNumber);
 /// Converts a sequence of numbers.
@@ -24,7 +24,7 @@ int whole_of(const char* name, const py::handle& given, const WholeRange& range)
 std::optional<int> whole_if_any(const char* name, const py::handle& given, const WholeRange& range);
 std::vector<int> wholes_of(const char* name, const py::handle& given, const WholeRange& range);
 
-/// Converts a seed of random numbers, 0 to 2^64 - 1.
+/// Converts a seed of random numbers, a whole number from 0 to 2^64 - 1.
 std::uint64_t seed_of(const char* name, const py::handle& given);
 
 /// Converts a string that must be one of `words`.

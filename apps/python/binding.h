@@ -20,40 +20,41 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/remarks.h"
 
-/// Functions shared by the sources of the Python module. The module calls the functions of the library that the
-/// commands call, and returns tables; floc/*.py makes objects of them.
+/// Functions for all sources of the Python module. The module calls the functions of the library that the floc commands
+/// call, and returns tables; the files floc/*.py make Python objects of these tables.
 namespace floc::python {
 
 namespace py = pybind11;
 
-/// A state held by Python, which never changes, and its name in messages.
+/// A state that Python holds, which never changes, and the name of the state in messages.
 struct NamedState {
   std::shared_ptr<const AnyState> state;
   std::string name;
 };
 
-/// Failure of a computation, with the reason in words.
+/// Error of a computation that has no result; the message is the reason.
 class NumericalError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Failure because a state is not in equilibrium although it has to be.
+/// Error because a state is not in equilibrium, but the computation requires an equilibrium.
 class EquilibriumError : public NumericalError {
  public:
   using NumericalError::NumericalError;
 };
 
-/// Messages that become warnings of Python as soon as the GIL is held again.
+/// Messages that are issued as Python warnings as soon as the global interpreter lock (GIL) is held again.
 using Warnings = std::vector<std::string>;
 void issue(const Warnings& warnings);
 
-/// Throws the exception of a pending signal: KeyboardInterrupt after Ctrl-C. Python delivers signals to its main
-/// thread only.
+/// Throws the exception of a pending signal, such as KeyboardInterrupt after Ctrl-C. Python delivers signals only to
+/// its main thread.
 void check_signals();
 
-/// Runs long work while other threads of Python continue. If the work takes Remarks, they become warnings. Ctrl-C
-/// ends the work at the next place where the library checks for an interruption.
+/// Runs a long computation without the global interpreter lock (GIL), so that other Python threads continue. If `work`
+/// takes a Remarks, its remarks become Python warnings. Ctrl-C ends `work` at the next place where the library checks
+/// for an interruption.
 template <class Work>
 auto without_gil(const Work& work) {
   Warnings warnings;
@@ -73,7 +74,7 @@ auto without_gil(const Work& work) {
   return result;
 }
 
-/// Runs work on one state; error messages name the state, as those of commands do.
+/// Runs a computation on one state. Error messages name the state, as the messages of the floc commands do.
 template <class Work>
 auto of_state(const std::string& name, const Work& work) {
   check_interruption();
@@ -87,20 +88,20 @@ auto of_state(const std::string& name, const Work& work) {
   }
 }
 
-/// Checks a word. @throws InputError unless `value` is one of the words
+/// Checks a keyword. @throws InputError unless `value` is one of `words`
 void require_one_of(const std::string& name, const std::string& value,
                     std::initializer_list<const char*> words);
 
-/// Checks names of tables. @throws InputError naming the entries of `tables` that are not among `known`
+/// Checks names of tables. @throws InputError naming the entries of `tables` that are not in `known`
 void require_tables(const std::vector<std::string>& tables, std::initializer_list<const char*> known);
 bool contains(const std::vector<std::string>& tables, const char* name);
 
-/// Converts a value; one that is undefined, or not a finite number, becomes None.
+/// Converts a value to Python; an undefined value or a number that is not finite becomes None.
 py::object to_python(const TableValue& value);
 py::object to_python(const Json& json);
-/// Converts a table to a tuple of its columns and rows.
+/// Converts a table to a tuple (names of the columns, rows).
 py::tuple to_python(const Table& table);
-/// Converts a table to one array per column; undefined numbers become NaN.
+/// Converts a table to a dict with one array per column; undefined numbers become NaN.
 py::dict columns_to_python(const Table& table);
 
 void bind_state(py::module_& module);

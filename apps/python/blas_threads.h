@@ -2,13 +2,13 @@
 
 namespace floc::python {
 
-/// Prepares the dense kernels of the solvers (prepare_blas()), and restores their number of threads, because numpy
-/// may use the same library.
+/// Prepares the BLAS library for the solvers with prepare_blas(), and then restores its number of threads, because
+/// numpy may use the same library.
 void prepare_shared_blas();
 
-/// Restricts the dense kernels to one thread as long as an object of this class exists, as in the program, because
-/// the last bits of results depend on it. When the last object is destroyed, the number of threads is again that
-/// before the first one.
+/// Restricts the BLAS library to one thread as long as an object of this class exists, as the floc program does,
+/// because the last bits of results depend on the number of threads. The destructor of the last object restores the
+/// number of threads from before the first object.
 class SingleBlasThread {
  public:
   SingleBlasThread();

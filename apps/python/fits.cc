@@ -12,14 +12,14 @@
 namespace floc::python {
 namespace {
 
-/// Input of a fit: files and directories, as commands take them, and paths in memory.
+/// Samples to fit: names of files and directories, as in the commands, and paths given as arrays.
 struct Inputs {
   std::vector<std::string> files;
   std::vector<PathArrays> arrays;
   ColumnNames columns;
 };
 
-/// Returns the inputs as tables: files first, then arrays.
+/// Returns the samples as tables of load paths: first the tables of the files, then the tables of the arrays.
 std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::string>& pressures,
                                  OedometerPressure oedometer = OedometerPressure::driven) {
   std::vector<PathTable> paths;
@@ -30,7 +30,8 @@ std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::st
   return paths;
 }
 
-/// @param samples  path of a file, or (name, pressures, densities, whether these are void ratios, branches)
+/// @param samples  each entry is the name of a file, or a tuple (name, pressures, densities, whether the densities are
+/// void ratios, branches)
 Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   Inputs inputs;
   inputs.columns = columns;
@@ -47,12 +48,13 @@ Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   return inputs;
 }
 
-/// Returns the number of resampled fits; 0 for none.
+/// Converts the argument bootstrap to the number of resampled fits; 0: no resampling.
 int bootstrap_of(const py::object& given) {
   constexpr WholeRange kWithNone{.least = 0, .most = ConsolidationOptions::kBootstrap.most};
   const int n = whole_of("bootstrap", given, kWithNone);
   if (n != 0 && !ConsolidationOptions::kBootstrap.holds(n))
-    throw InputError("bootstrap", fmt::format("is {}, expected 2 or more, or 0 for none", n));
+    throw InputError("bootstrap",
+                     fmt::format("is {}: expected 2 or more resampled fits, or 0 for no resampling", n));
   return n;
 }
 
@@ -60,7 +62,8 @@ std::vector<double> window_of(const py::object& given) {
   if (given.is_none()) return {};
   std::vector<double> window = numbers_of("window", given, kPositiveNumber);
   if (window.size() != 2)
-    throw InputError("", "window = " + py::repr(given).cast<std::string>() + ": expected two pressures");
+    throw InputError("", "window = " + py::repr(given).cast<std::string>() +
+                             ": expected two pressures, the lowest and the highest");
   return window;
 }
 
@@ -74,7 +77,7 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   arguments.window = window_of(window);
   arguments.P0 = number_if_any("P0", P0, kPositiveNumber).value_or(0.0);
   if (!P0.is_none() && !window.is_none())
-    throw InputError("P0", "cannot be combined with window: expected one of them");
+    throw InputError("P0", "cannot be combined with the argument window: expected only one of them");
   arguments.loading = word_of("loading", loading, {"first", "virgin"});
   arguments.weights = word_of("weights", weights, {"", "uniform", "relative", "scatter"});
   arguments.loss = word_of("loss", loss, {"squared", "huber", "cauchy"});
@@ -135,7 +138,8 @@ py::object dynamic_compaction(const std::vector<double>& e, const std::vector<do
                               const py::object& p_0) {
   for (const auto& [name, array] : {std::pair{"p", &p}, {"sc", &sc}, {"se", &se}})
     if (array->size() != e.size())
-      throw InputError(name, fmt::format("has {} values, and e has {}", array->size(), e.size()));
+      throw InputError(name, fmt::format("has {} values, but e has {}: expected arrays of equal length",
+                                         array->size(), e.size()));
   CompactionReference reference;
   if (const auto given = number_if_any("p_D", p_D, kPositiveNumber)) reference.p_D = *given;
   if (const auto given = number_if_any("eta_m", eta_m, kPositiveNumber)) reference.eta_m = *given;

@@ -8,7 +8,7 @@
 namespace floc::python {
 namespace {
 
-/// Classes of floc/_errors.py to which exceptions of the library are translated.
+/// Returns the class of floc/_errors.py with this name. Exceptions of the library are translated to these classes.
 py::object error_class(const char* name) {
   return py::module_::import("floc._errors").attr(name);
 }
@@ -31,7 +31,7 @@ void translate(std::exception_ptr thrown) {
   }
 }
 
-/// Returns the tables with their columns as (name, unit, meaning).
+/// Returns a dict of all tables of the program. Each table is a list of its columns as (name, unit, meaning).
 py::dict column_reference() {
   py::dict tables;
   for (const DescribedTable& table : described_tables()) {

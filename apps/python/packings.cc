@@ -15,7 +15,7 @@ namespace {
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-/// Name of a packing in messages before the user has named it.
+/// Name of a packing from arrays in messages, as long as the user has given it no other name.
 constexpr const char* kName = "packing";
 
 std::string shape_of(const py::array& array) {
@@ -25,7 +25,7 @@ std::string shape_of(const py::array& array) {
   return "(" + text + (array.ndim() == 1 ? ",)" : ")");
 }
 
-/// @param columns  number of columns; -1: a flat array
+/// @param columns  number of columns that are required; -1 for a one-dimensional array
 void require_shape(const std::string& name, const py::array& array, py::ssize_t rows, py::ssize_t columns) {
   const bool right = columns < 0 ? array.ndim() == 1 && array.shape(0) == rows
                                  : array.ndim() == 2 && array.shape(0) == rows && array.shape(1) == columns;
@@ -35,7 +35,7 @@ void require_shape(const std::string& name, const py::array& array, py::ssize_t 
                         columns < 0 ? fmt::format("({},)", rows) : fmt::format("({}, {})", rows, columns)));
 }
 
-/// @throws InputError naming entry i of an array
+/// @throws InputError naming the array, the index i, the value and the expectation, unless `right`
 void require(bool right, const std::string& name, py::ssize_t i, double value, const char* expected) {
   if (!right)
     throw InputError(fmt::format("{}[{}]", name, i), fmt::format("is {}, expected {}", value, expected));
@@ -51,7 +51,7 @@ double positive(const std::string& name, py::ssize_t i, double value) {
   return value;
 }
 
-/// Returns row i of an array with up to three columns.
+/// Returns row i of an array with at most three columns; missing components are 0.
 Eigen::Vector3d row_of(const std::string& name, const Numbers& array, py::ssize_t i, int components) {
   Eigen::Vector3d row = Eigen::Vector3d::Zero();
   for (int a = 0; a < components; ++a) row[a] = finite(name, i, array.data()[i * components + a]);
@@ -62,10 +62,12 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
                                        const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
                                        int dimension) {
   if (position.ndim() != 2 || position.shape(1) != dimension)
-    throw InputError("position", fmt::format("has shape {}, expected (n, {}), as many columns as the cell has",
-                                             shape_of(position), dimension));
+    throw InputError(
+        "position",
+        fmt::format("has shape {}, expected (n, {}): as many columns as the cell has lattice vectors",
+                    shape_of(position), dimension));
   const py::ssize_t n = position.shape(0);
-  if (n == 0) throw InputError("position", "has no grains");
+  if (n == 0) throw InputError("position", "has no rows: expected one row per grain");
   require_shape("radius", radius, n, -1);
   if (mass) require_shape("mass", *mass, n, -1);
   if (ids) require_shape("ids", *ids, n, -1);
@@ -82,7 +84,7 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
   return grains;
 }
 
-/// Arrays of contacts, with the names of `floc convert --contacts`.
+/// Arrays that describe contacts. They have the names of the columns that `floc convert --contacts` reads.
 class ContactArrays {
  public:
   ContactArrays(const py::dict& arrays, int dimension) : arrays_(arrays), dimension_(dimension) {}
@@ -116,7 +118,8 @@ class ContactArrays {
 
  private:
   Integers required(const char* name) const {
-    if (!arrays_.contains(name)) throw InputError("contacts", fmt::format("have no {}", name));
+    if (!arrays_.contains(name))
+      throw InputError("contacts", fmt::format("have no array {}, which is required", name));
     return arrays_[name].cast<Integers>();
   }
 
@@ -131,7 +134,8 @@ class ContactArrays {
     }
   }
 
-  /// Returns an array of contacts by its name, checked for its shape; none if it is missing.
+  /// Returns an array of contacts with a given name, after a check of its shape; absent if the user has not given this
+  /// array.
   std::optional<Numbers> array(const std::string& name, std::size_t n, int columns) const {
     if (!arrays_.contains(name.c_str())) return std::nullopt;
     auto found = arrays_[name.c_str()].cast<Numbers>();
@@ -157,7 +161,7 @@ class ContactArrays {
       contacts[c].*member = row_of(words, *given, static_cast<py::ssize_t>(c), dimension_);
   }
 
-  /// In 2D the moment is a number, about the third axis.
+  /// Reads the rolling moments. In 2D the moment is a single number, about the axis normal to the plane.
   void rolling(std::vector<ListedContact>& contacts) const {
     if (dimension_ == 3) return vectors("rolling_moment", &ListedContact::rolling_moment, contacts);
     const auto given = array("rolling_moment", contacts.size(), -1);
@@ -171,7 +175,7 @@ class ContactArrays {
   int dimension_;
 };
 
-/// Assembles the packing and completes it, as `floc convert` does.
+/// Makes a packing of the arrays and completes it, as `floc convert` completes a packing from files.
 NamedState assembled(const ListedPacking& listed, const ImportCompletion& completion) {
   return without_gil([&](const Remarks& remarks) {
     Imported imported = assemble(listed);

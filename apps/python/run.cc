@@ -16,11 +16,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBetweenSignals{50};
 
-/// Reports the progress of a run to Python, and tests whether it should stop. An exception raised by Python stops the
-/// run at a checkpoint.
+/// Reports the progress of a run to Python and tests whether the run should stop. If the Python callback raises an
+/// exception, the run stops at a checkpoint.
 class Watch {
  public:
-  /// @param told      called with reports of progress; None: no reports
+  /// @param told  Python callback that receives reports of progress; None: no reports
   /// @param interval  wall time between two reports inside a step (s)
   Watch(py::object told, double interval) : told_(std::move(told)), interval_(interval) {}
 
@@ -48,7 +48,7 @@ class Watch {
          true);
   }
 
-  /// Throws the exception that Python raised, if any.
+  /// Throws the exception that the Python callback raised, if there is one.
   void rethrow() const {
     if (thrown_) std::rethrow_exception(thrown_);
   }
@@ -79,8 +79,8 @@ class Watch {
   std::exception_ptr thrown_;
 };
 
-/// Drives a run to its end.
-/// @return reason why the run is not done; empty if it is done or Python stopped it
+/// Runs a scene to its end.
+/// @return reason why the run is not complete; empty if it is complete or Python has stopped it
 template <int Dim>
 std::string drive_scene(const Scene& scene, const SceneRunOptions& asked, Watch& watch) {
   SceneRun<Dim> scene_run(scene, asked);
@@ -99,7 +99,7 @@ void run(const std::string& scene_file, const std::string& directory, const std:
          const py::object& track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
          const py::object& told, const py::object& interval) {
   if (resume && overwrite)
-    throw InputError("resume", "cannot be combined with overwrite: expected one of them");
+    throw InputError("resume", "cannot be combined with the argument overwrite: expected only one of them");
   SceneRunOptions asked;
   asked.directory = directory;
   if (!seed.is_none()) asked.seed = seed_of("seed", seed);

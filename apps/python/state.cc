@@ -14,17 +14,17 @@
 namespace floc::python {
 namespace {
 
-/// A member of a contact as a field of a structured array.
+/// A member of Contact that Python sees as a field of a structured array.
 struct ContactField {
   std::string name;
-  const char* type;  ///< numpy type of one number
+  const char* type;  ///< numpy type of one component
   int size;          ///< number of components
   std::ptrdiff_t offset;
 };
 
 template <int Dim>
 std::vector<ContactField> contact_fields(const Law& law) {
-  // Members are located by their offset in an object, so that numpy reads the contacts of a state in place.
+  // Each member is described by its offset in a contact, so that numpy reads the contacts of a state without a copy.
   const Contact<Dim> c;
   const auto offset = [&c](const void* member) {
     return static_cast<const char*>(member) - reinterpret_cast<const char*>(&c);
@@ -49,7 +49,7 @@ std::vector<ContactField> contact_fields(const Law& law) {
                                       {"rolling_yield", "?", 1, offset(&c.rolling_yield)},
                                       {"twisting_yield", "?", 1, offset(&c.twisting_yield)},
                                       {"distant", "?", 1, offset(&c.distant)}};
-  // The law declares which of the numbers in `history` it uses, and their names.
+  // The contact law defines which numbers of the member `history` it uses, and their names.
   for (const HistoryQuantity& q : history_quantities(law, Dim))
     fields.push_back({q.declared.name, "f8", q.size, offset(c.history.data() + q.begin)});
   return fields;
@@ -66,7 +66,7 @@ py::dtype contact_type(const Law& law) {
   return {names, formats, offsets, sizeof(Contact<Dim>)};
 }
 
-/// Returns memory of a state as a read-only array, which keeps the state alive.
+/// Returns a part of the memory of a state as a read-only array. The array keeps the state alive.
 py::array view(const py::object& owner, const py::dtype& type, const std::vector<py::ssize_t>& shape,
                const std::vector<py::ssize_t>& strides, const void* data) {
   py::array array(type, shape, strides, data, owner);
@@ -74,7 +74,7 @@ py::array view(const py::object& owner, const py::dtype& type, const std::vector
   return array;
 }
 
-/// Returns the items of a vector as rows of `components` numbers; a flat array for one component.
+/// Returns the items of a vector as a read-only array with `components` columns; one-dimensional for one component.
 template <class Item>
 py::array view_of(const py::object& owner, const std::vector<Item>& items, py::ssize_t components) {
   const auto n = static_cast<py::ssize_t>(items.size());
@@ -94,7 +94,7 @@ const AnyState& state_in(const py::object& self) {
   return *self.cast<const NamedState&>().state;
 }
 
-/// Makes a property from `get(self, state)`, for states of either dimension.
+/// Makes a Python property of a function `get(self, state)`, for 2D and 3D states.
 template <class Get>
 auto property(Get get) {
   return [get](const py::object& self) {
@@ -138,8 +138,8 @@ py::dict provenance_of(const State<Dim>& state) {
   return words;
 }
 
-/// Binds the arrays of a state. They are views of its memory, not copies; only identifiers of grains without imported
-/// ones are computed.
+/// Binds the arrays of a state. They are views of its memory, not copies. Only the identifiers of grains are computed,
+/// if the packing was not imported with identifiers.
 void bind_arrays(py::class_<NamedState>& bound) {
   bound
       .def_property_readonly("position", property([](const py::object& self, const auto& s) -> py::object {
@@ -165,8 +165,8 @@ void bind_arrays(py::class_<NamedState>& bound) {
                                constexpr py::ssize_t kItem = sizeof(std::int64_t);
                                if (!id.empty())
                                  return view(self, py::dtype::of<std::int64_t>(), {n}, {kItem}, id.data());
-                               // Without imported identifiers the indices identify the grains; the array is
-                               // read-only, like those that show the memory of the state.
+                               // Without imported identifiers, the identifiers are the indices of the grains. This
+                               // array is read-only, as are the views of the memory of the state.
                                py::array_t<std::int64_t> indices(n);
                                std::iota(indices.mutable_data(), indices.mutable_data() + n, std::int64_t{0});
                                py::detail::array_proxy(indices.ptr())->flags &=
@@ -198,7 +198,7 @@ void bind_arrays(py::class_<NamedState>& bound) {
                              }));
 }
 
-/// Returns the mean of the diagonal stress of the contacts.
+/// Returns the mean of the diagonal components of the stress of the contacts.
 template <int Dim>
 double pressure_of(const State<Dim>& state) {
   return static_stress(state.packing).trace() / Dim;
@@ -258,7 +258,8 @@ NamedState read(const std::string& path) {
   });
 }
 
-/// Reads a pickled state, under the name that it had. Its warnings were issued when it was first read.
+/// Reads the state of a pickle and gives it the name that it had. No warnings are issued, because they were issued when
+/// the state was first read.
 NamedState restore(const std::string& path, const std::string& name) {
   const py::gil_scoped_release released;
   return NamedState{std::make_shared<const AnyState>(read_state(path)), name};

@@ -5,26 +5,28 @@
 
 /// @mainpage
 /// Include `floc/floc.h` and link `floc::floc`; the page "Installation" of the documentation has the CMake lines. All
-/// names are in namespace floc. Quantities are in the units of the files, reduced units or SI: see State::units.
+/// names are in namespace floc. Quantities are in the units of the files, which are reduced units or SI: see
+/// State::units.
 ///
 /// A program makes its calls in this order. Each is documented where it is declared, with its pre- and postconditions,
 /// units and errors.
 ///
 /// 1. Get a state. floc::read_state() reads a state file. For a file of another program, floc::find_import_format()
-///    finds the format, which reads the file, and floc::complete_import() completes the packing. floc::run_scene()
-///    makes states: it runs a scene in a directory, where floc::state_file() names them.
+///    returns its format, which reads the file, and floc::complete_import() completes the packing. floc::run_scene()
+///    runs a scene in a directory and writes its states there; floc::state_file() returns their names.
 /// 2. Verify it. floc::verify_state() recomputes from the state alone whether it is an equilibrium.
 /// 3. Compute the properties of its contact network as tables, with the columns of docs/columns.md:
 ///    floc::moduli_table(), floc::network_table(), floc::structure_table(). For a sequence of states, floc::ModuliRows
-///    can start a solution from the one before. floc::elastic_moduli() returns the moduli themselves, with the
-///    stiffness matrix and the response.
-/// 4. Fit the consolidation law to paths: floc::consolidation_fit() for tables and directories of runs,
+///    can start the solution for a state from the solution for the state before. floc::elastic_moduli() returns the
+///    moduli themselves, with the stiffness matrix and the response.
+/// 4. Fit the consolidation law to load paths: floc::consolidation_fit() for tables and directories of runs,
 ///    floc::fit_consolidation() for points in memory.
 /// 5. Write results: floc::write_table() writes tables, floc::write_state() writes states.
 ///
 /// Errors are exceptions: floc::InputError for errors that a user can correct, naming file, place, value and
-/// expectation; floc::IoError if the operating system fails; floc::NoResult if a state does not have the quantity. The
-/// library prints nothing: remarks of computations go to a floc::Remarks, if one is passed.
+/// expectation; floc::IoError if the operating system fails; floc::NoResult if a quantity does not exist for the state.
+/// The library prints nothing: warnings and notes of computations go to a floc::Remarks object, if the caller passes
+/// one.
 
 #include "floc/base/error.h"
 #include "floc/base/version.h"

@@ -50,7 +50,8 @@ TEST_F(Report, RefusesWhatIsNoRun) {
               HasSubstr("state-0000.h5"));
   std::filesystem::copy(file("run"), file("cut"), std::filesystem::copy_options::recursive);
   std::filesystem::remove(file("cut/state-0008.h5"));
-  EXPECT_THAT(floc("report cut -o r.html").err, HasSubstr("holds 8 states, but path.csv has 9 rows"));
+  EXPECT_THAT(floc("report cut -o r.html").err,
+              HasSubstr("this directory has 8 state files, but its path.csv has 9 rows"));
   write_text(file("cut/state-0008.h5"), "no state");
   const Outcome broken = floc("report cut -o r.html");
   EXPECT_EQ(broken.code, 4);

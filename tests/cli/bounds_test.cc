@@ -166,10 +166,10 @@ TEST(BoundsOfModuli, DoNotTellB_SUnderADeviator) {
   const auto [bounds, said] = row(" --method bounds");
   EXPECT_NEAR(number(bounds, "B"), 250.25, 1e-9);
   EXPECT_TRUE(bounds.at("B_S").is_null() && bounds.at("error_B_S").is_null());
-  EXPECT_THAT(said, HasSubstr("no B_S: B_reuss bounds it where the principal stresses are equal"));
+  EXPECT_THAT(said, HasSubstr("B_S is not given: B_reuss bounds it only if the principal stresses are equal"));
   const auto [exact, warned] = row("");
   EXPECT_NEAR(number(exact, "B_S"), 1.0 / 1.001, 1e-9);
-  EXPECT_THAT(warned, HasSubstr("B_reuss = 250.25 exceeds B_S = 0.999001: it bounds B alone"));
+  EXPECT_THAT(warned, HasSubstr("B_reuss = 250.25 exceeds B_S = 0.999001: B_reuss bounds B but not B_S"));
 }
 
 TEST(BoundsOfModuli, AreNotDrawnWhereTheyDoNotHold) {

@@ -207,8 +207,9 @@ TEST_F(CampaignOnSnakemake, ARunThatFailsIsListedAndStopsNoOther) {
   const Outcome o = snakemake(file("some"));
   EXPECT_EQ(o.code, 1);
   const std::string failed = "runs/coefficient=0.2_max_time=1/seed-2";
-  EXPECT_THAT(o.out, AllOf(HasSubstr("4 of 8 runs failed"), HasSubstr(failed + ": floc run: exit code 3: "),
-                           HasSubstr("did not converge")));
+  EXPECT_THAT(o.out,
+              AllOf(HasSubstr("4 of 8 runs failed"), HasSubstr(failed + ": floc run failed with exit code 3: "),
+                    HasSubstr("did not converge")));
   const CsvTable runs = CsvTable::read(file("some/runs.csv"));
   EXPECT_EQ(runs.n_rows(), 4 * 9);
   EXPECT_THAT(content_of(file("some/index.html")),
@@ -300,7 +301,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
   const std::string head = "[campaign]\nscene = \"small.toml\"\nseeds = \"1..2\"\n";
   const std::string phi = "[[collect]]\ntable = \"path\"\ncolumns = [\"phi\"]\n";
   const std::pair<std::string, std::vector<const char*>> bad[] = {
-      {"", {"c.toml:1: campaign is missing: expected a table with scene and seeds"}},
+      {"", {"c.toml:1: campaign is missing: expected a table with the keys scene and seeds"}},
       {"[campaign\n", {"c.toml:1: "}},
       {"[campaign]\nscene = \"absent.toml\"\nseeds = \"1..2\"\n" + phi,
        {"c.toml:2: campaign.scene = ", "expected a scene file; there is no ", "absent.toml"}},
@@ -309,7 +310,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
       {"[campaign]\nscene = \"small.toml\"\nseeds = [1, -2]\n" + phi,
        {"c.toml:3: campaign.seeds", "whole numbers >= 0"}},
       {"[campaign]\nscene = \"small.toml\"\nseeds = [1, 1]\n" + phi, {"c.toml:3: campaign.seeds has 1 twice"}},
-      {head, {"c.toml: collects nothing: expected a [[collect]] or a [[fit]]"}},
+      {head, {"c.toml: collects no results: expected a [[collect]] or a [[fit]]"}},
       {head + "sead = 1\n" + phi,
        {"c.toml:4: unknown key campaign.sead; the nearest valid key in [campaign] is se"}},
       {head + phi + "[gird]\n", {"c.toml:7: unknown key gird; the nearest valid key is grid"}},
@@ -324,7 +325,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
        {"c.toml:5: collect.0.table = ",
         "expected \"path\", \"moduli\", \"network\", \"structure\" or \"compare\""}},
       {head + "[[collect]]\ntable = \"path\"\ncolumns = [\"fi\"]\n",
-       {"c.toml:4: columns = fi: path.csv has no such column; the nearest is "}},
+       {"c.toml:4: columns = fi: the table path.csv has no column of this name; the nearest is "}},
       {head + "[[collect]]\ntable = \"path\"\n", {"c.toml:4: collect.0.columns is missing: expected a list"}},
       {head + phi + "states = {P_star = 0.3}\n",
        {"c.toml:7: P_star = 0.3: expected one of the pressures that case base reaches: 0, 0.01, 0.02154, "}},
@@ -343,11 +344,11 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
        {"c.toml:7: of = \"z\": expected a column that a [[collect]] names"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nvalue = 1\n",
        {"c.toml:7: reference.0.state is missing",
-        "reference.0.source is missing: expected where the value comes from"}},
+        "reference.0.source is missing: expected the source of the value, such as a publication"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"last\"\nvalue = 1\nerror = -1\nsource = \"x\"\n",
        {"c.toml:11: reference.0.error = -1: expected a number >= 0"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"all\"\nvalue = 1\nsource = \"x\"\n",
-       {"c.toml:9: state: expected one state"}},
+       {"c.toml:9: state: expected a choice of one state"}},
       {head + phi +
            "[[reference]]\nof = \"phi\"\nwhen = {grains.count = 3}\nstate = \"last\"\nvalue = 1\nsource = "
            "\"\"\n",

@@ -49,19 +49,19 @@ TEST(CommandLine, MissingEmptyAndDirectoryInputsAreToldApart) {
   std::filesystem::create_directory(scratch.file("d"));
   for (const char* name : {"e.toml", "e.h5", "e.csv"}) write_text(scratch.file(name), "");
   const Misspelt lines[] = {
-      {"scene check n.toml", "n.toml: cannot be read: no such file: expected a scene file (TOML)"},
-      {"scene check e.toml", "e.toml: is empty: expected a scene file (TOML)"},
-      {"scene check d", "d: cannot be read: it is a directory: expected a scene file (TOML)"},
-      {"run e.toml -o r", "e.toml: is empty: expected a scene file (TOML)"},
+      {"scene check n.toml", "n.toml: there is no such file; expected a scene file (TOML)"},
+      {"scene check e.toml", "e.toml: this file is empty; expected a scene file (TOML)"},
+      {"scene check d", "d: this is a directory; expected a scene file (TOML)"},
+      {"run e.toml -o r", "e.toml: this file is empty; expected a scene file (TOML)"},
       {"moduli n.h5", "n.h5: No such file or directory"},
-      {"moduli e.h5", "e.h5: is empty, expected a floc state"},
-      {"moduli d", "d: holds no state-0000.h5: expected state files or a directory of floc run"},
+      {"moduli e.h5", "e.h5: the file is empty, expected a floc state"},
+      {"moduli d", "d: holds no state-0000.h5: expected state files or a directory that floc run wrote"},
       {"info d", "d: holds no state-0000.h5"},
       {"fit elastic n.csv", "n.csv: No such file or directory"},
-      {"fit elastic e.csv", "e.csv: is empty, expected a table"},
-      {"fit elastic d", "d: holds neither path.csv nor seed-N/path.csv"},
-      {"plot e.csv -o p.svg", "e.csv: is empty, expected a table"},
-      {"convert d s.h5", "d: is a directory, expected a file"},
+      {"fit elastic e.csv", "e.csv: the file is empty, expected a table"},
+      {"fit elastic d", "d: this directory contains neither path.csv nor seed-N/path.csv"},
+      {"plot e.csv -o p.svg", "e.csv: the file is empty, expected a table"},
+      {"convert d s.h5", "d: this is a directory, but a file is expected"},
   };
   for (const Misspelt& line : lines) {
     const Outcome o = run_floc(line.arguments, scratch.path());

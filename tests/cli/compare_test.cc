@@ -97,12 +97,12 @@ TEST_F(Compare, GoesFromStateToStateOrFromTheFirst) {
 TEST_F(Compare, NamesWhatCannotBeComparedAndDoesTheRest) {
   const Outcome o = compare("a.h5 three.h5 none.h5 b.h5 a.h5 --format csv");
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err, HasSubstr("three.h5: against a.h5: 8 grains against 3"));
+  EXPECT_THAT(o.err, HasSubstr("three.h5: against a.h5: 8 grains in one state, 3 in the other"));
   EXPECT_THAT(o.err, HasSubstr("none.h5"));
   EXPECT_THAT(o.out, HasSubstr("\nb.h5,a.h5,8,"));
   const Outcome mixed = compare("three.h5 spheres.h5");
   EXPECT_EQ(mixed.code, 4);
-  EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: is 3D, and three.h5 is 2D"));
+  EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: this is a state in 3D, but three.h5 is in 2D"));
   EXPECT_EQ(compare("a.h5").code, 2);
   EXPECT_EQ(compare("a.h5 b.h5 --rigid-tolerance 0").code, 2);
 }

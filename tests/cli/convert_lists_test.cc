@@ -88,7 +88,8 @@ TEST_F(ConvertLists, KeepNeighboursThatTheLawAttractsAndNoneOfThemIsAtACap) {
       "1,3,1.5,0,0,0\n2,4,1.5,0,0,0\n",
       law);
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("of these 2 have a gap, 2 pull, 0 are at their cap"));
+  EXPECT_THAT(o.err,
+              HasSubstr("contacts: 2 have a gap, 2 pull, 0 have a tangential force or moment at its limit"));
   const json moduli = row("moduli", "s.h5");
   EXPECT_EQ(moduli["n_distant"], 2);
   EXPECT_EQ(moduli["n_at_cap"], 0);
@@ -103,7 +104,8 @@ TEST_F(ConvertLists, ThatPullNeedAdhesionInTheLaw) {
                     HasSubstr("adhesion.force"), HasSubstr("--drop-tensile")));
   EXPECT_FALSE(written());
   const Outcome hertz = convert(list, "normal.modulus=50,normal.poisson=0.2", {"--dimension", "2"}, "1.999");
-  EXPECT_THAT(hertz.err, AllOf(HasSubstr("adhesion goes with the linear law"), HasSubstr("--drop-tensile")));
+  EXPECT_THAT(hertz.err,
+              AllOf(HasSubstr("adhesion is possible with the linear law"), HasSubstr("--drop-tensile")));
   const Outcome dropped = convert(list, "normal.stiffness=50", {"--drop-tensile"}, "1.999");
   EXPECT_EQ(dropped.code, 0) << dropped.err;
   EXPECT_THAT(dropped.err, HasSubstr("2 of the 4 contacts listed pull, and are left out"));
@@ -152,7 +154,7 @@ TEST_F(ConvertLists, AreComparedWithGeometryAndLawAndStrictAcceptsNoDoubt) {
   EXPECT_THAT(convert("id1,id2,normal_force,shear_force1,shear_force2\n1,3,2.5,2,0\n2,4,2.5,0,0\n",
                       "normal.stiffness=50,friction.coefficient=0.5,friction.stiffness=30")
                   .err,
-              HasSubstr("warning: 1 tangential forces or rolling moments are above the law's cap"));
+              HasSubstr("warning: 1 tangential forces or rolling moments are above their limit in the law"));
   std::filesystem::remove(scratch_.file("s.h5"));
   const Outcome strict = convert(good, "normal.stiffness=40", {"--strict", "--tolerance", "100"});
   EXPECT_EQ(strict.code, 5);
@@ -187,8 +189,8 @@ TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuli
   struct {
     double kn, kt;
     const char* words;
-  } const wrong[] = {{10, 10, "kn of 3 contacts is 10 times what the law gives (grains 0-0: "},
-                     {1, 10, "kt of 3 contacts is 10 times what the law gives"},
+  } const wrong[] = {{10, 10, "kn of 3 contacts is 10 times the value of the contact law (grains 0-0: "},
+                     {1, 10, "kt of 3 contacts is 10 times the value of the contact law"},
                      {2.0 / 3.0, 1, "is N/delta, but the stiffness of the law is 1.5 N/delta"}};
   for (const auto& [kn_factor, kt_factor, words] : wrong) {
     std::filesystem::remove(scratch_.file("s.h5"));
@@ -217,7 +219,7 @@ TEST_F(ConvertLists, OfGrainsThatDoNotTouchSayHowFarTheyAreApartAndWhy) {
   const std::tuple<const char*, double, const char*> rows[] = {
       {"radius", 1.0000001,
        "no grains touch (the smallest gap is 1e-07, 1e-07 of a mean diameter, of grains 0-1): hard"},
-      {"diameter", 0.999, "are radii given as diameters?"},
+      {"diameter", 0.999, "are the values read as diameters in fact radii?"},
       {"radius", 3.0, "are the radii and the cell in the same unit of length?"}};
   for (const auto& [column, spacing, words] : rows) {
     const Outcome warned = convert_row(column, spacing, {});

@@ -51,7 +51,7 @@ TEST(Convert, LeavesAnExistingFileAloneUnlessToldTo) {
   std::ofstream(scratch.file("s.h5")) << "mine";
   const Outcome refused = floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5")});
   EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.err, AllOf(HasSubstr("s.h5"), HasSubstr("exists already; --overwrite")));
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("s.h5"), HasSubstr("exists already; give --overwrite")));
   EXPECT_EQ(read_file(scratch.file("s.h5")), "mine");
   EXPECT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5"), "--overwrite"}).code, 0);
   EXPECT_EQ(info(scratch.file("s.h5"))["n_grains"], 16);
@@ -71,7 +71,9 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   };
   expect(4, "nowhere.csv: No such file",
          {scratch.file("nowhere.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
-  expect(4, "g.xyz: its format is not recognised; name one of state (state file of floc, .h5), csv",
+  expect(4,
+         "g.xyz: the format of the file is not recognised; give it with --from, one of state (state file of "
+         "floc, .h5), csv",
          {scratch.file("g.xyz"), out});
   expect(4, "\"lammps\" is not a format", {scratch.file("g.xyz"), out, "--from", "lammps"});
   expect(4, "--law: \"stiffness\" is not a parameter", {scratch.file("g.csv"), out, "--law", "stiffness=1"});
@@ -80,7 +82,9 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   expect(4, "--columns: \"x\"", {scratch.file("g.csv"), out, "--columns", "x"});
   expect(4, "has no column \"x\"",
          {scratch.file("g.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
-  expect(4, "s.pdb: expected a name that ends in one of .h5 (state: state file of floc), .vtu",
+  expect(4,
+         "s.pdb: the format is not known from the extension: expected a name that ends in one of .h5 (state: "
+         "state file of floc), .vtu",
          {jambashbulk_file(), scratch.file("s.pdb")});
   expect(4, "--to: \"pdb\" is not a format", {jambashbulk_file(), out, "--to", "pdb"});
   expect(4, "--stress: has 1 numbers, expected 2", {jambashbulk_file(), out, "--stress", "1"});

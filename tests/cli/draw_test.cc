@@ -147,16 +147,19 @@ TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
   write_state(file("spheres.h5"), busy_state<3>());
   const std::pair<const char*, const char*> refusals[] = {
       {"draw run/state-0004.h5 -o s.svg --view 10,20",
-       "run/state-0004.h5: is 2D: --view, --slab and --sphere-size apply to spheres"},
-      {"draw spheres.h5 -o s.svg --view 10", "--view 10: expected AZIMUTH,ELEVATION"},
+       "run/state-0004.h5: this is a state of disks, but --view, --slab and --sphere-size apply only to states "
+       "of spheres"},
+      {"draw spheres.h5 -o s.svg --view 10",
+       "--view 10: this is not a direction of view: expected AZIMUTH,ELEVATION"},
       {"draw spheres.h5 -o s.svg --view 10,91",
        "elevation of the view = 91 degrees: must be between -90 and 90"},
-      {"draw spheres.h5 -o s.svg --slab w,0,1", "--slab w,0,1: expected AXIS,FROM,TO"},
-      {"draw spheres.h5 -o s.svg --slab z,0.6,0.4", "slab from 0.6 to 0.4: fractions of the cell"},
-      {"draw spheres.h5 -o s.svg --slab x,0.98,0.99", "spheres.h5: has no grain whose centre lies in --slab"},
-      {"draw spheres.h5 -o s.svg --sphere-size 2", "sphere size = 2 of the true one: must be between 0 and 1"},
+      {"draw spheres.h5 -o s.svg --slab w,0,1", "--slab w,0,1: this is not a slab: expected AXIS,FROM,TO"},
+      {"draw spheres.h5 -o s.svg --slab z,0.6,0.4", "slab from 0.6 to 0.4: must be fractions of the cell"},
+      {"draw spheres.h5 -o s.svg --slab x,0.98,0.99",
+       "spheres.h5: this state has no grain whose centre lies in --slab"},
+      {"draw spheres.h5 -o s.svg --sphere-size 2", "sphere size = 2 times the true size: must be between 0 and 1"},
       {"draw spheres.h5 -o s.svg --compare run/state-0004.h5",
-       "run/state-0004.h5: is 2D, and spheres.h5 is 3D"},
+       "run/state-0004.h5: this is a state in 2D, but spheres.h5 is in 3D"},
   };
   for (const auto& [command, words] : refusals) {
     const Outcome o = floc(command);
@@ -188,7 +191,7 @@ TEST_F(Draw, DrawsSpheres) {
   // In one strip with disks they are refused, in a directory each has its picture.
   const Outcome strip = floc("draw run/state-0004.h5 spheres.h5 -o strip.svg");
   EXPECT_EQ(strip.code, 4);
-  EXPECT_THAT(strip.err, HasSubstr("spheres.h5: is 3D, and the states before it are not"));
+  EXPECT_THAT(strip.err, HasSubstr("spheres.h5: this is a state in 3D, but the states before it are not"));
   EXPECT_EQ(floc("draw run/state-0004.h5 spheres.h5 -o both/").code, 0);
   EXPECT_TRUE(exists("both/spheres.svg"));
 }

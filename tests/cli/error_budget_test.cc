@@ -51,7 +51,11 @@ TEST(ErrorBudgetOfAFit, NamesWhatLimitsEachParameter) {
   const std::string demo = source_directory() + "/data/tables/demo";
   const Outcome o = run_floc("fit consolidation " + demo + " --format json");
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("errors from the scatter between samples and from where the regimes end"));
+  EXPECT_THAT(
+      o.err,
+      HasSubstr(
+          "standard errors of the parameters, from the scatter between samples and from the uncertain ends "
+          "of the regimes"));
   const json pooled = json::parse(o.out).back();
   const json& lambda = pooled.at("error_budget").at("lambda");
   const double scatter = lambda.at("scatter"), regimes = lambda.at("regimes");

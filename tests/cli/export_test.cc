@@ -82,10 +82,10 @@ TEST_F(Export, OfSpheresGivesThemBackToo) {
 
 TEST_F(Export, NeedsAFileToWriteAndAState) {
   EXPECT_THAT(floc("export run/state-0001.h5").err,
-              HasSubstr("expected --grains FILE, --contacts FILE or both"));
+              HasSubstr("no output file is named: give --grains FILE, --contacts FILE or both"));
   const Outcome directory = floc("export run --grains g.csv");
   EXPECT_EQ(directory.code, 4);
-  EXPECT_THAT(directory.err, HasSubstr("run: is a directory, expected a file"));
+  EXPECT_THAT(directory.err, HasSubstr("run: this is a directory, but a file is expected"));
 }
 
 TEST_F(Export, RollingStiffnessesOfAContactAreThoseListed) {

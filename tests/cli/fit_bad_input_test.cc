@@ -65,7 +65,8 @@ TEST(FitConsolidation, EveryBadTableIsRefusedByNameAndCode) {
       {"one row", "P_star,phi\n0.1,0.5\n", 3, "1 pressures"},
       {"regime I alone", flat_table(), 3, "all pressures lie in regime I"},
       {"elastic", elastic_table(), 3, "all pressures lie in regime I"},
-      {"two rows beyond the plateau", too_short_table(), 3, "3 pressures in the window, the full law needs 5"},
+      {"two rows beyond the plateau", too_short_table(), 3,
+       "there are 3 pressures in the window, but a fit of the full law needs 5"},
   };
   for (const BadTable& table : tables) {
     const Outcome o = run_floc("fit consolidation - --format json", ".", table.text);
@@ -78,7 +79,7 @@ TEST(FitConsolidation, BadMapsAreNamed) {
   const char* table = "p,phi\n0.1,0.5\n";
   const Outcome unknown = run_floc("fit consolidation - --columns pressure=p", ".", table);
   EXPECT_EQ(unknown.code, 4);
-  EXPECT_THAT(unknown.err, HasSubstr("expected name=column with name one of P_star"));
+  EXPECT_THAT(unknown.err, HasSubstr("expected name=column, where the name is one of P_star"));
   const Outcome absent = run_floc("fit consolidation - --columns P_star=q", ".", table);
   EXPECT_EQ(absent.code, 4);
   EXPECT_THAT(absent.err, HasSubstr("has no column \"q\"; its columns are p, phi"));

@@ -55,12 +55,14 @@ class ForeignPacking : public testing::Test {
 };
 
 TEST_F(ForeignPacking, WithContactsOfAbsentGrainsIsRefused) {
-  expect_refusal(kGrains, "id1,id2\n1,3\n", "c.csv:2: id2 = 3: no grain has this id; they are from 1 to 2");
+  expect_refusal(kGrains, "id1,id2\n1,3\n",
+                 "c.csv:2: id2 = 3: no grain has this id; the ids of grains are from 1 to 2");
 }
 
 TEST_F(ForeignPacking, InADegenerateCellIsRefused) {
   expect_refusal(kGrains, "", "--cell: the cell is degenerate", "4,4;2,2");
-  expect_refusal(kGrains, "", "--cell: \"nan\", expected a finite number", "4,0;0,nan");
+  expect_refusal(kGrains, "", "--cell: \"nan\" is not a finite number: expected numbers separated by commas",
+                 "4,0;0,nan");
 }
 
 TEST_F(ForeignPacking, WithAZeroRadiusIsRefused) {
@@ -148,15 +150,13 @@ TEST_F(ForeignPacking, ThatIsNoEquilibriumIsSaidToBeAndRefusedUnlessForced) {
       {"convert", file("g.csv", kGrains), state, "--law", "normal.stiffness=2", "--cell", "4,0;0,4"});
   EXPECT_EQ(converted.code, 0);
   // One contact of force 0.2 pushes both grains; P = 0.2 * 0.9 / 16 / 2 and F1 = P a give 0.2/F1 = 35.6.
-  EXPECT_THAT(
-      converted.err,
-      HasSubstr("warning: this state is not in equilibrium: net force of grain 1 / F1 = 35.6, limit 0.001"));
+  EXPECT_THAT(converted.err, HasSubstr("warning: this state is not in equilibrium: net force of grain 1 in "
+                                       "units of the force scale F1 is 35.6, limit 0.001"));
   const Outcome refused = floc_arguments({"moduli", state, "--format", "csv"});
   EXPECT_EQ(refused.code, 5);
-  EXPECT_THAT(
-      refused.err,
-      AllOf(HasSubstr("s.h5: this state is not in equilibrium: net force of grain 1 / F1 = 35.6, limit 0.001"),
-            HasSubstr("--force")));
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("s.h5: this state is not in equilibrium: net force of grain 1 in "
+                                           "units of the force scale F1 is 35.6, limit 0.001"),
+                                 HasSubstr("--force")));
   EXPECT_EQ(std::count(refused.out.begin(), refused.out.end(), '\n'), 1);
   const Outcome forced = floc_arguments({"moduli", state, "--force", "--format", "csv"});
   EXPECT_EQ(forced.code, 0);

@@ -149,7 +149,8 @@ TEST_F(Increments, OfRattlersAreNone) {
 TEST_F(Increments, StateWithAMechanismNamesTheModuliThatVanish) {
   const Outcome o = moduli("chain.h5 --format json");
   EXPECT_EQ(o.code, 0);
-  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: moduli that vanish: C22, B_S"));
+  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: mechanisms strain the cell without elastic energy, so that "
+                               "these moduli vanish: C22, B_S"));
   const json row = json::parse(o.out).at(0);
   EXPECT_TRUE(row.at("energy_share_95").is_null());
   EXPECT_EQ(row.at("n_percolating"), 1);

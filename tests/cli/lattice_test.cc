@@ -157,7 +157,8 @@ TEST_F(LatticeCommand, DrawsSkewedCellsButNoneThatAreTurned) {
   for (const char* name : {"m.svg", "p.svg", "c.svg"}) EXPECT_TRUE(exists(name)) << name;
   const Outcome o = lattice("turned.h5" + pictures);
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err, HasSubstr("turned.h5: holds a cell that --map, --phases and --cracks cannot draw"));
+  EXPECT_THAT(o.err,
+              HasSubstr("turned.h5: the cell of this state cannot be drawn by --map, --phases and --cracks"));
 }
 
 TEST_F(LatticeCommand, TakesPlatesAndImposedStrains) {
@@ -182,7 +183,7 @@ TEST_F(LatticeCommand, RefusesInWordsWhatCannotBe) {
       {"disks.h5 --matrix 0.05 --stiffness grain=-1", "must be > 0", 4},
       {"disks.h5 --matrix 0.05 --load sideways", "expected compression", 4},
       {"disks.h5 --matrix 0.05 --load stress:1,2", "3 numbers", 4},
-      {"disks.h5 --matrix 0.05 --load stress:0,0,0", "is not a load", 4},
+      {"disks.h5 --matrix 0.05 --load stress:0,0,0", "all components of this load are zero", 4},
       {"disks.h5 --matrix 0.05 --axis z", "expected x or y", 4},
       {"disks.h5 --matrix 0.05 --map map.gif", ".svg, .pdf or .png", 4},
       {"disks.h5 --matrix 0.05 --curve c.csv", "--strength", 4},

@@ -46,10 +46,10 @@ std::vector<Kind> kinds() {
   };
 }
 
-/// The lines below "Next:".
+/// The commands below "You may run next:".
 std::vector<std::string> commands_in(const std::string& text) {
   std::vector<std::string> commands;
-  std::istringstream in(text.substr(std::min(text.find("Next:"), text.size())));
+  std::istringstream in(text.substr(std::min(text.find("You may run next:"), text.size())));
   for (std::string line; std::getline(in, line);)
     if (line.starts_with("  floc ")) commands.push_back(line.substr(7));
   return commands;

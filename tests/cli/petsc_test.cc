@@ -112,8 +112,9 @@ TEST_F(Petsc, IsTakenByItselfWhereAFactorWouldBeTooLarge) {
   convert("granular");
   const Outcome o = shell("\"$0\" moduli granular.h5 --force --format json --memory 1e-6");
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("granular.h5: a factor would take "));
-  EXPECT_THAT(o.err, HasSubstr("GB, more than the 1e-06 GB it may take: solved without one"));
+  EXPECT_THAT(o.err, HasSubstr("granular.h5: the factor of the stiffness matrix would take "));
+  EXPECT_THAT(o.err,
+              HasSubstr("GB, more than the 1e-06 GB it may take: solved by PETSc, which needs no factor"));
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("method"), "petsc");
   const json exact = json::parse(shell("\"$0\" moduli granular.h5 --force --format json").out).at(0);
@@ -126,7 +127,7 @@ TEST_F(Petsc, SaysAFaultOnceAndGoesOnWithTheNextState) {
   write_text(file("text.h5"), "not a state");
   const Outcome o = together(2, "--solver petsc --format csv none.h5 text.h5 disks.h5 -o out.csv");
   EXPECT_EQ(o.code, 4);
-  for (const char* words : {"none.h5: No such file", "text.h5: is not a floc state",
+  for (const char* words : {"none.h5: No such file", "text.h5: the file is not a floc state",
                             "disks.h5: this state is not in equilibrium"}) {
     EXPECT_THAT(o.err, HasSubstr(words));
     EXPECT_EQ(o.err.find(words), o.err.rfind(words)) << words;
@@ -148,7 +149,7 @@ TEST_F(Petsc, IsNotForOtherMethodsNorForIncrements) {
   EXPECT_EQ(shell("\"$0\" moduli disks.h5 --solver petsc - <disks.h5 --force").code, 0);
   const Outcome two = together(2, "--solver petsc - --force <disks.h5");
   EXPECT_EQ(two.code, 4);
-  EXPECT_THAT(two.err, HasSubstr("is stdin, which only one process reads"));
+  EXPECT_THAT(two.err, HasSubstr("means stdin, which only one process can read"));
 }
 
 TEST_F(Petsc, OnAFullDiskIsAFailureWithItsReason) {

@@ -128,7 +128,8 @@ TEST_F(PlotCommand, ScatteringOfSpheresIsInTheirVolume) {
   EXPECT_THAT(content_of(file("i3.gp")), HasSubstr("I(k)/a^3"));
   const Outcome mixed = floc("plot spheres.h5 run/state-0007.h5 --show scattering -o i3.svg");
   EXPECT_EQ(mixed.code, 4);
-  EXPECT_THAT(mixed.err, HasSubstr("run/state-0007.h5: is 2D, and those before it are not"));
+  EXPECT_THAT(mixed.err,
+              HasSubstr("run/state-0007.h5: this is a state in 2D, but the states before it are not"));
 }
 
 TEST_F(PlotCommand, HasNoLegendOfWhatIsNotDrawn) {
@@ -267,7 +268,7 @@ TEST_F(PlotCommand, WhatHasNoTestWithADrivenAxisSaysSo) {
   write_text(file("wrong.csv"),
              "branch,stress_1,stress_2,strain_1,strain_2,axis\nload,1,1,0,0,\nload,1,2,0,0.1,3\n");
   EXPECT_THAT(floc("plot wrong.csv -o t.svg --show test").err,
-              HasSubstr("wrong.csv:3: axis = 3, expected 1 to 2"));
+              HasSubstr("wrong.csv:3: axis = 3: expected the number of an axis, 1 to 2"));
   EXPECT_EQ(floc("plot run run -o t.svg --show test").code, 4);
 }
 
@@ -286,7 +287,8 @@ TEST_F(PlotCommand, RoseDiagramsHoldAllContactsThatPress) {
   write_state(file("spheres.h5"), busy_state<3>());
   const Outcome spheres = floc("plot spheres.h5 --show fabric -o rose.svg");
   EXPECT_EQ(spheres.code, 4);
-  EXPECT_THAT(spheres.err, HasSubstr("is 3D: a rose diagram is for disks"));
+  EXPECT_THAT(spheres.err,
+              HasSubstr("this is a state of spheres, but rose diagrams show only states of disks"));
 }
 
 TEST_F(PlotCommand, BadInputIsNamed) {

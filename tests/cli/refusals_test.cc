@@ -72,48 +72,49 @@ const Refusal kOfPackings[] = {
     {"columns_without_a_name",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius --cell '5,0;0,5' " + kLaw},
-     "--columns: \"radius\", expected name=column, as in x=X,y=Y,radius=R"},
+     "--columns: \"radius\" does not assign a column to a name: expected name=column, for example "
+     "x=X,y=Y,radius=R"},
     {"dimension_beside_a_cell",
      {{"g.csv", kGrains}},
      {kConvert + " --dimension 3"},
-     "--dimension: 3, but --cell has 2 vectors"},
+     "--dimension: the dimension is 3, but --cell has 2 lattice vectors"},
     {"several_into_one_file",
      {{"g.csv", kGrains}, {"h.csv", kGrains}},
      {"convert g.csv h.csv p.h5 --columns radius=r --cell '5,0;0,5' " + kLaw},
-     "p.h5: is not a directory: 2 packings can only be written into a directory"},
+     "p.h5: this is not a directory, but 2 packings are to be written: give an existing directory"},
     {"contacts_of_several",
      {{"g.csv", kGrains}, {"h.csv", kGrains}, {"d/x", ""}},
      {"convert g.csv h.csv d --columns radius=r --cell '5,0;0,5' " + kLaw + " --contacts c.csv"},
-     "--contacts: belongs to one packing: convert them one by one"},
+     "--contacts: a file of contacts belongs to a single packing: convert the packings one by one"},
     {"contact_with_itself",
      {{"g.csv", kGrains}, {"c.csv", "id1,id2,image1,image2\n0,0,0,0\n"}},
      {kConvert + " --contacts c.csv"},
-     "c.csv:2: the grain would touch itself"},
+     "c.csv:2: id1 and id2 are equal and the image is zero: the grain would touch itself"},
     {"stiffness_without_force",
      {{"g.csv", kGrains}, {"c.csv", "id1,id2,kn\n0,1,100\n"}},
      {kConvert + " --contacts c.csv"},
-     "c.csv:2: a stiffness is given without the normal force that goes with it"},
+     "c.csv:2: a stiffness is listed, but the normal force of the contact is not"},
     {"no_law",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r --cell '5,0;0,5' "},
-     "g.csv: it holds no contact law: give --law"},
+     "g.csv: the file holds no contact law: give --law"},
     {"no_cell",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r " + kLaw},
-     "g.csv: it holds no cell: give --cell"},
-    {"no_grains", {{"g.csv", "x,y,r\n"}}, {kConvert}, "g.csv: has no grains"},
+     "g.csv: the file holds no cell: give --cell"},
+    {"no_grains", {{"g.csv", "x,y,r\n"}}, {kConvert}, "g.csv: the file has no grains"},
     {"cell_of_one_vector",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r --cell '5' " + kLaw},
-     "the cell has to have two vectors, or three in 3D"},
+     "the cell has to have two lattice vectors in 2D, or three in 3D"},
     {"quotes_that_do_not_end",
      {{"g.csv", kGrains + "\"0,0,0.5\n"}},
      {kConvert},
-     "g.csv:4: a quoted cell does not end"},
+     "g.csv:4: a quoted cell has no closing quotation mark"},
     {"law_without_a_part",
      {{"g.csv", kGrains}},
      {kConvert + ",friction.coefficient=0.5"},
-     "--law: friction.stiffness is missing; a law names all parameters of a part"},
+     "--law: friction.stiffness is missing; give all parameters of each component of the contact law"},
     {"law_without_a_value",
      {{"g.csv", kGrains}},
      {kConvert + ",friction.coefficient"},
@@ -129,11 +130,11 @@ const Refusal kOfPackings[] = {
     {"slanted_beyond_images",
      {{"g.csv", "x,y,r\n0,0,0.5005\n"}},
      {"convert g.csv p.h5 --columns radius=r --cell '1,0;1e10,1' " + kLaw},
-     "cell: lattice vectors are so slanted that neighbours are more than 1e9 of them apart"},
+     "cell: lattice vectors are so oblique that neighbouring grains are more than 1e9 lattice vectors apart"},
     {"state_with_a_law",
      {{"g.csv", kGrains}},
      {kConvert, "convert p.h5 q.h5 " + kLaw},
-     "p.h5: a state file holds all of this itself: leave out --law"}};
+     "p.h5: a state file of floc describes its packing completely: leave out --law"}};
 INSTANTIATE_TEST_SUITE_P(Packings, Refused, ::testing::ValuesIn(kOfPackings),
                          [](const auto& test) { return std::string(test.param.name); });
 
@@ -141,15 +142,15 @@ const Refusal kOfFormats[] = {
     {"xyz_cut_short",
      {{"g.xyz", "1\n"}},
      {"convert g.xyz --from extended-xyz p.h5 " + kLaw},
-     "g.xyz: ends before its comment line with Properties="},
+     "g.xyz: the file ends before the comment line of a frame, which has to contain Properties="},
     {"xyz_empty",
      {{"g.xyz", "\n"}},
      {"convert g.xyz --from extended-xyz p.h5 " + kLaw},
-     "g.xyz: has no grains"},
+     "g.xyz: the file has no grains"},
     {"xyz_quotes",
      {{"g.xyz", replaced(kXyz, "0 5\" ", "0 5 ")}},
      {"convert g.xyz p.h5 " + kLaw},
-     "its quoted value does not end"},
+     "the value of this key begins with a quotation mark but has no closing one"},
     {"xyz_lattice",
      {{"g.xyz", replaced(kXyz, "0 0 0 5\" ", "0 0\" ")}},
      {"convert g.xyz p.h5 " + kLaw},
@@ -161,23 +162,24 @@ const Refusal kOfFormats[] = {
     {"jam_options",
      {{"g.txt", kJam + "0.1 , 0.2 , 0.5 ,\n}\n"}},
      {"convert g.txt --from jambashbulk p.h5 " + kLaw},
-     "a file of jamBashbulk holds law, cell and columns itself"},
+     "the format jamBashbulk determines the law, the cell, the columns and the contacts: leave out --law"},
     {"jam_3d",
      {{"g.txt", kJam}},
      {"convert g.txt --from jambashbulk p.h5 --dimension 3"},
-     "g.txt: jamBashbulk is two-dimensional"},
+     "g.txt: packings of jamBashbulk are two-dimensional: leave out --dimension"},
     {"jam_units",
      {{"g.txt", kJam}},
      {"convert g.txt --from jambashbulk p.h5 --units SI"},
-     "g.txt: jamBashbulk is in reduced units"},
+     "g.txt: files of jamBashbulk are in reduced units: leave out --units"},
     {"data_axis",
      {{"g.data", replaced(kData, "zlo zhi", "wlo whi")}},
      {"convert g.data --from lammps-data p.h5 " + kLaw},
-     "g.data:6: \"wlo whi\", expected two finite numbers and xlo xhi, ylo yhi or zlo zhi"},
+     "g.data:6: the header line has the words \"wlo whi\", expected two finite numbers and xlo xhi, ylo yhi or "
+     "zlo zhi"},
     {"data_no_box",
      {{"g.data", "title\n\n1 atoms\n"}},
      {"convert g.data --from lammps-data p.h5 " + kLaw},
-     "g.data: has no box: no line \"... xlo xhi\""},
+     "g.data: the file has no box: it lacks a line \"... xlo xhi\""},
     {"data_columns",
      {{"g.data", kData}},
      {"convert g.data p.h5 " + kLaw + " --columns radius=r"},
@@ -185,21 +187,24 @@ const Refusal kOfFormats[] = {
     {"data_no_grains",
      {{"g.data", replaced(replaced(kData, "1 atoms", "0 atoms"), "\n1 1 1 1 0 0 0", "")}},
      {"convert g.data p.h5 " + kLaw},
-     "g.data: has no grains"},
+     "g.data: the file has no grains"},
     {"dump_box",
      {{"g.dump", replaced(kDump, "pp pp pp", "pp pp")}},
      {"convert g.dump p.h5 " + kLaw},
-     "g.dump:5: \"ITEM: BOX BOUNDS pp pp\", expected BOX BOUNDS [xy xz yz] and three boundary styles such as "
-     "pp"},
+     "g.dump:5: the line is \"ITEM: BOX BOUNDS pp pp\", expected BOX BOUNDS [xy xz yz] and three boundary "
+     "styles such as pp"},
     {"dump_item",
      {{"g.dump", replaced(kDump, "ITEM: NUMBER OF ATOMS", "ITEM: NUMBERS")}},
      {"convert g.dump p.h5 " + kLaw},
-     "g.dump:3: \"ITEM: NUMBERS\", expected ITEM: ATOMS"},
+     "g.dump:3: the line is \"ITEM: NUMBERS\", expected ITEM: ATOMS"},
     {"dump_no_number",
      {{"g.dump", replaced(kDump, "ITEM: NUMBER OF ATOMS\n1\n", "")}},
      {"convert g.dump p.h5 " + kLaw},
-     "the frame does not give its number of rows and its box"},
-    {"vtu_no_xml", {{"g.vtu", "<VTKFile>"}}, {"convert g.vtu --from vtu p.h5 " + kLaw}, "g.vtu: is not XML: "},
+     "the frame gives no number of rows (ITEM: NUMBER OF ...) or no box (ITEM: BOX BOUNDS ...)"},
+    {"vtu_no_xml",
+     {{"g.vtu", "<VTKFile>"}},
+     {"convert g.vtu --from vtu p.h5 " + kLaw},
+     "g.vtu: the file is not XML: "},
     {"vtu_big_endian",
      {{"g.vtu", replaced(kVtu, "type=\"Un", "byte_order=\"BigEndian\" type=\"Un")}},
      {"convert g.vtu p.h5 " + kLaw},
@@ -207,7 +212,7 @@ const Refusal kOfFormats[] = {
     {"vtu_pieces",
      {{"g.vtu", replaced(kVtu, "</Piece>", "</Piece><Piece/>")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "g.vtu: has 2 pieces, expected one"},
+     "g.vtu: the file has 2 pieces, expected one"},
     {"vtu_type",
      {{"g.vtu", replaced(kVtu, "Float64\" Name", "String\" Name")}},
      {"convert g.vtu p.h5 " + kLaw},
@@ -219,32 +224,32 @@ const Refusal kOfFormats[] = {
     {"vtu_appended",
      {{"g.vtu", replaced(kVtu, "</UnstructuredGrid>", "</UnstructuredGrid><AppendedData encoding=\"raw\">")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "g.vtu: its AppendedData has no end"},
+     "g.vtu: the element AppendedData of the file has no end"},
     {"vtu_vertex",
      {{"g.vtu", replaced(kVtu, "</Piece>",
                          "<Cells><DataArray type=\"Int64\" Name=\"connectivity\">7</DataArray><DataArray "
                          "type=\"Int64\" Name=\"offsets\">1</DataArray><DataArray type=\"UInt8\" "
                          "Name=\"types\">1</DataArray></Cells></Piece>")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "array Cells/connectivity: vertex 0 is at no point"},
+     "array Cells/connectivity: cell 0 is a vertex, but its point does not exist"},
     {"vtu_cell",
      {{"g.vtu",
        replaced(kVtu, "<Piece",
                 "<FieldData><DataArray type=\"Float64\" Name=\"cell\">1 0</DataArray></FieldData><Piece")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "array FieldData/cell: has 2 numbers, expected 9"},
+     "array FieldData/cell: the array has 2 numbers, expected 9"},
     {"yade_no_law",
      {{"g.txt", kYade}},
      {"convert g.txt p.h5 --cell '5,0;0,5'"},
-     "g.txt: it holds no contact law: give --law"},
+     "g.txt: the file holds no contact law: give --law"},
     {"yade_interactions_without_a_law",
      {{"g.txt", kYade}, {"i.txt", "# id1 id2\n0 1\n"}},
      {"convert g.txt p.h5 --cell '5,0;0,5' --contacts i.txt"},
-     "i.txt: its interactions lack kn, ks and tan_phi: give --law"},
+     "i.txt: the interactions do not have all of the columns kn, ks and tan_phi: give --law"},
     {"yade_contact_columns",
      {{"g.txt", kYade}},
      {"convert g.txt p.h5 " + kLaw + " --contact-columns id1=a"},
-     "--contact-columns: interactions of YADE name their columns themselves; leave this option out"}};
+     "--contact-columns: the file of interactions of YADE names its columns itself; leave this option out"}};
 INSTANTIATE_TEST_SUITE_P(FilesOfOtherPrograms, Refused, ::testing::ValuesIn(kOfFormats),
                          [](const auto& test) { return std::string(test.param.name); });
 
@@ -253,21 +258,24 @@ const Refusal kOfCommands[] = {
      {{"g.csv", kGrains}, {"h.csv", "x,y,z,r\n0,0,0,0.5\n"}},
      {kConvert, "convert h.csv q.h5 --columns radius=r --cell '5,0,0;0,5,0;0,0,5' " + kLaw,
       "compare p.h5 q.h5"},
-     "q.h5: is 3D, and p.h5 is 2D"},
+     "q.h5: this is a state in 3D, but p.h5 is in 2D"},
     {"compare_others",
      {{"g.csv", kGrains}, {"h.csv", kGrains + "3,3,0.5\n"}},
      {kConvert, "convert h.csv q.h5 --columns radius=r --cell '5,0;0,5' " + kLaw, "compare p.h5 q.h5"},
-     "q.h5: against p.h5: 2 grains against 3: expected states of the same grains"},
+     "q.h5: against p.h5: 2 grains in one state, 3 in the other: both must be states of the same grains"},
     {"draw_others",
      {{"g.csv", kGrains}, {"h.csv", kGrains + "3,3,0.5\n"}},
      {kConvert, "convert h.csv q.h5 --columns radius=r --cell '5,0;0,5' " + kLaw,
       "draw p.h5 -o p.svg --compare q.h5"},
-     "q.h5: cannot be compared with p.h5: 2 grains against 3: expected states of the same grains"},
+     "q.h5: cannot be compared with p.h5: 2 grains in one state, 3 in the other: both must be states of the "
+     "same grains"},
     {"draw_spheres",
      {{"h.csv", "x,y,z,r\n0,0,0,0.5\n"}},
      {"convert h.csv q.h5 --columns radius=r --cell '5,0,0;0,5,0;0,0,5' " + kLaw,
       "draw q.h5 -o p.svg --slab z,0.5,1"},
-     "q.h5: has no grain whose centre lies in --slab z,0.5,1: expected a slab that holds at least one"},
+     "q.h5: this state has no grain whose centre lies in --slab z,0.5,1: choose a slab that contains at least "
+     "one "
+     "grain"},
     {"draw_width",
      {{"g.csv", kGrains}},
      {kConvert, "draw p.h5 -o p.png --resolution 0.001"},
@@ -275,20 +283,23 @@ const Refusal kOfCommands[] = {
     {"draw_steps_of_files",
      {{"g.csv", kGrains}},
      {kConvert, "draw p.h5 -o p.svg --steps 1"},
-     "--steps: expects a directory of floc run, but only files are given"},
+     "--steps: chooses states of a directory that floc run wrote, but only files are given"},
     {"draw_no_run",
      {{"d/x", ""}},
      {"draw d -o p.svg"},
-     "d: holds no state-0000.h5: expected state files or a directory of floc run"},
+     "d: holds no state-0000.h5: expected state files or a directory that floc run wrote"},
     {"report_of_an_ensemble",
      {{"d/seed-1/path.csv", "P_star,phi\n1,0.5\n"}, {"d/seed-2/path.csv", "P_star,phi\n1,0.5\n"}},
      {"report d -o r.html"},
-     "d: holds 2 samples: expected the directory of one, such as d/seed-1"},
-    {"fit_no_table", {{"d/x", ""}}, {"fit consolidation d"}, "d: holds neither path.csv nor seed-N/path.csv"},
+     "d: holds 2 samples of a scene: expected the directory of one sample, such as d/seed-1"},
+    {"fit_no_table",
+     {{"d/x", ""}},
+     {"fit consolidation d"},
+     "d: this directory contains neither path.csv nor seed-N/path.csv"},
     {"plot_no_forces",
      {{"g.csv", "x,y,r\n0,0,0.1\n2,2,0.1\n"}},
      {kConvert, "plot p.h5 -o p.svg --show forces"},
-     "p.h5: has no normal forces to plot in this unit"},
+     "p.h5: has no normal contact forces, or their unit in this plot is zero: expected a state with both"},
     {"structure_range",
      {{"g.csv", kGrains}},
      {kConvert, "structure p.h5 --fit-range 2,1"},
@@ -304,7 +315,7 @@ const Refusal kOfCommands[] = {
     {"chain_of_one",
      {},
      {"chain --n 1 --R 0.5 --kn 1 --kt 1 --kr 1"},
-     "chain: n = 1: a chain has 2 disks or more"},
+     "chain: n = 1: the number of disks must be from 2 to 1000000"},
     {"chain_without_stiffness",
      {},
      {"chain --n 3 --R 0.5 --kn 0 --kt 1 --kr 1"},
@@ -312,23 +323,27 @@ const Refusal kOfCommands[] = {
     {"chain_that_bites_its_tail",
      {},
      {"chain --n 9 --R 0.5 --kn 1 --kt 1 --kr 1 --bend 45"},
-     "chain: the last disk lies on the first: no line through their centres"},
-    {"run_into_a_file", {{"f", "x"}}, {"run " + kDemo + " -o f"}, "f: is a file, expected a directory"},
+     "chain: the last disk lies on the first, so that no line passes through their centres"},
+    {"run_into_a_file", {{"f", "x"}}, {"run " + kDemo + " -o f"}, "f: this is a file: expected a directory"},
     {"run_into_another",
      {{"d/x", ""}},
      {"run " + kDemo + " -o d"},
-     "d: is not empty: give --resume to continue the run in it or --overwrite to replace it"},
+     "d: this directory is not empty: give --resume to continue the run in it, or --overwrite to replace it"},
     {"ensemble_into_another",
      {{"d/x", ""}},
      {"run " + kDemo + " -o d --seeds 1..2"},
-     "d: is not empty: give --resume to continue the runs in it or --overwrite to replace them"},
-    {"seeds", {}, {"run " + kDemo + " -o d --seeds 2..1"}, "expected A..B, two whole numbers, A at most B"},
+     "d: this directory is not empty: give --resume to continue the runs in it, or --overwrite to replace "
+     "them"},
+    {"seeds",
+     {},
+     {"run " + kDemo + " -o d --seeds 2..1"},
+     "this is not a range of seeds: expected A..B with two whole numbers, A <= B, and at most 1000000 seeds"},
     {"rolling_without_friction",
      {{"s.toml",
        "[scene]\ndimension = 2\n[contact]\nnormal = {law = \"linear\", stiffness = 1e5}\nrolling = "
        "{coefficient = 0.005, stiffness = 10.0}\n"}},
      {"scene check s.toml"},
-     "contact.rolling: needs contact.friction; grains that slide freely need not roll"},
+     "contact.rolling: rolling resistance needs contact.friction; grains that slide freely need not roll"},
     {"aggregation_without_inertia",
      {{"s.toml",
        "[scene]\ndimension = 2\nunits = \"reduced\"\n[grains]\ncount = 40\ndiameter = {distribution = "
@@ -340,19 +355,21 @@ const Refusal kOfCommands[] = {
        "1.0\ninertial_number_cap = 1e-3\n[assembly]\nprotocol = \"aggregation\"\nagitation = 9.5\npressure = "
        "0.01\n"}},
      {"scene check s.toml"},
-     "cell.inertial_number_cap: the aggregation protocol passes through P = 0, where it lets nothing move"},
+     "cell.inertial_number_cap: the protocol \"aggregation\" makes an equilibrium at zero pressure, where a "
+     "cap on the "
+     "inertial number allows no motion"},
     {"two_caps",
      {},
      {"scene check " + kDemo + " --set cell.strain_rate_cap=0.05 --set cell.inertial_number_cap=1"},
-     "cell.inertial_number_cap: expected either this or strain_rate_cap, not both"},
+     "cell.inertial_number_cap is given together with strain_rate_cap: expected only one of them"},
     {"nothing_to_set_in",
      {},
      {"scene check " + kDemo + " --set grains.count.x=1"},
-     "the scene has no table or array item 'count' to set a key in"},
+     "the scene has no table or array item 'count' in which a key could be set"},
     {"no_room",
      {},
      {"run " + kDemo + " -o d --set cell.solid_fraction=0.85 --set grains.count=50"},
-     "cell.solid_fraction = 0.85: expected a solid fraction in (0, 0.6]"},
+     "cell.solid_fraction = 0.85: expected the solid fraction of the gas in (0, 0.6]"},
     {"law_that_a_turn_breaks",
      {},
      {"scene check " + kDemo + " --set load.1.set.adhesion.force=-1"},
@@ -371,15 +388,20 @@ TEST(RefusedRun, FindsWhatIsNotItsOwn) {
     EXPECT_EQ(o.code, 4) << o.err;
     return o.err;
   };
-  EXPECT_THAT(refusal("--seed 9"),
-              HasSubstr("d/state-0000.h5: was made with another scene or seed (9 here, 1 there): a run can "
-                        "only be continued with the scene, settings and seed it began with"));
+  EXPECT_THAT(
+      refusal("--seed 9"),
+      HasSubstr(
+          "d/state-0000.h5: this state was made with another scene or seed (the given seed is 9, and the seed "
+          "of the state is 1): a run can only be continued with the scene, settings and seed with which it "
+          "began"));
   write_text(scratch.file("d/contacts.csv"), "step,colour\n");
-  EXPECT_THAT(refusal("--track-contacts 10"),
-              HasSubstr("d/contacts.csv:1: columns are not those of this version of floc: step,colour"));
+  EXPECT_THAT(refusal("--track-contacts 10"), HasSubstr("d/contacts.csv:1: the columns of this table differ "
+                                                        "from those of this version of floc: step,colour"));
   write_text(scratch.file("d/path.csv"), "step,colour\n");
-  EXPECT_THAT(refusal(""),
-              HasSubstr("d/path.csv:1: columns are not those of this version of floc: step,colour"));
+  EXPECT_THAT(
+      refusal(""),
+      HasSubstr(
+          "d/path.csv:1: the columns of this table differ from those of this version of floc: step,colour"));
 }
 
 TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
@@ -391,7 +413,8 @@ TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
   write_state(scratch.file("d/checkpoint/checkpoint.h5"), state, R"({"colour": 1})");
   const Outcome o = run_floc(run + "1", scratch.path());
   EXPECT_EQ(o.code, 4) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("d/checkpoint/checkpoint.h5: is not a checkpoint of this version: "));
+  EXPECT_THAT(o.err,
+              HasSubstr("d/checkpoint/checkpoint.h5: this is not a checkpoint of this version of floc: "));
 }
 
 /// Samples that begin with a saved state at rest are all the same, and a study makes its own.
@@ -420,11 +443,13 @@ pressure = 0.01
 )");
   const Outcome seeds = run_floc("run s.toml --seeds 1..2 -o e", scratch.path());
   EXPECT_EQ(seeds.code, 4);
-  EXPECT_THAT(seeds.err, HasSubstr("--seeds 1..2: all samples would be the same, because the scene starts from "
-                                   "a state at rest; expected assembly.agitation, or one run"));
+  EXPECT_THAT(seeds.err, HasSubstr("--seeds 1..2: all samples would be equal, because the scene starts from a "
+                                   "saved state at rest, without random velocities: set assembly.agitation in "
+                                   "the scene, or omit --seeds"));
   const Outcome study = run_floc("tradeoff s.toml", scratch.path());
   EXPECT_EQ(study.code, 4);
-  EXPECT_THAT(study.err, HasSubstr("expected \"direct\" or \"aggregation\": samples and their sizes are made"));
+  EXPECT_THAT(study.err, HasSubstr("a study needs samples made from a gas, whose number of grains it can "
+                                   "choose: expected \"direct\" or \"aggregation\""));
 }
 
 }  // namespace

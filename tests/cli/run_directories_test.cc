@@ -49,7 +49,9 @@ TEST_F(RunDirectories, OfEqualRunsCompareEqualWhateverTheyTook) {
   EXPECT_EQ(content_of(file("quiet/path.csv")), content_of(file("quieter/path.csv")));
   const Outcome equal = floc("compare again quiet --format json");
   EXPECT_EQ(equal.code, 0) << equal.err;
-  EXPECT_THAT(equal.err, HasSubstr("equal: 4 states byte by byte, path.csv except for seconds"));
+  EXPECT_THAT(
+      equal.err,
+      HasSubstr("equal: 4 states are equal byte by byte, and path.csv is equal except for the column seconds"));
   const json rows = json::parse(equal.out);
   ASSERT_EQ(rows.size(), 4u);
   for (const json& row : rows) {
@@ -78,7 +80,8 @@ TEST_F(RunDirectories, ResumingAnotherSceneNamesTheKeysThatChanged) {
                            HasSubstr("load.0.to = 2 here, = 1"), Not(HasSubstr("adhesion"))));
   write_text(file("comment.toml"), "# the same\n" + small_scene());
   EXPECT_THAT(floc("run comment.toml -o run --resume").err, HasSubstr("differ only in comments or layout"));
-  EXPECT_THAT(floc("run small.toml -o run --resume --seed 8").err, HasSubstr("8 here, 3 there"));
+  EXPECT_THAT(floc("run small.toml -o run --resume --seed 8").err,
+              HasSubstr("the given seed is 8, and the seed of the state is 3"));
 }
 
 TEST_F(RunDirectories, WarningsThatRepeatAreSaidOnceWithTheWorst) {
@@ -86,7 +89,7 @@ TEST_F(RunDirectories, WarningsThatRepeatAreSaidOnceWithTheWorst) {
   int lines = 0;
   for (std::size_t at = 0; (at = o.err.find("above the tolerance of", at)) != std::string::npos; ++at) ++lines;
   EXPECT_EQ(lines, 1) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("states have this warning; this is the worst)"));
+  EXPECT_THAT(o.err, HasSubstr("states have this warning; this one is for the worst state)"));
   // The worst is the largest of those that states have by themselves.
   double largest = 0.0;
   const std::string words = "error bound of B or G is ";

@@ -39,7 +39,8 @@ TEST(TwoRuns, TheSecondIsToldWhoHoldsTheDirectory) {
   for (const std::string mode : {"", " --resume", " --overwrite", " --seeds 1..2"}) {
     const Outcome o = run_floc("run small.toml -o run" + mode, scratch.path());
     EXPECT_EQ(o.code, 4) << mode;
-    EXPECT_THAT(o.err, AllOf(HasSubstr("run: is being written by " + holder))) << mode;
+    EXPECT_THAT(o.err, AllOf(HasSubstr("run: another run is writing into this directory (" + holder + ")")))
+        << mode;
   }
   ::kill(first, SIGKILL);
   (void)wait_for(first);
@@ -74,13 +75,15 @@ TEST_F(RunDirectoryOf, OtherSeedsScenesAndMissingNumbersIsRefusedByFileName) {
   };
   copy_run(file("run"), file("mixed"));
   fs::copy(file("other/state-0003.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
-  expect_refused("mixed/state-0003.h5: was made with seed 4, the states before it with 3");
+  expect_refused("mixed/state-0003.h5: this state was made with seed 4, but the states before it with seed 3");
   fs::copy(file("scene/state-0003.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
-  expect_refused("mixed/state-0003.h5: was made from a different scene than the states before it");
+  expect_refused(
+      "mixed/state-0003.h5: this state was made from a different scene than the states before it in the "
+      "directory");
   fs::copy(file("run/state-0002.h5"), file("mixed/state-0003.h5"), fs::copy_options::overwrite_existing);
-  expect_refused("mixed/state-0003.h5: is state 2 of its run, not 3 as its name says");
+  expect_refused("mixed/state-0003.h5: this file contains state 2 of its run, but its name is that of state 3");
   fs::remove(file("mixed/state-0003.h5"));
-  expect_refused("mixed/state-0003.h5: is missing, but there is state-0004.h5");
+  expect_refused("mixed/state-0003.h5: this state is missing, although state-0004.h5 exists");
 }
 
 TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
@@ -89,9 +92,8 @@ TEST_F(RunDirectoryOf, AnEnsembleHasOneScene) {
   ASSERT_EQ(floc("run small.toml -o samples/seed-2 --seed 2 --until 2 --set grains.count=30").code, 0);
   const Outcome o = floc("fit consolidation samples");
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(
-      o.err,
-      HasSubstr("samples/seed-2/state-0000.h5: was made from a different scene than the samples before it"));
+  EXPECT_THAT(o.err, HasSubstr("samples/seed-2/state-0000.h5: this state was made from a different scene than "
+                               "the samples before it in the ensemble"));
 }
 
 TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
@@ -102,7 +104,7 @@ TEST_F(RunDirectoryOf, ACutRowIsRefusedUntilResumeHasMendedIt) {
     write_text(file("cut/path.csv"), whole.substr(0, whole.size() - cut));
     const Outcome refused = floc("fit elastic cut");
     EXPECT_EQ(refused.code, 4) << cut;
-    EXPECT_THAT(refused.err, HasSubstr("cut/path.csv: its last row is incomplete")) << cut;
+    EXPECT_THAT(refused.err, HasSubstr("cut/path.csv: the last row of this table is incomplete")) << cut;
     ASSERT_EQ(floc("run small.toml -o cut --resume").code, 0);
     EXPECT_EQ(rows_without_seconds(file("cut/path.csv")), rows_without_seconds(file("run/path.csv"))) << cut;
   }

@@ -46,7 +46,8 @@ TEST_F(RunSeeds, ExitsWithTheWorstOfItsSamplesAndNamesIt) {
   const Outcome some = run("-o some --seeds 1..2 --until 0 --resume");
   EXPECT_EQ(some.code, 4);
   EXPECT_THAT(some.err,
-              AllOf(HasSubstr("seed 1: done"), HasSubstr("seed 2: exit code 4, see some/seed-2.log")));
+              AllOf(HasSubstr("seed 1: done"),
+                    HasSubstr("seed 2: failed with exit code 4; its messages are in some/seed-2.log")));
   EXPECT_THAT(content_of(file("some/seed-2.log")), HasSubstr("some/seed-2: is a file"));
 }
 

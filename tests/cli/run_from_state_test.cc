@@ -62,7 +62,7 @@ TEST_F(RunFromAState, IsContinuedBitByBit) {
   const std::string agitated = "tiled.toml --set assembly.agitation=0.5";
   const Outcome whole = floc("run " + agitated + " -o whole");
   ASSERT_EQ(whole.code, 0) << whole.err;
-  EXPECT_THAT(whole.err, HasSubstr("start: run/state-0003.h5, 40 grains"));
+  EXPECT_THAT(whole.err, HasSubstr("starting state: run/state-0003.h5, 40 grains"));
   EXPECT_GT(row("info whole/state-0000.h5").at("n_steps"), 0);  // agitated, it moves before it is at rest
   const pid_t child = start_run(file("."), agitated + " -o broken");
   ::usleep(100000);
@@ -76,7 +76,8 @@ TEST_F(RunFromAState, IsContinuedBitByBit) {
 TEST_F(RunFromAState, DiffersBySeedOnlyWhereItIsAgitated) {
   const Outcome refused = floc("run tiled.toml -o same --seeds 1..2");
   EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.err, AllOf(HasSubstr("--seeds 1..2"), HasSubstr("expected assembly.agitation")));
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("--seeds 1..2"),
+                                 HasSubstr("set assembly.agitation in the scene, or omit --seeds")));
   ASSERT_EQ(floc("run tiled.toml -o seeds --seeds 1..2 --until 0 --set assembly.agitation=2").code, 0);
   EXPECT_NE(row("info seeds/seed-1/state-0000.h5").at("phi"), row("info seeds/seed-2/state-0000.h5").at("phi"));
 }

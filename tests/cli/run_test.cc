@@ -146,11 +146,12 @@ TEST_F(RunCommand, StopsAfterTheStepAskedForAndGoesOn) {
 TEST_F(RunCommand, SaysWhatBlocksAStepThatDoesNotConverge) {
   const Outcome moving = run("small.toml -o short --set equilibrium.max_time=40");
   EXPECT_EQ(moving.code, 3);
-  EXPECT_THAT(moving.err,
-              ::testing::AllOf(::testing::HasSubstr("did not converge"), ::testing::HasSubstr("against")));
+  EXPECT_THAT(moving.err, ::testing::AllOf(::testing::HasSubstr("did not converge"),
+                                           ::testing::AnyOf(::testing::HasSubstr("(tolerance "),
+                                                            ::testing::HasSubstr("(limit "))));
   const Outcome apart = run("small.toml -o apart --set equilibrium.max_time=1");
   EXPECT_EQ(apart.code, 3);
-  EXPECT_THAT(apart.err, ::testing::HasSubstr("clusters, expected one"));
+  EXPECT_THAT(apart.err, ::testing::HasSubstr("clusters, but the aggregation ends only when they form one"));
 }
 
 TEST_F(RunCommand, TakesAStaticStepWhereNothingRearranges) {

@@ -64,9 +64,12 @@ struct Doubtful {
 
 TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
   const Doubtful scenes[] = {
-      {"equilibrium.force=1e-17", "equilibrium.force = 1e-17: double precision cannot reach it"},
-      {"equilibrium.moment=1e-10", "equilibrium.moment = 1e-10: Newton steps end at 1e-08"},
-      {"contact.adhesion.range=0.4", "contact.adhesion.range = 0.4: longer than the smallest radius, 0.25"},
+      {"equilibrium.force=1e-17",
+       "equilibrium.force = 1e-17: this tolerance cannot be reached in double precision"},
+      {"equilibrium.moment=1e-10",
+       "equilibrium.moment = 1e-10: the Newton iteration stops at a residual of 1e-08"},
+      {"contact.adhesion.range=0.4",
+       "contact.adhesion.range = 0.4: the range is longer than the smallest radius, 0.25"},
       {"grains.count=100000000", "days on one core"},
   };
   for (const Doubtful& scene : scenes) {
@@ -77,8 +80,10 @@ TEST(SceneCheck, WarnsOfWhatWillNotComeOutAsMeant) {
     EXPECT_THAT(o.err, HasSubstr("no faults, 1 warning")) << scene.change;
   }
   const std::string direct = source_directory() + "/data/scenes/type1_no_rolling.toml";
-  EXPECT_THAT(run_floc("scene check " + direct + " --set cell.strain_rate_cap=1e-9").err,
-              HasSubstr("cell.strain_rate_cap = 1e-09: compressing the gas from solid_fraction"));
+  EXPECT_THAT(
+      run_floc("scene check " + direct + " --set cell.strain_rate_cap=1e-9").err,
+      HasSubstr(
+          "cell.strain_rate_cap = 1e-09: at this strain rate the compression of the gas from solid_fraction"));
 }
 
 /// Settings whose motion the time step cannot resolve, or that make it so short that no equilibrium is reached.
@@ -86,14 +91,14 @@ TEST(SceneCheck, WarnsOfTimeStepsThatLeadNowhere) {
   struct {
     const char *scene, *changes, *warning;
   } const scenes[] = {
-      {"demo", "cell.mass=1e-30", "cell.mass = 1e-30: so light a cell vibrates faster than the grains"},
-      {"demo", "load.0.cell_mass=1e-20", "load.0.cell_mass = 1e-20: so light a cell"},
-      {"spheres_demo", "cell.mass=1e-6", "cell.mass = 1e-06: so light a cell"},
+      {"demo", "cell.mass=1e-30", "cell.mass = 1e-30: such a light cell vibrates faster than the grains"},
+      {"demo", "load.0.cell_mass=1e-20", "load.0.cell_mass = 1e-20: such a light cell"},
+      {"spheres_demo", "cell.mass=1e-6", "cell.mass = 1e-06: such a light cell"},
       {"spheres_demo", "contact.normal.modulus=1e14",
-       "contact.normal: the contacts are so stiff against the load"},
+       "contact.normal: relative to the load the contacts are so stiff"},
       {"spheres_demo", "assembly.pressure=0.07 --set load.0.to=0.7",
        "contact.normal: the contacts are so stiff"},
-      {"compaction_demo", "box.mass=1e-4", "box.mass = 0.0001: walls so light"},
+      {"compaction_demo", "box.mass=1e-4", "box.mass = 0.0001: walls of such a small mass"},
   };
   for (const auto& [scene, changes, warning] : scenes) {
     const Outcome o =
@@ -134,8 +139,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"grains.count=many", "grains.count = 'many': expected a whole number"},
         Mistake{"assembly.pressure=nan", "assembly.pressure = nan: expected a positive number"},
         Mistake{"contact.normal.stiffness=-1", "contact.normal.stiffness = -1: expected a positive number"},
-        Mistake{"grains.diameter.min=2", "grains.diameter.min = 2: expected at most max = 1"},
-        Mistake{"cell.solid_fraction=0.9", "cell.solid_fraction = 0.9: expected a solid fraction in (0, 0.6]"},
+        Mistake{"grains.diameter.min=2", "grains.diameter.min = 2: expected at most grains.diameter.max = 1"},
+        Mistake{"cell.solid_fraction=0.9",
+                "cell.solid_fraction = 0.9: expected the solid fraction of the gas in (0, 0.6]"},
         Mistake{"contact.adhesion={law=\"tail\", range=1e-3}", "contact.adhesion.force is missing"},
         Mistake{"scene.dimension=4", "scene.dimension = 4: expected 2 or 3"}));
 

@@ -74,7 +74,7 @@ class SoftPackings : public testing::Test {
   /// Expects that the message of a command holds `words`, that grains overlap too far, and asks to check the units.
   void expect_said(const std::vector<std::string>& arguments, const std::string& words) {
     const Outcome o = floc_arguments(arguments);
-    EXPECT_THAT(o.err, AllOf(HasSubstr(words), HasSubstr("in the units of lengths and forces?")))
+    EXPECT_THAT(o.err, AllOf(HasSubstr(words), HasSubstr("consistent with the units of lengths and forces?")))
         << arguments[0];
     EXPECT_THAT(o.code, testing::AnyOf(0, 3, 5)) << o.err;
     ++n_said_;
@@ -90,7 +90,7 @@ class SoftPackings : public testing::Test {
     expect_said({"verify", scratch_.file("s.h5")}, overlap);
     expect_said({"moduli", scratch_.file("s.h5"), "--force"}, overlap);
     write_text(scratch_.file("s.toml"), soft_scene(law, dimension));
-    expect_said({"scene", "check", scratch_.file("s.toml")}, "contacts would overlap by about 0.");
+    expect_said({"scene", "check", scratch_.file("s.toml")}, "grains in contact would overlap by about 0.");
     if (!law.has_damping()) return;  // a gas that nothing damps takes long to come to rest
     std::filesystem::remove_all(scratch_.file("run"));
     expect_said({"run", scratch_.file("s.toml"), "-o", scratch_.file("run")}, "  warning: ");
@@ -117,7 +117,8 @@ TEST_F(SoftPackings, OfASlipOfUnitsAreSaidToBeDenserThanCanBe) {
   const std::string slip = source_directory() + "/data/scenes/cohesionless_cycle.toml";
   const Outcome check = floc_arguments({"scene", "check", slip, "--set", "contact.normal.stiffness=1e-2"});
   EXPECT_EQ(check.code, 0);
-  EXPECT_THAT(check.err, AllOf(HasSubstr("contacts would overlap by about"), HasSubstr("is K_N = 0.01 in")));
+  EXPECT_THAT(check.err,
+              AllOf(HasSubstr("grains in contact would overlap by about"), HasSubstr("is K_N = 0.01 in")));
 }
 
 TEST_F(SoftPackings, OfEqualGrainsAreHeldAgainstTheDensestThereAre) {

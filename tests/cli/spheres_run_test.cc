@@ -146,22 +146,26 @@ TEST(SpheresScene, SaysOfAModelThatDoesNotFitThatAlone) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SpheresRefusal,
-    testing::Values(
-        BadBeads{"dimension = 3", "dimension = 2", "law = \"hertz\": is for spheres, expected dimension = 3"},
-        BadBeads{"dimension = 3", "dimension = 4", "expected 2 or 3"},
-        BadBeads{"poisson = 0.3", "poisson = 0.5", "expected Poisson's ratio nu, in (-1, 0.5)"},
-        BadBeads{"{critical_fraction = 0.98}", "{restitution = 0.5}", "damping follows the stiffness"},
-        BadBeads{"law = \"mindlin\", coefficient = 0.3", "coefficient = 0.3, stiffness = 1e5",
-                 "its stiffness follows from Poisson's ratio"},
-        BadBeads{"law = \"hertz\", modulus = 70e9, poisson = 0.3", "law = \"linear\", stiffness = 1e5",
-                 "expected contact.damping = {restitution}"},
-        BadBeads{"law = \"hertz\", modulus", "law = \"hertz\", stiffness = 1.0, modulus",
-                 "a hertz normal has no stiffness"},
-        BadBeads{"to = 10e6", "to = 10e9", "expected at least 30: spheres would overlap too far"},
-        BadBeads{"solid_fraction = 0.45", "solid_fraction = 0.55", "a solid fraction in (0, 0.49]"},
-        BadBeads{"friction = 0.02", "friction = -1", "a friction coefficient >= 0"},
-        BadBeads{"friction = 0.02", "vibration = {dilation = 0.5, collisions = 5}",
-                 "expected a factor of all lengths, 1 to 2"}));
+    testing::Values(BadBeads{"dimension = 3", "dimension = 2",
+                             "law = \"hertz\": this model is for spheres; expected dimension = 3"},
+                    BadBeads{"dimension = 3", "dimension = 4", "expected 2 or 3"},
+                    BadBeads{"poisson = 0.3", "poisson = 0.5", "expected Poisson's ratio nu, in (-1, 0.5)"},
+                    BadBeads{"{critical_fraction = 0.98}", "{restitution = 0.5}",
+                             "the damping of elastic spheres follows the normal stiffness"},
+                    BadBeads{"law = \"mindlin\", coefficient = 0.3", "coefficient = 0.3, stiffness = 1e5",
+                             "its stiffness follows from Poisson's ratio"},
+                    BadBeads{"law = \"hertz\", modulus = 70e9, poisson = 0.3",
+                             "law = \"linear\", stiffness = 1e5", "expected contact.damping = {restitution}"},
+                    BadBeads{"law = \"hertz\", modulus", "law = \"hertz\", stiffness = 1.0, modulus",
+                             "the model \"hertz\" of contact.normal has no stiffness"},
+                    BadBeads{"to = 10e6", "to = 10e9",
+                             "expected at least 30: with a smaller one spheres overlap too far"},
+                    BadBeads{"solid_fraction = 0.45", "solid_fraction = 0.55",
+                             "the solid fraction of the gas in (0, 0.49]"},
+                    BadBeads{"friction = 0.02", "friction = -1",
+                             "the friction coefficient during the assembly, a number >= 0"},
+                    BadBeads{"friction = 0.02", "vibration = {dilation = 0.5, collisions = 5}",
+                             "expected the factor by which all lengths grow, a number from 1 to 2"}));
 
 }  // namespace
 }  // namespace floc::test

@@ -85,7 +85,8 @@ TEST(BadState, OfAnotherFormatVersionOrShapeIsRefusedWithExitCode4) {
   };
   expect_refusal(info_of_header("other-state", 1, 2, nothing),
                  "format = \"other-state\", expected \"floc-state\"");
-  expect_refusal(info_of_header("floc-state", 3, 2, nothing), "version = 3: written by a newer floc");
+  expect_refusal(info_of_header("floc-state", 3, 2, nothing),
+                 "version = 3: the file was written by a newer floc");
   expect_refusal(info_of_header("floc-state", 0, 2, nothing), "version = 0");
   expect_refusal(info_of_header("floc-state", 1, 4, nothing), "dimension = 4, expected 2 or 3");
   expect_refusal(info_of_header("floc-state", 1, 2, nothing), ":/cell/matrix: this dataset is missing");
@@ -94,13 +95,13 @@ TEST(BadState, OfAnotherFormatVersionOrShapeIsRefusedWithExitCode4) {
                                   file.group("cell");
                                   file.array("cell/matrix", {3, 3}, std::vector<double>(9, 1.0));
                                 }),
-                 ":/cell/matrix: its shape is (3, 3), expected (2, 2)");
+                 ":/cell/matrix: the shape of the dataset is (3, 3), expected (2, 2)");
   expect_refusal(info_of_header("floc-state", 1, 2,
                                 [](Hdf5Writer& file) {
                                   file.group("cell");
                                   file.array("cell/matrix", {2, 2}, std::vector<std::int32_t>(4, 1));
                                 }),
-                 ":/cell/matrix: holds values of another type, expected real numbers");
+                 ":/cell/matrix: the dataset holds values of another type, expected real numbers");
 }
 
 TEST(BadState, CutShortOrForeignIsRefusedWithExitCode4) {

@@ -43,7 +43,7 @@ class Structure : public testing::Test {
 TEST_F(Structure, GivesPoresAndWhatWasMeasuredHow) {
   const Outcome o = structure("frames.h5 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("frames.h5: no fit of I(k)"));
+  EXPECT_THAT(o.err, HasSubstr("frames.h5: no fit of the scattering intensity I(k)"));
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("n_pores"), 1);
   EXPECT_NEAR(row.at("pore_mean_area").get<double>(), 16.0 - 8.0 * std::numbers::pi * 0.51 * 0.51, 1e-12);
@@ -179,7 +179,7 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   EXPECT_NEAR(mean, phi, 1e-12);
   const Outcome along_z = structure("frames.h5 --profile p.csv --profile-axis z");
   EXPECT_EQ(along_z.code, 4);
-  EXPECT_THAT(along_z.err, HasSubstr("frames.h5: is 2D and has no axis z: --profile-axis is x or y"));
+  EXPECT_THAT(along_z.err, HasSubstr("frames.h5: is 2D and has no axis z: --profile-axis must be x or y"));
   // The last axis unless another is given.
   ASSERT_EQ(structure("frames.h5 --profile last.csv").code, 0);
   ASSERT_EQ(structure("frames.h5 --profile y.csv --profile-axis y").code, 0);
@@ -193,7 +193,7 @@ TEST_F(Structure, BadInputIsNamedAndTheOthersAreDone) {
   const Outcome o = structure("bad.h5 empty.h5 frames.h5 --format csv");
   EXPECT_EQ(o.code, 4);
   EXPECT_THAT(o.err, HasSubstr("bad.h5"));
-  EXPECT_THAT(o.err, HasSubstr("empty.h5:/grains/radius: holds no grains"));
+  EXPECT_THAT(o.err, HasSubstr("empty.h5:/grains/radius: the dataset holds no grains"));
   EXPECT_THAT(o.out, HasSubstr("\nframes.h5,2,8,"));
   EXPECT_EQ(structure("frames.h5 --fit-range 1,0.5").code, 4);
   EXPECT_EQ(structure("frames.h5 --cells-per-wave 1").code, 2);

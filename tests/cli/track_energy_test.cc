@@ -102,7 +102,7 @@ TEST_F(TrackEnergy, IsRefusedWhereNoMotionLeadsToAnEquilibrium) {
 
 /// Why no account is kept of a shipped scene as it is, or with equilibrium.finish = "dynamic"; empty where one is.
 std::string refusal_of(const Scene& scene, bool dynamic) {
-  if (scene.assembly.box) return "the grains stand in a [box]";
+  if (scene.assembly.box) return "the scene has walls (table [box])";
   if (!dynamic && scene.relaxation.finish != Finish::dynamic)
     return "expected equilibrium.finish = \"dynamic\"";
   for (const LoadStage& stage : scene.load)
@@ -131,7 +131,7 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
     }
   }
   for (const auto& [words, n] : n_refused) std::cout << n << " refusals: " << words << "\n";
-  EXPECT_GE(n_refused["the grains stand in a [box]"], 4);
+  EXPECT_GE(n_refused["the scene has walls (table [box])"], 4);
   EXPECT_GE(n_refused["assembly.vibration moves the grains"], 2);
 }
 

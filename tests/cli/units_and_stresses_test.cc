@@ -70,11 +70,11 @@ TEST(UnitsOfTables, AreConvertedOrRefusedWhereTablesArePooled) {
     const Outcome o = pooled_lambda(a, 1.0, b, 1.0);
     EXPECT_EQ(o.code, 4) << a << ", " << b;
     EXPECT_THAT(o.err, HasSubstr("b.csv: has ")) << a << ", " << b;
-    EXPECT_THAT(o.err, HasSubstr("expected units of one kind")) << a << ", " << b;
+    EXPECT_THAT(o.err, HasSubstr("expected two known units of one quantity")) << a << ", " << b;
     EXPECT_EQ(json::parse(o.out).size(), 1u);
     const Outcome plot = run_floc("plot a.csv b.csv --show consolidation -o p.svg", scratch.path());
     EXPECT_EQ(plot.code, 4);
-    EXPECT_THAT(plot.err, HasSubstr("expected units of one kind"));
+    EXPECT_THAT(plot.err, HasSubstr("expected two known units of one quantity"));
     ++n_refused;
   }
   EXPECT_EQ(pooled_lambda("P_star [-]", 1.0, "P_star", 1.0).code, 0);
@@ -123,7 +123,7 @@ TEST(UnitsOfTables, ModuliOfAStateTakeTheUnitOfTheTable) {
     const Outcome o = fit(header, 1.0, state);
     EXPECT_EQ(o.code, 4) << header;
     EXPECT_THAT(o.err, HasSubstr(std::string(state) + ": has ")) << header;
-    EXPECT_THAT(o.err, HasSubstr("expected units of one kind")) << header;
+    EXPECT_THAT(o.err, HasSubstr("expected two known units of one quantity")) << header;
   }
 }
 

@@ -66,7 +66,9 @@ TEST(Verify, NamesTheGrainsOutOfBalance) {
 TEST(Verify, NamesTheContactsThatTheListMisses) {
   const auto result = verify_spoiled([](State<2>& s) { s.packing.contacts.erase(s.packing.contacts.begin()); });
   EXPECT_EQ(result.code, 5);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("list does not hold"), HasSubstr("missing at a gap of -")));
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("list does not hold"),
+                    HasSubstr("are missing in the contact list although they interact at their gap of -")));
 }
 
 TEST(Verify, NamesTheContactsThatTheListHasTooMany) {
@@ -77,10 +79,10 @@ TEST(Verify, NamesTheContactsThatTheListHasTooMany) {
                   refresh_contact(s.packing, far);
                   s.packing.contacts.push_back(far);
                 }),
-                "list", "grains 0-1 listed at a gap of");
+                "list", "grains 0-1 are in the contact list although they do not interact at their gap of");
   const auto twice =
       verify_spoiled([](State<2>& s) { s.packing.contacts.push_back(s.packing.contacts.front()); });
-  EXPECT_THAT(twice.err, HasSubstr("listed twice"));
+  EXPECT_THAT(twice.err, HasSubstr("are in the contact list twice"));
 }
 
 TEST(Verify, NamesTheContactsWhoseGapOrForceIsNotThatOfThePositions) {
@@ -90,19 +92,19 @@ TEST(Verify, NamesTheContactsWhoseGapOrForceIsNotThatOfThePositions) {
       verify_spoiled([](State<2>& s) { s.packing.contacts[5].normal = s.packing.contacts[6].normal; }),
       "geometry", "grains ");
   expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].normal_force *= 1.001; }), "law", "law");
-  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].kn = 2.0; }), "law", "by a stiffness");
+  expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].kn = 2.0; }), "law", "by the stiffness");
 }
 
 TEST(Verify, MeasuresAgainstTheStressAndTheTolerancesAskedFor) {
   expect_failed(verify_spoiled([](State<2>& s) { s.target_stress[0] *= 1.001; }), "stress recorded",
-                "sigma_1 = 0.001 against 0.001001");
+                "sigma_1 = 0.001 but the target is 0.001001");
   EXPECT_EQ(verify_spoiled([](State<2>& s) {
               s.tolerance.stress = 2e-3, s.target_stress[0] *= 1.001;
               measure(s);
             }).code,
             0);
   expect_failed(verify_spoiled([](State<2>& s) { s.packing.grains.velocity[0][0] = 1e-3; }), "energy recorded",
-                "still move");
+                "still moving");
 }
 
 TEST(Verify, HoldsTheStressThatTheFileRecordsAgainstTheForces) {
@@ -113,12 +115,12 @@ TEST(Verify, HoldsTheStressThatTheFileRecordsAgainstTheForces) {
 
 TEST(Verify, HoldsResidualsCountsAndFlagsThatTheFileRecordsAgainstWhatItFinds) {
   expect_failed(verify_spoiled([](State<2>& s) { s.residuals.force = 1e-9; }), "recorded",
-                "residuals.force recorded as 1e-09, found");
+                "residuals.force is recorded as 1e-09, but its value is");
   expect_failed(verify_spoiled([](State<2>& s) { s.residuals.energy = 1e-9; }), "recorded", "residuals.energy");
   expect_failed(verify_spoiled([](State<2>& s) { s.n_negative = 2; }), "recorded",
-                "n_negative recorded as 2, found 0");
+                "n_negative is recorded as 2, but its value is 0");
   expect_failed(verify_spoiled([](State<2>& s) { s.packing.contacts[5].sliding = true; }), "recorded",
-                "recorded as sliding");
+                "are recorded as sliding, but their forces show the opposite");
 }
 
 TEST(Verify, HoldsMassesAgainstTheDensityOfTheScene) {
@@ -194,7 +196,7 @@ TEST(Verify, NamesTolerancesThatAnyPackingMeetsAndABoundaryThatMoves) {
     EXPECT_THAT(verify_spoiled([&](State<2>& s) { s.tolerance.moment = tolerance; }).err,
                 testing::AnyOf(HasSubstr("tolerances does not hold"), HasSubstr("equilibrium/tolerances")));
   expect_failed(verify_spoiled([](State<2>& s) { s.packing.cell.velocity(0, 0) = 1.0; }), "boundary_motion",
-                "the cell still changes its shape");
+                "the cell is still being deformed");
 }
 
 TEST(Verify, OfManyExitsWithTheWorst) {

@@ -36,7 +36,7 @@ TEST(FilesOfVersion1, ThatAreCheckpointsAreRefusedInWords) {
   const Outcome resumed = run_floc("run " + version_1("scene.toml") + " -o run --resume", scratch.path());
   EXPECT_EQ(resumed.code, 4);
   EXPECT_THAT(resumed.err,
-              HasSubstr("checkpoint.h5:/progress: is a checkpoint in version 1 of the file format"));
+              HasSubstr("checkpoint.h5:/progress: the checkpoint has version 1 of the file format"));
   EXPECT_THAT(resumed.err, HasSubstr("remove the checkpoint to continue from the last equilibrium saved"));
 }
 

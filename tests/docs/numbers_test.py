@@ -325,15 +325,15 @@ class Test:
             self.fault(f"floc demo: its last line is {lines[-1]!r}")
 
     def progress(self):
-        text = self.claim_block("step 9/40 load P")
+        text = self.claim_block("step 9/40 (branch load, P")
         said = self.progress_of_demo
         for line in text.strip().split("\n"):
-            found = re.match(r"(step \d+/40 load P = [\d.]+: )phi ([\d.]+), (\d+) contacts, residual ([\d.e-]+) (\(\w+\))",
-                             line)
+            result = r"solid fraction ([\d.]+), (\d+) contacts, force residual ([\d.e-]+) (\(ending: \w+\))"
+            found = re.match(r"(step \d+/40 \(branch load, P = [\d.]+\): )" + result, line)
             if not found:
                 continue  # what is said while it moves depends on the machine
             start, phi, contacts, residual, ending = found.groups()
-            now = re.search(re.escape(start) + r"phi ([\d.]+), (\d+) contacts, residual ([\d.e-]+) (\(\w+\))", said)
+            now = re.search(re.escape(start) + result, said)
             if not now or now.groups() != (phi, contacts, residual, ending):
                 self.differs(f"progress: the page says {line!r}, the program {now and now.group(0)!r}")
 

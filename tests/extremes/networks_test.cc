@@ -234,7 +234,7 @@ TEST(Packing, OfAGrainVeryMuchLargerThanItsCellIsRefused) {
     find_contacts(packing);
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("is so small beside its largest grain"), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("is so small compared with its largest grain"), std::string::npos)
         << e.what();
   }
 }

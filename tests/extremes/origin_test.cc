@@ -140,10 +140,9 @@ TEST(Positions, FartherThanImagesCanCountAreRefused) {
     read_csv_packing(scratch.file("far.csv"), options);
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_EQ(
-        std::string(e.what()),
-        scratch.file("far.csv") +
-            ":3: lies more than 1e9 cells away from the cell: --cell is too small, or a coordinate wrong");
+    EXPECT_EQ(std::string(e.what()), scratch.file("far.csv") +
+                                         ":3: a grain lies more than 1e9 cells away from the cell: --cell is "
+                                         "too small, or a coordinate is wrong");
   }
 }
 

@@ -200,33 +200,37 @@ TEST_P(Refused, InWords) {
 }
 
 const Refusal kRefusals[] = {
-    {"one_grain", {"grains.count=1"}, 4, "grains.count = 1: expected a whole number of grains, 2 to 1e8"},
+    {"one_grain",
+     {"grains.count=1"},
+     4,
+     "grains.count = 1: expected the number of grains, a whole number from 2 to 1e8"},
     {"first_pressure_below_the_tolerance",
      {"assembly.pressure=1e-6"},
      4,
-     "assembly.pressure = 1e-06: expected more than equilibrium.stress * F0/a = 1e-05, the error that a stress "
-     "may have, or "
-     "a smaller equilibrium.stress"},
+     "assembly.pressure = 1e-06: this pressure is not larger than the accepted error of a stress, "
+     "equilibrium.stress * F0/a = 1e-05; "
+     "expected a higher pressure or a smaller equilibrium.stress"},
     {"load_below_the_tolerance",
      {"load.0.to=1e-6"},
      4,
-     "to = 1e-06: expected more than equilibrium.stress * F0/a = 1e-05"},
+     "to = 1e-06: this pressure is not larger than the accepted error of a stress, equilibrium.stress * F0/a = "
+     "1e-05"},
     {"contacts_stiffer_than_doubles_resolve",
      {"contact.normal.stiffness=1e12"},
      4,
-     "contact.normal.stiffness = 1000000000000: rounding leaves a stress of 4.4e-04 F1/a, expected less than "
+     "contact.normal.stiffness = 1000000000000: the contacts are so stiff that rounding errors cause stresses "
+     "of 4.4e-04 F1/a^(d-1), where F1 is the larger of the pull-off force and P a^(d-1); expected errors below "
      "equilibrium.stress = 1.0e-05"},
     {"motion_that_cannot_resolve_its_tolerance",
      {"contact.normal.stiffness=1e9", "grains.count=1400", "equilibrium.finish=dynamic"},
      4,
-     "equilibrium.finish = \"dynamic\": rounding of positions leaves net forces of 2.6e-05 F1, expected less "
-     "than "
-     "equilibrium.force = 1.0e-05"},
+     "equilibrium.finish = \"dynamic\": rounding errors of the positions cause net forces of 2.6e-05 F1 on "
+     "grains, where F1 is the larger of the pull-off force and P a^(d-1), but equilibrium.force = 1.0e-05"},
     {"too_little_time", {"equilibrium.max_time=1"}, 3, "did not converge: "},
     {"spheres_pressed_too_far",
      {"load.0.to=1e-2"},
      4,
-     "kappa = (E~/P)^(2/3) = 21.5, expected at least 30",
+     "kappa = (E~/P)^(2/3) is 21.5, expected at least 30",
      kSpheres},
     {"spheres_damped_beyond_critical",
      {"contact.damping.critical_fraction=5"},
@@ -251,7 +255,7 @@ const Refusal kRefusals[] = {
     {"box_too_small_for_two_spheres",
      {"grains.count=2"},
      4,
-     "assembly: solid_fraction: grains could be grown without overlap only to",
+     "assembly: solid_fraction is too large: grains could be grown without overlap only to",
      box_scene(3)},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),

@@ -30,11 +30,11 @@ class Export(unittest.TestCase):
         done = subprocess.run([samples.PROGRAM, "export", state, "--grains", grains, "--contacts", contacts],
                               capture_output=True, text=True, cwd=where, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        command = done.stderr.split("To make the state again:\n")[1].strip()
+        command = done.stderr.split("The following command restores the state:\n")[1].strip()
         (where / "STATE.h5").unlink(missing_ok=True)
         again = shell(command, where)
         self.assertEqual(again.returncode, 0, command + "\n" + again.stderr)
-        self.assertNotIn("bridges listed hold", again.stderr)
+        self.assertNotIn("listed liquid bridges sum to", again.stderr)
         return where / "STATE.h5"
 
     def same(self, state, again):
@@ -79,7 +79,7 @@ class Export(unittest.TestCase):
                 files = sorted(run.glob("state-*.h5"))
                 if floc.read(files[-1]).walls:
                     n_walls += 1
-                    self.assertIn("has walls, which a table of grains cannot hold", subprocess.run(
+                    self.assertIn("this state has walls, which cannot be written to a table of grains", subprocess.run(
                         [samples.PROGRAM, "export", files[-1], "--grains", run / "g.csv"], capture_output=True, text=True,
                         check=False).stderr)
                     continue
@@ -113,7 +113,7 @@ class BridgeVolumes(unittest.TestCase):
             done = subprocess.run([samples.PROGRAM, "convert", "w.csv", "w.h5", "--cell", "4,0;0,4", "--law", self.LAW, "--contacts",
                                    "v.csv", "--overwrite"], capture_output=True, text=True, cwd=where, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual("the bridges listed hold" in done.stderr, said)
+            self.assertEqual("the volumes of the listed liquid bridges sum to" in done.stderr, said)
             self.assertEqual(floc.read(where / "w.h5").contacts["bridge_volume"][0], share * volume)
         done = subprocess.run([samples.PROGRAM, "convert", "w.csv", "w.h5", "--cell", "4,0;0,4", "--law", "normal.stiffness=1",
                                "--contacts", "v.csv", "--overwrite"], capture_output=True, text=True, cwd=where, check=False)

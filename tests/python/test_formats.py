@@ -94,7 +94,7 @@ class EveryFormat(unittest.TestCase):
             with self.subTest(format=extension):
                 convert(path, f"box.{extension}")
                 words = convert(f"box.{extension}", "none.h5", "--law", LAW, code=4)
-                self.assertRegex(words, r"the box is not periodic \(.*\): packings between walls are not read; --cell puts")
+                self.assertRegex(words, r"the box is not periodic \(.*\), and packings between walls cannot be read; --cell puts")
                 sides = np.diag(state.cell) + 2.0
                 words = convert(f"box.{extension}", "apart.h5", "--law", LAW, "--cell", f"{sides[0]},0;0,{sides[1]}")
                 self.assertEqual(floc.read(samples.directory() / "apart.h5").n_contacts,
@@ -157,7 +157,7 @@ class FilesOfOtherPrograms(unittest.TestCase):
         middle = layer(0.998, z=0.0)
         mixed = (low[0], [(*row[:3], 0.5 - 0.02 * (k == 3)) for k, row in enumerate(low[1])])
         leaning = (low[0] + np.array([[0, 0, 0], [0, 0, 0], [0.2, 0, 1]]), low[1])
-        as_disks, as_spheres, doubt = "taken as disks", "taken as spheres", "warning: every z is the same: taken as disks"
+        as_disks, as_spheres, doubt = "taken as disks", "taken as spheres", "warning: every z is the same, so the grains are taken as disks"
         silent = "taken as"
         every = [(writer, cell_and_rows, options, words, dimension)
                  for writer in (lambda c, r: xyz(c, r, 'pbc="T T T"'), dump, data, yade, vtu)
@@ -169,9 +169,9 @@ class FilesOfOtherPrograms(unittest.TestCase):
                   (lambda c, r: dump(c, r, "pp pp ff"), low, (), as_disks, 2),
                   (lambda c, r: dump(c, r, low=-0.499), middle, (), doubt, 2),
                   (lambda c, r: data(c, r, low=-0.499), middle, (), doubt, 2),
-                  (lambda c, r: xyz(c, r, 'pbc="T T T"'), leaning, (), "lean along z: taken as spheres", 3),
-                  (yade, leaning, (), "lean along z: taken as spheres", 3),
-                  (vtu, leaning, (), "lean along z: taken as spheres", 3),
+                  (lambda c, r: xyz(c, r, 'pbc="T T T"'), leaning, (), "tilted along z, so the grains are taken as spheres", 3),
+                  (yade, leaning, (), "tilted along z, so the grains are taken as spheres", 3),
+                  (vtu, leaning, (), "tilted along z, so the grains are taken as spheres", 3),
                   (lambda c, r: xyz(c, r, 'pbc="T T T" dimension=3'), high, (), None, 3),
                   (lambda c, r: xyz(c, r, 'pbc="T T T" dimension=2'), low, (), None, 2),
                   (lambda c, r: data(c, r, "floc: dimension 3, boundary p p p"), high, (), None, 3),
@@ -208,7 +208,7 @@ class FilesOfOtherPrograms(unittest.TestCase):
                         n += 1
                         words, _ = self.read(written, code=4)
                         self.assertIn("the box is not periodic (", words)
-                        self.assertIn("packings between walls are not read; --cell puts", words)
+                        self.assertIn("packings between walls cannot be read; --cell puts", words)
                         size = "4,0;0,4" if dimension == 2 else "4,0,0;0,4,0;0,0,4"
                         words, state = self.read(written, "--cell", size, "--tolerance", 1e9)
                         self.assertEqual(state.dimension, dimension)
@@ -220,7 +220,7 @@ class FilesOfOtherPrograms(unittest.TestCase):
                               (dump(*layer(1.5)), False), (data(*layer(1.5), "boundary p p p"), False),
                               (data(*layer(1.5), style="granular"), True)):
             words, state = self.read(written, "--tolerance", 1e9)
-            self.assertEqual("taken as periodic in every direction: the file does not say" in words, said, written)
+            self.assertEqual("taken as periodic in every direction, because the file does not say" in words, said, written)
             self.assertEqual(state.n_contacts, 8)
 
     def test_of_a_dump_with_few_flags_or_none_take_the_cell_that_is_given(self):
@@ -239,7 +239,7 @@ class FilesOfOtherPrograms(unittest.TestCase):
         rows[2] = (*rows[2][:2], 0.9, 0.5)
         for written in (xyz(cell, rows, 'pbc="T T T"'), dump(cell, rows), data(cell, rows), yade(cell, rows), vtu(cell, rows)):
             for options in (("--dimension", 2), ("--cell", "1.996,0;0,1.996")):
-                self.assertRegex(self.read(written, *options, code=4)[0], "z = 0.9, but 0.4 at .*: expected one z of all disks")
+                self.assertRegex(self.read(written, *options, code=4)[0], "z = 0.9, but z = 0.4 at .*: expected the same z for all disks")
 
     def test_print_the_stress_by_rows(self):
         (samples.directory() / "grains.csv").write_text("id,x,y,radius\n0,0,0,0.5\n1,0.99,0,0.5\n", encoding="utf-8")

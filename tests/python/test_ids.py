@@ -113,9 +113,9 @@ class Ids(unittest.TestCase):
         cell = ("--law", "normal.stiffness=1000", "--cell", "4.2,0;0,4", "--overwrite")
         said = program("convert", "g.csv", "m.h5", "--contacts", "c.csv", *cell)
         self.assertEqual(said.returncode, 0, said.stderr)
-        for words in ("(grains 301-204)", "touch but are not listed (grains 204-103 at a gap", "net force of grain 301 / F1"):
+        for words in ("(grains 301-204)", "touch but are not listed (grains 204-103 at a gap", "net force of grain 301 in units of the force scale F1"):
             self.assertIn(words, said.stderr)
-        self.assertIn("net force of grain 301 / F1", program("moduli", "m.h5").stderr)
+        self.assertIn("net force of grain 301 in units of the force scale F1", program("moduli", "m.h5").stderr)
         said = program("verify", "m.h5")
         for words in ("grain 301 with", "grain 204 with", "grains 204-103 missing", "grains 301-204 by"):
             self.assertIn(words, said.stdout + said.stderr)
@@ -191,7 +191,7 @@ class Ids(unittest.TestCase):
 
     def test_that_count_from_one_are_said_to(self):
         position, radius, cell = np.array([[0.5, 0.5], [1.49, 0.5], [2.48, 1.9]]), np.full(3, 0.5), [4.0, 3.0]
-        hint = "the list looks as if it counted the grains from 1, but they are counted from 0"
+        hint = "the list of contacts seems to number the grains from 1, but they are numbered from 0"
         for pair in ([1, 3], [1, 2]):
             with self.assertRaisesRegex(floc.InputError, hint):
                 floc.Packing.from_arrays(position, radius, cell, LAW,

@@ -119,7 +119,7 @@ class Refusals(unittest.TestCase):
         self.refused("stiffness", law={"normal": {"stiffness": -1.0}})
 
     def test_name_the_contact(self):
-        self.refused("contacts: have no id2", contacts={"id1": [0]})
+        self.refused("contacts: have no array id2, which is required", contacts={"id1": [0]})
         self.refused("contacts: 'force1' is not one of", contacts={"id1": [0], "id2": [1], "force1": [1.0]})
         self.refused(r"contacts: normal_force: has shape \(2,\), expected \(1,\)",
                      contacts={"id1": [0], "id2": [1], "normal_force": [1.0, 2.0]})
@@ -176,14 +176,14 @@ class Refusals(unittest.TestCase):
         for name, value in (("kn", -1e5), ("kn", 0.0), ("kt", -1.0), ("kr", -1.0), ("ktw", -1.0)):
             spoiled = {**contacts, name: np.where(np.arange(18) == 4, value, contacts.get(name, np.zeros(18)))}
             self.refused(f"contact 4: {name} = {value:g}, expected", contacts=spoiled)
-        with self.assertWarnsRegex(floc.FlocWarning, "kt of 18 contacts is 10 times what the law gives"):
+        with self.assertWarnsRegex(floc.FlocWarning, "kt of 18 contacts is 10 times the value of the contact law"):
             other = floc.Packing.from_arrays(position, radius, cell, LAW,
                                              contacts={**contacts, "kt": 10 * contacts["kt"]})
-        with self.assertWarnsRegex(floc.FlocWarning, "kt of 18 contacts is 10 times what the law gives"):
+        with self.assertWarnsRegex(floc.FlocWarning, "kt of 18 contacts is 10 times the value of the contact law"):
             floc.moduli(other)
         force = -contacts["normal_force"][:, None] * packing.contacts["normal"]
         floc.Packing.from_arrays(position, radius, cell, LAW, contacts={**contacts, "force": force})
-        self.refused("normal_force = .*, but the force listed beside it has a normal part of",
+        self.refused("normal_force = .*, but the force listed for the same contact has the normal component",
                      contacts={**contacts, "force": 2 * force})
 
 

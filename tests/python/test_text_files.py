@@ -72,8 +72,8 @@ def files():
 
 
 FAULTS = {
-    "UTF-16": (lambda text: text.encode("utf-16"), "is in UTF-16: save it as UTF-8"),
-    "UTF-16 without mark": (lambda text: text.encode("utf-16-be"), "is in UTF-16: save it as UTF-8"),
+    "UTF-16": (lambda text: text.encode("utf-16"), "the file is in the encoding UTF-16: save it as UTF-8"),
+    "UTF-16 without mark": (lambda text: text.encode("utf-16-be"), "the file is in the encoding UTF-16: save it as UTF-8"),
     "carriage returns": (lambda text: text.replace("\n", "\r").encode(), "lines end in carriage returns alone"),
     "decimal commas": (lambda text: re.sub(r"(\d)\.(\d)", r"\1,\2", text).encode(), COMMA),
 }
@@ -124,7 +124,7 @@ class TextFiles(unittest.TestCase):
         print(f"\n{n} files of {len(files())} kinds with {len(FAULTS)} faults refused by name")
 
     def test_whose_columns_are_separated_by_blanks_are_told_what_separates_columns(self):
-        words = "need a comma, semicolon or tab between them, not blanks"
+        words = "have to be separated by a comma, semicolon or tab, not blanks"
         for name, text, command in (("blanks.csv", grains(" "), f"convert {{}} o.h5 --overwrite --law {LAW} --cell '{CELL}'"),
                                     ("blanks.txt", grains(" "), f"convert {{}} o.h5 --overwrite --from csv --law {LAW} --cell '{CELL}'"),
                                     ("blanks.csv", curve(" "), "fit consolidation {}"),

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Contact updates per processor second of floc, LAMMPS and YADE on packings of disks and spheres, in one run, and
-their ratios.
+"""Measures the contact updates per second of processor time of floc, LAMMPS and YADE on the same packings of disks and
+spheres, and prints their ratios.
 
   apps/bench/peers/compare.py BUILD_DIRECTORY [SCENE...]
 
-needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON); programs that are not installed are left out. Each runs several
-times, in turn with the others, and its fastest run counts: what else the machine does only slows it down. Contacts are
-the pairs between which a force acts: at the end of the steps in LAMMPS and YADE, in floc those of the packing.
+needs the benchmarks (cmake -DFLOC_BUILD_BENCHMARKS=ON); programs that are not installed are left out. The programs
+run in turn, several times each, and the fastest run of each counts, because other work of the machine only slows a run
+down. Contacts are the pairs between which a force acts: at the end of the steps in LAMMPS and YADE, and in the packing
+from which the steps start in floc.
 """
 import functools
 import json
@@ -19,7 +20,7 @@ import tempfile
 
 ROUNDS = 5
 HERE = os.path.dirname(os.path.abspath(__file__))
-SCENES = {  # grains, script and laws of LAMMPS, script and law of YADE
+SCENES = {  # grains; script and laws of LAMMPS; script and law of YADE
     "friction": ("1400 disks", "lammps_steps.in", {"hooke": "gran/hooke/history"}, "yade_steps.py", "CundallStrack"),
     "cohesion": ("1400 disks", "lammps_steps.in", {"jkr": "granular, JKR", "dmt": "granular, DMT"}, "yade_steps.py",
                  "CohesionMoment"),
@@ -34,7 +35,7 @@ def output(*command, **options):
 
 
 def make_packing(floc, scene, folder):
-    """The relaxed packing, for floc (its state file), LAMMPS (packing.data) and YADE (packing.xyz)."""
+    """Makes a relaxed packing for LAMMPS (packing.data) and YADE (packing.xyz). Returns the name of its state file."""
     output(floc, "run", os.path.join(HERE, scene + ".toml"), "-o", folder)
     state = sorted(name for name in os.listdir(folder) if name.startswith("state-"))[-1]
     state = os.path.join(folder, state)
@@ -44,7 +45,7 @@ def make_packing(floc, scene, folder):
 
 
 def floc_steps(build, state):
-    """Contacts, and updates a second."""
+    """Returns the number of contacts and the contact updates per second."""
     text = output(os.path.join(build, "apps/bench/floc_bench"), "--benchmark_filter=steps_of_state",
                   "--benchmark_format=json", env={**os.environ, "FLOC_BENCH_STATE": state})
     result = json.loads(text)["benchmarks"][0]

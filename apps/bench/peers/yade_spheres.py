@@ -1,5 +1,5 @@
-# Steps glass beads in YADE:  yade -n -x yade_spheres.py packing.xyz spheres
-# Hertz and Mindlin with friction 0.3 and nearly critical dashpots, three axes of the cell under 1e5 Pa.
+# Advances glass beads with YADE:  yade -n -x yade_spheres.py packing.xyz spheres
+# The law is Hertz and Mindlin with friction 0.3 and nearly critical damping, under 1e5 Pa on all three axes.
 import os
 import re
 import sys

@@ -1,5 +1,6 @@
-# Steps a packing in YADE:  yade -n -x yade_steps.py packing.xyz friction
-# with the laws of friction.toml or cohesion.toml. Disks are spheres that keep to a plane, in a cell of some height.
+# Advances a packing with YADE:  yade -n -x yade_steps.py packing.xyz friction
+# The law is that of friction.toml or of cohesion.toml. Disks are spheres whose centres stay in a plane, in a cell of
+# height HEIGHT.
 import os
 import re
 import sys
@@ -20,8 +21,8 @@ if sys.argv[2] == "friction":
         [Ig2_Sphere_Sphere_ScGeom()], [Ip2_FrictMat_FrictMat_FrictPhys()], [Law2_ScGeom_FrictPhys_CundallStrack()]
     )
 else:
-    # Cohesions times the square of the smaller radius are F0 and mu F0, alphaKr r1 r2 k_s is K_R, etaRoll times the
-    # smaller radius mu_R.
+    # The cohesions times the square of the smaller radius are the pull-off force F0 and mu F0. alphaKr r1 r2 k_s is the
+    # rolling stiffness K_R, and etaRoll times the smaller radius is the rolling friction mu_R.
     O.materials.append(CohFrictMat(
         normalCohesion=9e-5, shearCohesion=4.5e-5, fragile=False, momentRotationLaw=True, alphaKr=7e-4, etaRoll=0.015,
         alphaKtw=0, **elastic
@@ -29,7 +30,7 @@ else:
     loop = InteractionLoop(
         [Ig2_Sphere_Sphere_ScGeom6D()],
         [Ip2_CohFrictMat_CohFrictMat_CohFrictPhys(setCohesionNow=True, setCohesionOnNewContacts=True)],
-        # The incremental form is the one in which rolling may yield.
+        # Only with the incremental form, rolling contacts can yield.
         [Law2_ScGeom6D_CohFrictPhys_CohesionMoment(useIncrementalForm=True, always_use_moment_law=True)],
     )
 for line in lines[2:]:
@@ -41,7 +42,7 @@ barostat = PeriTriaxController(
     goal=(-1e-4 / HEIGHT, -1e-4 / HEIGHT, 0), stressMask=3, dynCell=True, globUpdate=5, maxStrainRate=(0.01, 0.01, 0.0),
     doneHook="pass"
 )
-# The scene's dashpots are nearly critical; this is the damping YADE has.
+# The dashpots of the scene are nearly critical. YADE has no dashpots in this law, so its own damping replaces them.
 O.engines = [ForceResetter(), InsertionSortCollider([Bo1_Sphere_Aabb()]), loop, barostat, NewtonIntegrator(damping=0.8)]
 steps = 4000
 O.run(200, True)

@@ -9,8 +9,9 @@
 namespace floc {
 
 Command add_campaign(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "campaign", "Run a scene at many values and seeds with Snakemake: tables of means and a page");
+  CommandLine app = program.add_subcommand("campaign",
+                                           "Run a scene with many values of its keys and many seeds with "
+                                           "Snakemake; make tables of means and an html page");
   app.require_one_subcommand();
   using Add = Command (*)(CommandLine);
   constexpr std::array<Add, 7> kParts = {add_campaign_new, add_campaign_check,   add_campaign_plan,

@@ -23,7 +23,8 @@ struct CollectArguments {
   bool forget = false;
 };
 
-/// Fits the samples of one case that succeeded. A fit that fails adds no rows, and its reason is printed on stderr.
+/// Fits the runs of one case that succeeded and adds the results to `table`. If the fit fails, a message on stderr
+/// names its log.
 void fit_case(const PlannedCampaign& planned, int case_number, int fit_number, const std::string& directory,
               Table& table) {
   const CampaignCase& one = planned.campaign.cases[static_cast<std::size_t>(case_number)];
@@ -42,8 +43,8 @@ void fit_case(const PlannedCampaign& planned, int case_number, int fit_number, c
   fs::create_directories(base.parent_path());
   const std::string printed = base.string() + ".csv", log = base.string() + ".log";
   if (const int code = wait_for(start_floc(words, {directory, printed, log, false})); code != kDone)
-    std::cerr << fmt::format("floc: case {}: floc fit {}: exit code {}, see {}\n", one.label, fit.law, code,
-                             log);
+    std::cerr << fmt::format("floc: case {}: floc fit {} failed with exit code {}, see its log {}\n", one.label,
+                             fit.law, code, log);
   if (fs::file_size(printed) > 0) add_fit(planned.campaign, one, fit, CsvTable::read(printed), table);
 }
 
@@ -68,7 +69,8 @@ int collect(const CollectArguments& arguments) {
   return kDone;
 }
 
-/// Returns the exit code of floc for a run that ended with this one; other failures count as kFailure.
+/// Converts the exit code of a failed run to an exit code of this command: the codes of floc for a missing result, bad
+/// input or a failed check stay, all other failures become kFailure.
 int as_own(int code) {
   return code == kNotConverged || code == kBadInput || code == kVerificationFailed ? code : int{kFailure};
 }
@@ -87,12 +89,12 @@ int report_outcome(const CollectArguments& arguments) {
          or_undefined(outcome ? outcome->command : ""), or_undefined(outcome ? outcome->words : "")});
     if (is_done(outcome)) continue;
     ++n_failed;
-    // A run without an outcome was killed or has not been started: it counts as a failure inside.
+    // A run without an outcome was killed or has not been started. It counts as kFailure.
     code = worse(code, outcome ? as_own(outcome->exit_code) : int{kFailure});
-    lines += outcome ? fmt::format("\n  {}: floc {}: exit code {}: {}", run.directory, outcome->command,
-                                   outcome->exit_code, outcome->words)
-                     : fmt::format("\n  {}: has not ended", run.directory);
-    // snakemake repeats a run whose outcome file is missing. The file is renamed, not removed, so that the tables of
+    lines += outcome ? fmt::format("\n  {}: floc {} failed with exit code {}: {}", run.directory,
+                                   outcome->command, outcome->exit_code, outcome->words)
+                     : fmt::format("\n  {}: this run has not ended", run.directory);
+    // snakemake repeats a run if its outcome file is missing. The file is renamed, not removed, so that the tables of
     // the campaign still report the failure.
     if (arguments.forget && fs::exists(place / kOutcomeFile))
       fs::rename(place / kOutcomeFile, place / kFailureFile);
@@ -101,20 +103,22 @@ int report_outcome(const CollectArguments& arguments) {
   const std::size_t n = table.rows.size();
   std::cerr << (n_failed == 0
                     ? fmt::format("floc: all {} runs are done\n", n)
-                    : fmt::format("floc: {} of {} runs failed and are in no table:{}\n", n_failed, n, lines));
+                    : fmt::format("floc: {} of {} runs failed and are not in the tables of the campaign:{}\n",
+                                  n_failed, n, lines));
   return code;
 }
 
 }  // namespace
 
 Command add_campaign_collect(CommandLine campaign) {
-  CommandLine app = campaign.add_subcommand("collect", "print a table of all runs of a campaign");
+  CommandLine app =
+      campaign.add_subcommand("collect", "print a table of the results of all runs of a campaign");
   auto arguments = std::make_shared<CollectArguments>();
-  app.add_option("DIR", arguments->directory, "directory of floc campaign plan").required();
+  app.add_option("DIR", arguments->directory, "directory that floc campaign plan wrote").required();
   app.add_option("--table", arguments->table,
-                 "runs: the collected columns, one row per run and state; means: means over the samples, from "
-                 "DIR/runs.csv; fits: fits to the samples of each case; outcomes: how each run ended and how "
-                 "long it took")
+                 "table to print. runs: the collected columns, one row per run and state; means: means over "
+                 "the samples, computed from DIR/runs.csv; fits: fits to the samples of each case; outcomes: "
+                 "exit code, error message and duration of each run")
       .one_of({"runs", "means", "fits", "outcomes"})
       .show_default();
   add_printing_options(app, arguments->printing);
@@ -123,10 +127,12 @@ Command add_campaign_collect(CommandLine campaign) {
 
 Command add_campaign_outcome(CommandLine campaign) {
   CommandLine app = campaign.add_subcommand(
-      "outcome", "list the runs of a campaign that failed; the exit code is that of the worst");
+      "outcome",
+      "list the outcome of each run of a campaign; the exit code is the worst exit code of all runs");
   auto arguments = std::make_shared<CollectArguments>();
-  app.add_option("DIR", arguments->directory, "directory of floc campaign plan").required();
-  app.add_flag("--forget", arguments->forget, "let snakemake repeat the failed runs next time");
+  app.add_option("DIR", arguments->directory, "directory that floc campaign plan wrote").required();
+  app.add_flag("--forget", arguments->forget,
+               "mark the failed runs, so that the next call of snakemake repeats them");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return report_outcome(*arguments); }};
 }

@@ -22,11 +22,12 @@ struct PlannedCampaign {
   std::vector<CasePlan> plans;
 };
 
-/// Reads a campaign file and plans it.
-/// @throws InputError naming file and line, also if the file names a column that no table has
+/// Reads a campaign file and plans its runs.
+/// @throws InputError naming file and line if the file has an error, or names a column that no table has
 PlannedCampaign planned_campaign(const std::string& file);
 
-/// Reads the campaign that `floc campaign plan` wrote into a directory. @throws InputError if there is none
+/// Reads the campaign that `floc campaign plan` wrote into a directory, and plans its runs. @throws InputError if the
+/// directory has no campaign
 PlannedCampaign campaign_of(const std::string& directory);
 
 }  // namespace floc

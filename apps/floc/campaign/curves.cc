@@ -14,13 +14,14 @@
 namespace floc {
 namespace {
 
-/// One mean of a curve, with the lowest and the highest sample. The branches are in the order of the path.
+/// One point of a curve: the mean over the samples of a case, with the lowest and the highest sample. Points are in the
+/// order of the load path.
 struct Point {
   std::string branch;
   double P_star, mean, low, high;
 };
 
-/// Points of a quantity by the label of the case.
+/// Points of the curves of one quantity. The key is the label of the case.
 using Curves = std::map<std::string, std::vector<Point>>;
 
 Curves curves_of(const CsvTable& means, const std::string& quantity) {
@@ -36,10 +37,10 @@ Curves curves_of(const CsvTable& means, const std::string& quantity) {
   return curves;
 }
 
-/// One axis of a plot.
+/// One axis of a plot of curves.
 struct Axis {
-  double low, high;   ///< values at its ends
-  double begin, end;  ///< coordinates of its ends on the page
+  double low, high;   ///< values at the ends of the axis
+  double begin, end;  ///< coordinates of the ends of the axis on the page (svg user units)
   bool logarithmic = false;
 
   double place(double value) const {
@@ -49,7 +50,7 @@ struct Axis {
   }
 };
 
-/// Returns an axis that holds the values from low to high, with a margin at its ends.
+/// Returns an axis that holds the values from `low` to `high`, with a margin at both ends.
 Axis axis_of(double low, double high, double begin, double end, bool logarithmic) {
   if (logarithmic) {
     const double air = std::max(std::pow(high / low, 0.04), 1.05);
@@ -59,7 +60,8 @@ Axis axis_of(double low, double high, double begin, double end, bool logarithmic
   return {low - air, high + air, begin, end, false};
 }
 
-/// Returns the values marked on an axis: whole decades, or five to ten round numbers.
+/// Returns the values with tick marks on an axis: four to ten round numbers. A logarithmic axis has marks at powers of
+/// ten and, if it is short, at 2 and 5 times powers of ten.
 std::vector<double> marks_of(const Axis& axis) {
   std::vector<double> marks;
   if (axis.logarithmic) {
@@ -102,7 +104,8 @@ std::string axes_svg(const Axis& x, const Axis& y, const std::string& quantity) 
                    0.5 * (kLeft + kWidth - kRight), kHeight - 10.0, middle, html_text(quantity));
 }
 
-/// Draws the points of one branch as a band, a line and marks.
+/// Draws the points of one branch of the load path: a band from the lowest to the highest sample, a line through the
+/// means, and a mark at each mean.
 std::string branch_svg(const std::vector<Point>& points, const Axis& x, const Axis& y,
                        const std::string& colour, bool dashed) {
   std::string up, down, line, marks;
@@ -124,7 +127,7 @@ std::string branch_svg(const std::vector<Point>& points, const Axis& x, const Ax
          marks;
 }
 
-/// Draws one case. Branches other than the first loading are dashed.
+/// Draws the curve of one case. Branches of the load path after the first loading are dashed.
 std::string curve_svg(const std::vector<Point>& points, const Axis& x, const Axis& y, const std::string& label,
                       const std::string& colour) {
   std::string out = fmt::format("<g class=\"curve\" data-case=\"{}\">\n", html_text(label));
@@ -142,7 +145,7 @@ std::string curve_svg(const std::vector<Point>& points, const Axis& x, const Axi
 }  // namespace
 
 std::string curve_colour(std::size_t number) {
-  // Palette of Okabe and Ito, which is safe for colour-blind readers.
+  // Colours of the palette of Okabe and Ito, which colour-blind readers can distinguish.
   constexpr std::array<const char*, 8> kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                    "#E69F00", "#56B4E9", "#000000", "#8B7500"};
   return kColours[number % kColours.size()];
@@ -178,7 +181,7 @@ std::string curves_svg(const CsvTable& means, const std::string& quantity,
       high = std::max(high, p.high);
     }
   const Axis x = axis_of(P_low, P_high, kLeft, kWidth - kRight, true);
-  constexpr double kDecades = 50.0;  // smallest ratio of high to low of a logarithmic axis
+  constexpr double kDecades = 50.0;  // ratio of highest to lowest value from which the axis is logarithmic
   const Axis y = axis_of(low, high, kHeight - kBottom, kTop, low > 0.0 && high / low > kDecades);
   std::string out =
       fmt::format("<svg class=\"curves\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against P*\">\n",

@@ -7,17 +7,18 @@
 
 namespace floc {
 
-/// Returns the columns of the table of means that can be drawn as a curve: some case has their values at two pressures
-/// or more.
+/// Returns the names of the quantities in a table of means that can be drawn as a curve: quantities that some case has
+/// at two different pressures or more.
 std::vector<std::string> curve_quantities(const CsvTable& means);
 
-/// Draws one quantity against P* as svg within a page. Each case is a group of class "curve" with its label in
-/// data-case: the mean over the samples as a line with points, and a band from the lowest to the highest sample.
+/// Draws one quantity against P* as an svg element of an html page. Each case is a group of class "curve", whose
+/// attribute data-case is the label of the case. It shows the mean over the samples as a line with points, and a band
+/// from the lowest to the highest sample.
 /// @param labels  labels of the cases, in the order of their colours
 std::string curves_svg(const CsvTable& means, const std::string& quantity,
                        const std::vector<std::string>& labels);
 
-/// Returns the colour of a case by its number, from 0.
+/// Returns the colour of the curve of the case with a number, counted from 0.
 std::string curve_colour(std::size_t number);
 
 }  // namespace floc

@@ -31,8 +31,8 @@ struct PageArguments {
   Printing printing;
 };
 
-/// Style and script that the page adds to those of a report: a click on a heading sorts its table, a box switches a
-/// curve on and off.
+/// Style and script that this page has in addition to the style of a report. A click on the heading of a column sorts
+/// the table, and a check box shows or hides the curve of a case.
 constexpr const char* kHead = R"(<style>
 th[data-sorts] { cursor: pointer; } th[data-sorts]:hover { background: #eee; }
 th[aria-sort=ascending]::after { content: " \25B2"; } th[aria-sort=descending]::after { content: " \25BC"; }
@@ -69,12 +69,12 @@ document.addEventListener('change', event => {
 </script>
 )";
 
-/// Contents of the page, read once.
+/// Data that the page shows, read from the directory of a campaign.
 struct CampaignPage {
   std::string directory;
   PlannedCampaign planned;
   CsvTable runs, means, fits, outcomes;
-  std::map<int, CampaignRun> drawn;  ///< the first run of each case that succeeded, by the number of the case
+  std::map<int, CampaignRun> drawn;  ///< first run that succeeded of each case, by the number of the case
 
   std::vector<std::string> labels() const {
     std::vector<std::string> all;
@@ -83,8 +83,8 @@ struct CampaignPage {
   }
 };
 
-/// Returns the columns of a table that have a value in some row. Columns with keys of the scene, whose names have dots,
-/// are left out, because the table of cases has their values.
+/// Returns the indices of the columns that have a value in some row of a table. Columns named after keys of the scene,
+/// whose names contain dots, are left out, because the table of cases has their values.
 std::vector<int> used_columns(const CsvTable& table) {
   const auto is_used = [&table](int column) {
     if (table.columns()[static_cast<std::size_t>(column)].find('.') != std::string::npos) return false;
@@ -98,7 +98,8 @@ std::vector<int> used_columns(const CsvTable& table) {
   return used;
 }
 
-/// Returns a cell of a table. It shows a number with five digits, and keeps all digits of the csv in data-v.
+/// Returns the html of a cell of a table. The cell shows a number with five significant digits; its attribute data-v
+/// keeps all digits of the csv file.
 std::string cell_html(const std::string& column, const std::string& text) {
   const auto number = parse_number<double>(text);
   std::string classes = number ? "number" : "";
@@ -108,7 +109,7 @@ std::string cell_html(const std::string& column, const std::string& text) {
                      html_text(text), shown);
 }
 
-/// Returns a table that can be sorted, as html. @param rows  rows of `table` that are shown
+/// Returns the html of a table whose rows a reader can sort. @param rows  indices of the rows of `table` that are shown
 std::string sorting_table(const std::string& id, const CsvTable& table, const std::vector<int>& rows) {
   const std::vector<int> columns = used_columns(table);
   std::string out = fmt::format("<div class=\"wide\"><table id=\"{}\">\n<thead><tr>", id);
@@ -154,7 +155,7 @@ std::string failures_section(const CampaignPage& page) {
   const std::vector<int> failed =
       rows_with(page.outcomes, "outcome", [](const std::string& outcome) { return outcome != "done"; });
   if (failed.empty()) return "";
-  return "<h2>Runs that failed</h2>\n<p>They are in no table and no curve.</p>\n" +
+  return "<h2>Runs that failed</h2>\n<p>Their results are not in the tables and curves.</p>\n" +
          sorting_table("failed", page.outcomes, failed);
 }
 
@@ -162,8 +163,8 @@ std::string curves_section(const CampaignPage& page) {
   const std::vector<std::string> quantities = curve_quantities(page.means), labels = page.labels();
   if (quantities.empty()) return "";
   std::string out =
-      "<h2>Curves</h2>\n<p>Means over the samples; bands reach from the lowest to the highest sample. What "
-      "follows the first loading is dashed.</p>\n<p class=\"legend\">";
+      "<h2>Curves</h2>\n<p>Lines are means over the samples; bands reach from the lowest to the highest "
+      "sample. Dashed curves are branches of the load path after the first loading.</p>\n<p class=\"legend\">";
   for (std::size_t k = 0; k < labels.size(); ++k)
     out += fmt::format(
         "<label><input type=\"checkbox\" checked data-curve=\"{0}\"><i style=\"background: {1}\"></i>{0}"
@@ -181,7 +182,8 @@ std::string tables_section(const CampaignPage& page) {
   std::string out;
   if (const std::vector<int> compared = rows_with(page.means, "reference", has_value); !compared.empty())
     out +=
-        "<h2>Compared with references</h2>\n<p>Means agree where they differ by at most allowed = 2.6 "
+        "<h2>Compared with references</h2>\n<p>A mean agrees with its reference if they differ by at most "
+        "allowed = 2.6 "
         "sqrt(s²/n + "
         "s_ref²/n_ref).</p>\n" +
         sorting_table("compared", page.means, compared);
@@ -190,8 +192,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// Returns the index of the state of a case that is drawn: the one under the largest pressure, or the last if no
-/// pressure is known.
+/// Returns the index of the state of a case that is drawn: the state under the largest pressure, or the last state if
+/// no pressure is known.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;
@@ -211,11 +213,11 @@ std::map<int, CampaignRun> drawn_runs(const Campaign& campaign, const std::strin
   return drawn;
 }
 
-/// Largest number of cases with pictures; hundreds of pictures would make the page slow to open.
+/// Largest number of cases that are drawn as pictures. Hundreds of pictures would make the page slow to open.
 constexpr std::size_t kMostPictures = 24;
 
-/// Returns the options of the pictures on the page. Spheres are drawn as images, because vectors would take megabytes
-/// per sample.
+/// Returns the options of the pictures on the page. In 3D the spheres are drawn as pixel images, because vector
+/// graphics would take megabytes per picture.
 template <int Dim>
 SheetOptions picture_options() {
   SheetOptions options;
@@ -225,7 +227,7 @@ SheetOptions picture_options() {
 
 std::string pictures_section(const CampaignPage& page) {
   std::string out;
-  // If there are too many cases, the pictures are spread evenly over them.
+  // If there are more cases than pictures, the cases that are drawn are spread evenly over all cases.
   const std::size_t n = page.drawn.size(), spread = std::max(n, kMostPictures);
   std::size_t k = 0;
   for (const auto& [number, run] : page.drawn) {
@@ -254,8 +256,8 @@ std::string pictures_section(const CampaignPage& page) {
 
 std::string cost_section(const CampaignPage& page) {
   return fmt::format(
-             "<h2>Cost</h2>\n<p>{:.4g} s for the states (wall time), {:.4g} s for tables of them (processor "
-             "time); {:.4g} s were expected.</p>\n",
+             "<h2>Cost</h2>\n<p>The runs took {:.4g} s (wall time) to make the states, and {:.4g} s (processor "
+             "time) to make tables of the states; {:.4g} s were expected.</p>\n",
              sum_of(page.outcomes, "run_seconds"), sum_of(page.outcomes, "analysis_seconds"),
              sum_of(page.outcomes, "expected_seconds")) +
          sorting_table("outcomes", page.outcomes);
@@ -316,11 +318,13 @@ int write_page(const PageArguments& arguments) {
 }  // namespace
 
 Command add_campaign_page(CommandLine campaign) {
-  CommandLine app = campaign.add_subcommand(
-      "page",
-      "make one self-contained page of the tables in DIR: curves, comparison with references, pictures, cost");
+  CommandLine app = campaign.add_subcommand("page",
+                                            "make one self-contained html page from the tables in DIR: curves, "
+                                            "comparison with references, pictures, cost");
   auto arguments = std::make_shared<PageArguments>();
-  app.add_option("DIR", arguments->directory, "directory of floc campaign plan, with its tables").required();
+  app.add_option("DIR", arguments->directory,
+                 "directory that floc campaign plan wrote, with the tables of the campaign")
+      .required();
   app.add_option("-o,--output", arguments->output, "F.html").required();
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return write_page(*arguments); }};

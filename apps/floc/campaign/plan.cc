@@ -42,7 +42,8 @@ const DescribedTable& described_table(const std::string& name) {
   return *std::ranges::find(tables, name, &DescribedTable::name);
 }
 
-/// Checks that the tables have the columns that a campaign names. @throws InputError naming place and column
+/// Checks that the tables have the columns that a campaign collects. @throws InputError naming the line of the campaign
+/// file and the column
 void check_columns(const Campaign& campaign) {
   for (const Collection& collection : campaign.collections) {
     const std::string name = collection.table == "path" ? "path.csv" : collection.table;
@@ -51,13 +52,13 @@ void check_columns(const Campaign& campaign) {
     for (const std::string& column : collection.columns)
       if (std::ranges::none_of(names, [&](const std::string& n) { return stands_for(n, column); }))
         throw InputError(collection.place,
-                         fmt::format("columns = {}: {} has no such column; the nearest is {} (floc "
-                                     "help columns {} lists them)",
+                         fmt::format("columns = {}: the table {} has no column of this name; the nearest is {} "
+                                     "(floc help columns {} lists all columns)",
                                      column, name, nearest_name(column, names), name));
   }
 }
 
-/// Returns the number of runs and their expected processor time, in words.
+/// Returns a text with the number of runs and their expected processor time.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;
@@ -67,9 +68,9 @@ std::string extent_of(const PlannedCampaign& planned) {
       planned.plans.size(), n_seeds, planned.plans.size() * n_seeds, duration_text(cost));
 }
 
-/// Writes a new file. @throws InputError if it exists, so that no file of a user is replaced
+/// Writes a new file. @throws InputError if a file of this name exists, so that no file of a user is replaced
 void write_new(const fs::path& path, const std::string& text) {
-  if (fs::exists(path)) throw InputError(path.string(), "exists; expected a name that is not taken");
+  if (fs::exists(path)) throw InputError(path.string(), "exists already: expected the name of a new file");
   write_bytes_atomically(path.string(), text);
 }
 
@@ -79,18 +80,19 @@ int start_campaign(const PlanArguments& arguments) {
   const std::string name = path.stem().string();
   const std::string own = starting_scene(name);  // throws if the name is not valid
   const fs::path scene = arguments.scene.empty() ? fs::path(name + "-scene.toml") : fs::path(arguments.scene);
-  if (fs::exists(path)) throw InputError(path.string(), "exists; expected a name that is not taken");
+  if (fs::exists(path)) throw InputError(path.string(), "exists already: expected the name of a new file");
   if (arguments.scene.empty())
     write_new(path.parent_path() / scene, own);
   else if (!fs::is_regular_file(scene))
-    throw InputError(scene.string(), "cannot be read: expected a scene file (TOML)");
+    throw InputError(scene.string(), "cannot be read: expected the name of a scene file (TOML)");
   const std::string relative =
       arguments.scene.empty()
           ? scene.string()
           : fs::absolute(scene).lexically_proximate(fs::absolute(path).parent_path()).generic_string();
   write_new(path, starting_campaign(name, relative));
-  spdlog::info("wrote {0}{1}; next: floc campaign check {0}, floc campaign plan {0} -o {2}", path.string(),
-               arguments.scene.empty() ? " and " + (path.parent_path() / scene).string() : "", name);
+  spdlog::info("wrote {0}{1}; next, run floc campaign check {0} and floc campaign plan {0} -o {2}",
+               path.string(), arguments.scene.empty() ? " and " + (path.parent_path() / scene).string() : "",
+               name);
   return kDone;
 }
 
@@ -111,11 +113,11 @@ int check_campaign(const PlanArguments& arguments) {
     table.rows.push_back(std::move(row));
   }
   print_table(table, arguments.printing);
-  spdlog::info("{}: no faults; {}", arguments.file, extent_of(planned));
+  spdlog::info("{}: no errors found; {}", arguments.file, extent_of(planned));
   return kDone;
 }
 
-/// Writes the files of a campaign into its directory. Only files whose content differs are replaced, so that Snakemake
+/// Writes the files of a campaign into its directory. A file is replaced only if its content differs, so that Snakemake
 /// does not repeat work that is up to date. Runs in the directory are kept.
 int plan_campaign(const PlanArguments& arguments) {
   PlannedCampaign planned = planned_campaign(arguments.file);
@@ -123,7 +125,7 @@ int plan_campaign(const PlanArguments& arguments) {
   const std::string scene = portable_scene(planned.campaign);
   planned.campaign.scene = scene;
   planned.campaign.scene_file = (directory / kSceneFile).string();
-  planned.plans = plan_cases(planned.campaign);  // files that cases name are found relative to that directory
+  planned.plans = plan_cases(planned.campaign);  // file names in the cases are relative to that directory
   const std::pair<const char*, std::string> files[] = {
       {kCampaignFile, read_file(arguments.file)},
       {kSceneFile, scene},
@@ -136,12 +138,13 @@ int plan_campaign(const PlanArguments& arguments) {
   };
   for (const auto& [name, text] : files)
     if (!arguments.overwrite && fs::exists(directory / name) && differs(name, text))
-      throw InputError((directory / name).string(),
-                       "exists already and differs: expected --overwrite, which replaces the plan and keeps "
-                       "the runs, or another directory");
+      throw InputError(
+          (directory / name).string(),
+          "exists already with different content: expected another directory, or --overwrite, which "
+          "replaces the plan and keeps the runs");
   for (const auto& [name, text] : files)
     if (differs(name, text)) write_bytes_atomically((directory / name).string(), text);
-  spdlog::info("{}: {}. Next: cd {} && snakemake --cores 2", arguments.directory, extent_of(planned),
+  spdlog::info("{}: {}. Next, run: cd {} && snakemake --cores 2", arguments.directory, extent_of(planned),
                arguments.directory);
   return kDone;
 }
@@ -158,9 +161,10 @@ PlannedCampaign planned_campaign(const std::string& file) {
 PlannedCampaign campaign_of(const std::string& directory) {
   const fs::path file = fs::path(directory) / kCampaignFile;
   if (!fs::is_regular_file(file) || !fs::is_regular_file(fs::path(directory) / kSceneFile))
-    throw InputError(directory, "holds no campaign: expected a directory of floc campaign plan");
+    throw InputError(directory, "holds no campaign: expected a directory that floc campaign plan wrote");
   PlannedCampaign planned{read_campaign(file.string(), kSceneFile), {}};
-  // A campaign without a name has the name of its file, which is the same for all directories of campaigns.
+  // A campaign without a name is named after its file, but in a directory of floc campaign plan this is always
+  // campaign.toml. The name of the directory is used instead.
   if (planned.campaign.name == file.stem().string())
     planned.campaign.name = fs::canonical(directory).filename().string();
   planned.plans = plan_cases(planned.campaign);
@@ -168,17 +172,17 @@ PlannedCampaign campaign_of(const std::string& directory) {
 }
 
 Command add_campaign_new(CommandLine campaign) {
-  CommandLine app =
-      campaign.add_subcommand("new", "write a commented campaign NAME.toml with a scene to start from");
+  CommandLine app = campaign.add_subcommand(
+      "new", "write a commented campaign file NAME.toml and its scene, as a start for a new campaign");
   auto arguments = std::make_shared<PlanArguments>();
   app.add_option("NAME", arguments->name, "name of the campaign").required();
-  app.add_option("--scene", arguments->scene, "scene file of its runs [NAME-scene.toml, which is written too]");
+  app.add_option("--scene", arguments->scene, "scene file of the runs [NAME-scene.toml, which is written too]");
   return {app, [arguments] { return start_campaign(*arguments); }};
 }
 
 Command add_campaign_check(CommandLine campaign) {
-  CommandLine app =
-      campaign.add_subcommand("check", "list every fault; print the runs and their expected cost");
+  CommandLine app = campaign.add_subcommand(
+      "check", "list all errors of a campaign file; print the runs and their expected processor time");
   auto arguments = std::make_shared<PlanArguments>();
   app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
   add_printing_options(app, arguments->printing);
@@ -186,11 +190,15 @@ Command add_campaign_check(CommandLine campaign) {
 }
 
 Command add_campaign_plan(CommandLine campaign) {
-  CommandLine app = campaign.add_subcommand("plan", "write a directory for snakemake, with one rule per run");
+  CommandLine app =
+      campaign.add_subcommand("plan", "write a directory with a Snakefile that has one rule per run");
   auto arguments = std::make_shared<PlanArguments>();
   app.add_option("FILE", arguments->file, "campaign file (TOML)").required();
-  app.add_option("-o,--output", arguments->directory, "directory of the campaign").required();
-  app.add_flag("--overwrite", arguments->overwrite, "replace the plan in the directory; its runs are kept");
+  app.add_option("-o,--output", arguments->directory,
+                 "directory of the campaign, which is made if it does not exist")
+      .required();
+  app.add_flag("--overwrite", arguments->overwrite,
+               "replace the plan in the directory and keep the runs in it");
   return {app, [arguments] { return plan_campaign(*arguments); }};
 }
 

@@ -31,7 +31,7 @@ struct CampaignRunArguments {
   bool with_parent = false;
 };
 
-/// A table that is made after the run, and the command that makes it.
+/// A table that is made after a run: its file, and the floc command that prints it, as words.
 struct TableCommand {
   std::string file;
   std::vector<std::string> words;
@@ -45,16 +45,20 @@ TableCommand table_command(const std::string& text) {
   command.file = text.substr(0, colon);
   std::istringstream words(text.substr(colon + 2));
   for (std::string word; words >> word;) command.words.push_back(word);
-  if (command.words.empty()) throw InputError("--table " + text, "expected a command after the file");
+  if (command.words.empty())
+    throw InputError(
+        "--table " + text,
+        "the command is missing: expected FILE: COMMAND, such as \"moduli.csv: moduli state-0003.h5\"");
   return command;
 }
 
-/// Returns the last line of a log that is not blank.
+/// Returns the last line of a log file that is not blank.
 std::string last_line(const std::string& log) {
   std::istringstream lines(read_file(log));
   std::string last;
   for (std::string line; std::getline(lines, line);) {
-    // Lines of progress end in \r, so that the next one overwrites them on a terminal: only the last one counts.
+    // Lines of progress end in \r, so that the next line overwrites them on a terminal. Of such a line, only the text
+    // after the last \r is returned.
     line.erase(0, line.find_last_of('\r') + 1);
     if (!trimmed(line).empty()) last = trimmed(line);
   }
@@ -76,7 +80,7 @@ double children_seconds() {
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// Makes one table beside path.csv. @return exit code of its command
+/// Makes one table in the directory of the run. @return exit code of the command that prints the table
 int make_table(const TableCommand& command, const CampaignRunArguments& arguments, const std::string& log) {
   const std::string file = arguments.directory + "/" + command.file, part = file + ".part";
   std::vector<std::string> words = command.words;
@@ -86,11 +90,12 @@ int make_table(const TableCommand& command, const CampaignRunArguments& argument
   return code;
 }
 
-/// Runs one sample and makes its tables.
-/// @return exit code, which is also 0 if the run failed: outcome.csv records the failure, and the other runs go on
+/// Runs one sample of a campaign and makes its tables.
+/// @return exit code; it is 0 even if the run failed, because outcome.csv records the failure, so that snakemake goes
+/// on with the other runs
 int run_sample(const CampaignRunArguments& arguments) {
-  // A sample ends with the snakemake that started it: otherwise the next snakemake would start a second process in the
-  // same run directory.
+  // This process is killed when the snakemake that started it ends. Otherwise the next snakemake would start a second
+  // process in the same run directory.
   if (arguments.with_parent) ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::vector<TableCommand> tables;
   for (const std::string& text : arguments.tables) tables.push_back(table_command(text));
@@ -116,28 +121,30 @@ int run_sample(const CampaignRunArguments& arguments) {
     if (outcome.exit_code != kDone) outcome.command = table.words.front();
   }
   outcome.seconds = children_seconds() - before;
-  if (was_signalled()) return kInterrupted;  // the run will be resumed, so it has no outcome yet
+  if (was_signalled()) return kInterrupted;  // the run will be resumed, so its outcome is not known yet
   if (outcome.exit_code != kDone) outcome.words = words_of(outcome.exit_code, log);
   write_csv(arguments.directory + "/" + kOutcomeFile, table_of(outcome));
   if (outcome.exit_code != kDone)
-    fmt::print(stderr, "{}: floc {}: exit code {}: {} (see {})\n", arguments.directory, outcome.command,
-               outcome.exit_code, outcome.words, log);
+    fmt::print(stderr, "{}: floc {} failed with exit code {}: {} (see the log {})\n", arguments.directory,
+               outcome.command, outcome.exit_code, outcome.words, log);
   return kDone;
 }
 
 }  // namespace
 
 Command add_campaign_run(CommandLine campaign) {
-  CommandLine app =
-      campaign.add_subcommand("run",
-                              "what the Snakemake rule of a run calls: floc run --resume, then tables of its "
-                              "states, then DIR/outcome.csv, which says whether any of them failed");
+  CommandLine app = campaign.add_subcommand(
+      "run",
+      "make one run of a campaign, as its Snakefile does: call floc run --resume, make tables of the states, "
+      "and write DIR/outcome.csv, which records whether one of these commands failed");
   auto arguments = std::make_shared<CampaignRunArguments>();
   app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
-  app.add_option("-o,--output", arguments->directory, "directory of the run; its log is DIR.log").required();
+  app.add_option("-o,--output", arguments->directory, "directory of the run; the log of the run is DIR.log")
+      .required();
   app.add_option("--seed", arguments->seed, "seed of the random numbers").required();
-  app.add_option("--threads", arguments->threads, "threads of the run").within(RunOptions::kThreads);
-  app.add_option("--set", arguments->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
+  app.add_option("--threads", arguments->threads, "number of threads of the run").within(RunOptions::kThreads);
+  app.add_option("--set", arguments->overrides, "KEY=VALUE: change the value of one key of the scene")
+      .one_argument_each();
   app.add_option(
          "--table", arguments->tables,
          "\"FILE: COMMAND\": run floc COMMAND in the directory of the run and write its table to FILE, as csv")

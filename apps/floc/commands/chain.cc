@@ -21,8 +21,8 @@ int run_chain(const ChainCommand& command) {
   for (const ChainRow& row : rows)
     if (!row.solved.resolved())
       std::cerr << fmt::format(
-          "floc chain: {}: rounding in double precision leaves no digit of the solved network correct, so no "
-          "value is given\n",
+          "floc chain: {}: the solution of the network has no correct digit because of rounding in double "
+          "precision, so its value is left empty\n",
           row.name);
   print_table(chain_table(command.chain, rows), command.printing);
   return kDone;
@@ -32,18 +32,22 @@ int run_chain(const ChainCommand& command) {
 
 Command add_chain(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "chain", "Compute the compliances of a chain of equal disks: closed forms and the solved network");
+      "chain",
+      "Compute the compliances of a chain of equal disks, by closed formulas and by solving the network");
   const auto command = std::make_shared<ChainCommand>();
   app.add_option("--n", command->chain.n,
-                 fmt::format("number of disks, {} to {}", kChainLength.least, kChainLength.most))
+                 fmt::format("number of disks, from {} to {}", kChainLength.least, kChainLength.most))
       .required();
-  app.add_option("--R", command->chain.R, "radius of the disks").required();
-  app.add_option("--kn", command->chain.k.normal, "K_N (force/length)").required();
-  app.add_option("--kt", command->chain.k.tangential, "K_T (force/length)").required();
-  app.add_option("--kr", command->chain.k.rolling, "K_R (force * length)").required();
+  app.add_option("--R", command->chain.R, "radius of the disks (length)").required();
+  app.add_option("--kn", command->chain.k.normal, "normal stiffness K_N of the contacts (force/length)")
+      .required();
+  app.add_option("--kt", command->chain.k.tangential, "tangential stiffness K_T of the contacts (force/length)")
+      .required();
+  app.add_option("--kr", command->chain.k.rolling, "rolling stiffness K_R of the contacts (force * length)")
+      .required();
   app.add_option(
          "--bend", command->chain.bend,
-         "degrees by which each branch is turned against the one before; a bent chain has no closed form")
+         "angle between successive branch vectors (degrees); there are no closed formulas for a bent chain")
       .show_default();
   add_printing_options(app, command->printing);
   return {app, [command] { return run_chain(*command); }};

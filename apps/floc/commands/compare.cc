@@ -21,12 +21,13 @@ struct CompareCommand {
   std::vector<std::string> files;
   bool against_first = false;
   CompareTableOptions options;
-  std::string displacements, contacts;  ///< files of the tables beside the main one; empty: none
+  std::string displacements,
+      contacts;  ///< names of the files of two further tables; a table with an empty name is not written
   Printing printing;
 };
 
-/// Returns whether the inputs are two directories of runs, which are compared step by step. The states of a single
-/// directory are compared one after the other.
+/// Returns whether the inputs are the directories of two runs, which are compared step by step. With a single
+/// directory, each of its states is compared with the state before it.
 bool are_two_runs(const std::vector<std::string>& inputs) {
   return inputs.size() == 2 && std::ranges::all_of(inputs, [](const std::string& input) {
            return input != "-" && std::filesystem::is_directory(input);
@@ -38,14 +39,15 @@ int run_compare(CompareCommand command) {
   command.options.contacts = !command.contacts.empty();
   if (are_two_runs(command.files)) return compare_runs(command.files[0], command.files[1], command.printing);
   if (command.files.size() == 1 && !std::filesystem::is_directory(command.files.front())) {
-    std::cerr << "floc: compare takes two or more states, or a directory of floc run\n";
+    std::cerr << "floc compare: one state file cannot be compared: give two or more state files, or a "
+                 "directory of floc run\n";
     return kUsage;
   }
   std::vector<CompareRow> rows;
   CompareTables side;
   std::optional<std::pair<std::string, AnyState>> reference;
   const int code = for_each_file(states_of_inputs(command.files), [&](const std::string& file) {
-    // The state after one that cannot be read has no state to be compared with, unless all are compared with the first.
+    // If a state cannot be read, the state after it is not compared with any, unless all are compared with the first.
     std::optional<std::pair<std::string, AnyState>> before = reference;
     if (!command.against_first) reference.reset();
     std::pair<std::string, AnyState> now(file, read_state(file));
@@ -54,7 +56,9 @@ int run_compare(CompareCommand command) {
     std::visit(
         [&]<int Old, int New>(const State<Old>& p, const State<New>& q) {
           if constexpr (Old != New) {
-            throw InputError(file, fmt::format("is {}D, and {} is {}D", New, before->first, Old));
+            throw InputError(file, fmt::format("this is a state in {}D, but {} is in {}D: states of different "
+                                               "dimension cannot be compared",
+                                               New, before->first, Old));
           } else {
             rows.push_back(compare_row(before->first, p, file, q, command.options, side));
           }
@@ -73,21 +77,25 @@ int run_compare(CompareCommand command) {
 Command add_compare(CommandLine program) {
   CommandLine app = program.add_subcommand(
       "compare",
-      "Show what changed between states of the same grains: contacts kept, lost and gained; displacements");
+      "Compare states of the same grains: contacts kept, lost and gained, displacements of the grains");
   const auto command = std::make_shared<CompareCommand>();
   app.add_option("STATE", command->files,
-                 "state files or a directory of floc run, each state compared with the one before it; or two "
-                 "directories, compared step by step")
+                 "state files, or a directory of floc run, of which each state is compared with the state "
+                 "before it; or two directories of floc run, which are compared step by step")
       .required();
-  app.add_flag("--against-first", command->against_first, "compare each state with the first instead");
+  app.add_flag("--against-first", command->against_first,
+               "compare each state with the first state, not with the state before it");
   app.add_option("--rigid-tolerance", command->options.rigid_tolerance,
-                 "tolerance of a contact that moves as rigid: how far its two contact points may part, in "
-                 "largest diameters, and how much the rotations of its grains may differ, in radians")
+                 "tolerance below which the motion of two grains in contact counts as that of a rigid body, "
+                 "for the distance between the two points that touched (in largest diameters) and for the "
+                 "difference of the rotations (radians)")
       .positive()
       .show_default();
   app.add_option("--displacements", command->displacements,
-                 "file with one row per grain: position before, non-affine displacement, rigid cluster");
-  app.add_option("--contacts", command->contacts, "file with one row per contact: kept, lost or gained");
+                 "csv file to write, with one row per grain: position in the earlier state, non-affine "
+                 "displacement, rigid cluster");
+  app.add_option("--contacts", command->contacts,
+                 "csv file to write, with one row per contact: kept, lost or gained");
   add_printing_options(app, command->printing);
   return {app, [command] { return run_compare(*command); }};
 }

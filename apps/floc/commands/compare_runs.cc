@@ -25,10 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Column of wall times, which differ between any two runs and are not compared.
+/// Name of the column of wall times in path.csv, which is not compared because it differs between any two runs.
 constexpr const char* kTiming = "seconds";
 
-/// One run: its states and the rows of its path by step.
+/// Files of one run: the state file of each step, and the row of each step in path.csv.
 struct RunFiles {
   std::map<int, std::string> states;
   CsvTable path;
@@ -42,16 +42,17 @@ struct RunFiles {
   }
 };
 
-/// One row: the comparison of a step in both runs.
+/// One row of the output table: the comparison of one step in both runs.
 struct StepComparison {
   int step = 0;
-  std::string before, after;  ///< state files; empty if the run does not have the state
+  std::string before, after;  ///< state files of the step in the two runs; empty if there is none
   bool identical = false;
-  std::vector<std::string> differing;  ///< columns of path.csv that differ
-  std::optional<double> largest;       ///< largest relative difference of two numbers
+  std::vector<std::string> differing;  ///< columns of path.csv whose values differ
+  std::optional<double> largest;       ///< largest relative difference between the values of a column
 };
 
-/// The column of a path that corresponds to a column of another path, and the factor between their units.
+/// Column of the second path.csv that has the name of a column of the first, and the factor that converts its values to
+/// the unit of the first.
 struct Counterpart {
   int column;
   double factor;
@@ -66,10 +67,11 @@ std::optional<Counterpart> counterpart(const CsvTable& of, const std::string& he
   return std::nullopt;
 }
 
-/// Compares two values of a column. @param factor  factor that converts b to the unit of a
+/// Compares two values of a column, and adds the column to the row if they differ.
+/// @param factor  factor that converts b to the unit of a
 void compare_values(const std::string& column, const std::string& a, const std::string& b, double factor,
                     StepComparison& row) {
-  constexpr double kConverted = 1e-12;  // relative rounding of a conversion of units
+  constexpr double kConverted = 1e-12;  // tolerated relative rounding error of a conversion of units
   if (a == b && factor == 1.0) return;
   const auto x = parse_number<double>(a), its = parse_number<double>(b);
   const double y = factor * its.value_or(0.0);
@@ -97,16 +99,20 @@ StepComparison compare_step(int step, const RunFiles& before, const RunFiles& af
   return row;
 }
 
-/// Returns the result of the comparison of two runs in words.
+/// Returns the result of the comparison of two runs as a sentence that begins with "equal" or "different".
 std::string verdict(const std::vector<StepComparison>& rows) {
   const auto n_same = std::ranges::count_if(rows, &StepComparison::identical);
   const auto n_rows = std::ranges::count_if(rows, [](const StepComparison& r) { return r.differing.empty(); });
   const auto first = std::ranges::find_if(rows, [](const StepComparison& r) { return !r.identical; });
   if (first == rows.end() && n_rows == static_cast<std::ptrdiff_t>(rows.size()))
-    return fmt::format("equal: {} states byte by byte, path.csv except for {}", rows.size(), kTiming);
-  return fmt::format("different{}: {} of {} states are equal byte by byte, {} rows of path.csv except for {}",
-                     first == rows.end() ? "" : fmt::format(" from step {} on", first->step), n_same,
-                     rows.size(), n_rows, kTiming);
+    return fmt::format(
+        "equal: {} states are equal byte by byte, and path.csv is equal except for the column {}", rows.size(),
+        kTiming);
+  return fmt::format(
+      "different{}: {} of {} states are equal byte by byte, and {} rows of path.csv are equal except for the "
+      "column {}",
+      first == rows.end() ? "" : fmt::format(" from step {} on", first->step), n_same, rows.size(), n_rows,
+      kTiming);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace floc {
 namespace {
 
 struct ConvertArguments {
-  std::vector<std::string> files;  ///< IN..., then OUT
+  std::vector<std::string> files;  ///< input files IN..., followed by the output file OUT
   std::string from;
   std::string to;
   std::string law;
@@ -54,7 +54,9 @@ std::vector<double> parse_numbers(const std::string& option, const std::string& 
   std::vector<double> values;
   for (const std::string& item : split(text, ',')) {
     const auto value = parse_number<double>(item);
-    if (!value) throw InputError(option, fmt::format("\"{}\", expected a finite number", item));
+    if (!value)
+      throw InputError(
+          option, fmt::format("\"{}\" is not a finite number: expected numbers separated by commas", item));
     values.push_back(*value);
   }
   return values;
@@ -66,10 +68,14 @@ std::map<std::string, std::string> parse_columns(const std::string& option, cons
   for (const std::string& item : split(text, ',')) {
     const std::size_t equals = item.find('=');
     if (equals == std::string::npos || equals + 1 == item.size())
-      throw InputError(option, fmt::format("\"{}\", expected name=column, as in x=X,y=Y,radius=R", item));
+      throw InputError(
+          option,
+          fmt::format(
+              "\"{}\" does not assign a column to a name: expected name=column, for example x=X,y=Y,radius=R",
+              item));
     const std::string name(trimmed(item.substr(0, equals)));
     if (!columns.emplace(name, trimmed(item.substr(equals + 1))).second)
-      throw InputError(option, fmt::format("{} is given twice", name));
+      throw InputError(option, fmt::format("{} is given twice: expected one column per name", name));
   }
   return columns;
 }
@@ -88,12 +94,14 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   options.units = arguments.units;
   options.drop_tensile = arguments.drop_tensile;
   if (options.dimension && !options.cell.empty() && *options.dimension != static_cast<int>(options.cell.size()))
-    throw InputError("--dimension",
-                     fmt::format("{}, but --cell has {} vectors", *options.dimension, options.cell.size()));
+    throw InputError(
+        "--dimension",
+        fmt::format("the dimension is {}, but --cell has {} lattice vectors: expected one vector per dimension",
+                    *options.dimension, options.cell.size()));
   return options;
 }
 
-/// Completes a state with quantities that the file lacks and an analysis needs, and with its provenance.
+/// Completes a state with its provenance and with quantities that an analysis needs but the file does not contain.
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
               State<Dim>& state) {
@@ -112,8 +120,9 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
 template <int Dim>
 void report(const std::string& out, const State<Dim>& state) {
   spdlog::info(
-      "{}: {} grains in {}D, {} contacts, phi = {:.6g}, pressure = {:.6g}, largest net force = {:.2g} F1", out,
-      state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
+      "{}: {} grains in {}D, {} contacts, solid fraction {:.6g}, pressure {:.6g}, largest net force on a grain "
+      "{:.2g} times the force scale max(F0, P a^(d-1))",
+      out, state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
       state.stress.diagonal().mean(), state.residuals.force);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
     spdlog::warn("{}: warning: {}", out, warning);
@@ -122,7 +131,7 @@ void report(const std::string& out, const State<Dim>& state) {
 int convert(const std::string& in, const std::string& out, const ExportFormat& to,
             const ConvertArguments& arguments) {
   if (!arguments.overwrite && std::filesystem::exists(out))
-    throw InputError(out, "exists already; --overwrite replaces it");
+    throw InputError(out, "this file exists already; give --overwrite to replace it");
   const ImportFormat& from = find_import_format(arguments.from, in);
   Imported imported = from.read(in, import_options(arguments));
   ConversionSummary summary;
@@ -134,7 +143,7 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
       imported.state);
   if (arguments.strict && !summary.inconsistencies.empty()) {
     for (const std::string& doubt : summary.inconsistencies) spdlog::error("{}: {}", in, doubt);
-    spdlog::error("{}: not converted: --strict accepts none of this", in);
+    spdlog::error("{}: not converted, because --strict accepts no inconsistencies in the file", in);
     return kVerificationFailed;
   }
   return_freed_memory();
@@ -151,20 +160,22 @@ int run_convert(const ConvertArguments& arguments) {
   const std::string& out = arguments.files.back();
   if (!std::filesystem::is_directory(out)) {
     if (inputs.size() > 1)
-      throw InputError(out, fmt::format("is not a directory: {} packings can only be written into a directory",
+      throw InputError(out, fmt::format("this is not a directory, but {} packings are to be written: give an "
+                                        "existing directory as the last argument",
                                         inputs.size()));
     return convert(inputs[0], out, find_export_format(arguments.to, out), arguments);
   }
   const ExportFormat& to = find_export_format(arguments.to.empty() ? "state" : arguments.to, out);
   if (inputs.size() > 1 && !arguments.contacts.empty())
-    throw InputError("--contacts", "belongs to one packing: convert them one by one");
+    throw InputError("--contacts",
+                     "a file of contacts belongs to a single packing: convert the packings one by one");
   return for_each_file(inputs, [&](const std::string& in) {
     const std::string name = std::filesystem::path(in).stem().string() + to.extension;
     return convert(in, (std::filesystem::path(out) / name).string(), to, arguments);
   });
 }
 
-/// Returns the keywords of a list of formats.
+/// Returns the keywords of the formats, separated by commas.
 template <class Format>
 std::string keywords(const std::vector<Format>& formats) {
   std::string list;
@@ -173,58 +184,70 @@ std::string keywords(const std::vector<Format>& formats) {
 }
 
 void add_reading_options(CommandLine app, ConvertArguments& arguments) {
-  // Brackets at the end of a help text hold the default. Defaults that depend on the format of IN are set by its
-  // reader, so most variables begin empty.
-  app.add_option("--from", arguments.from,
-                 "format of IN: " + keywords(import_formats()) + " [by name and content]");
-  app.add_option("--law", arguments.law,
-                 "contact law, e.g. normal.stiffness=1e5,friction.coefficient=0.5,friction.stiffness=1e5");
-  app.add_option("--cell", arguments.cell, "lattice vectors of the periodic cell, e.g. \"9.5,0;0.06,9.57\"");
-  app.add_option("--columns", arguments.columns, "columns of the grains, e.g. x=X,y=Y,radius=R").joined(',');
+  // A default is given in brackets at the end of each help text. Some defaults depend on the format of the file IN and
+  // are set by the reader of that format, so most variables are empty here.
   app.add_option(
-      "--contacts", arguments.contacts,
-      "file of contacts [found by geometry]: csv with id1, id2[, image1.., normal_force, shear_force1.., "
-      "rolling_moment.., twisting_moment]; a LAMMPS dump of style local; YADE interactions");
+      "--from", arguments.from,
+      "format of the file IN: " + keywords(import_formats()) + " [recognised from the name and content of IN]");
+  app.add_option("--law", arguments.law,
+                 "contact law, given by keys of the table contact of a scene, e.g. "
+                 "normal.stiffness=1e5,friction.coefficient=0.5,friction.stiffness=1e5");
+  app.add_option(
+      "--cell", arguments.cell,
+      "lattice vectors of the periodic cell, separated by semicolons, e.g. \"9.5,0;0.06,9.57\" (length)");
+  app.add_option("--columns", arguments.columns,
+                 "NAME=COLUMN,...: columns of a csv file of grains, e.g. x=X,y=Y,radius=R")
+      .joined(',');
+  app.add_option("--contacts", arguments.contacts,
+                 "file of the contacts: csv with the columns id1, id2 and optionally image1.., normal_force, "
+                 "shear_force1.., rolling_moment.., twisting_moment; or a LAMMPS dump of style local; or YADE "
+                 "interactions [contacts are found from the positions and radii]");
   app.add_option("--contact-columns", arguments.contact_columns,
-                 "columns of the contacts, e.g. id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...")
+                 "NAME=COLUMN,...: columns of the file of contacts, e.g. "
+                 "id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...")
       .joined(',');
   app.add_option("--stress", arguments.stress,
-                 "diagonal of the imposed stress, positive in compression [as IN says, otherwise what the "
-                 "contacts carry]");
+                 "diagonal components of the imposed stress, separated by commas, positive in compression [the "
+                 "stress given in IN or, without it, the stress carried by the contacts]");
   app.add_option(
          "--tolerance", arguments.tolerance,
-         "how far from equilibrium IN may be: net force / F1, net moment / (F1 a), stress / (F1/a^(d-1)) "
-         "[1e-3; jambashbulk: 1e-5]")
+         "tolerance of the equilibrium of IN, for net forces in units of F1, net moments in units of F1 a, and "
+         "errors of the stress in units of F1/a^(d-1); F1 is the larger of the pull-off force F0 and P a^(d-1) "
+         "(P: pressure, a: largest diameter, d: dimension) [1e-3; for the format jambashbulk 1e-5]")
       .positive();
   app.add_flag("--drop-tensile", arguments.drop_tensile,
-               "leave out listed contacts that pull under a law without adhesion [they are refused]");
+               "leave out contacts that are in tension although the contact law has no adhesion [a file with "
+               "such contacts is rejected]");
   app.add_flag("--strict", arguments.strict,
-               "write nothing and exit with code 5 if list, geometry, forces, law and equilibrium disagree [a "
-               "warning is printed]");
-  app.add_option("--units", arguments.units, "reduced or SI").one_of({"reduced", "SI"});
-  app.add_option("--dimension", arguments.dimension, "2 or 3 [2 if every z is the same]")
+               "write nothing and exit with code 5 if the listed contacts, the geometry, the forces, the "
+               "contact law and the equilibrium in IN contradict each other [print a warning]");
+  app.add_option("--units", arguments.units, "system of units of IN: reduced or SI [reduced]")
+      .one_of({"reduced", "SI"});
+  app.add_option("--dimension", arguments.dimension,
+                 "dimension of the packing: 2 or 3 [2 if all grains have equal z coordinates, otherwise 3]")
       .one_of_integers({2, 3});
-  app.add_option(
-         "--index", arguments.index,
-         "which packing or frame of a file that holds several, from 0 [the last; jambashbulk: the first]")
+  app.add_option("--index", arguments.index,
+                 "number of the packing or frame to read from a file with several, counted from 0 [the last "
+                 "one; for the format jambashbulk the first one]")
       .non_negative();
 }
 
 }  // namespace
 
 Command add_convert(CommandLine program) {
-  CommandLine app =
-      program.add_subcommand("convert", "Make a state file from another program's packing, or the reverse");
+  CommandLine app = program.add_subcommand(
+      "convert", "Convert a packing of another program to a state file, or a state file to another format");
   const auto arguments = std::make_shared<ConvertArguments>();
   app.add_option(
          "IN... OUT", arguments->files,
-         "files to read, - for stdin, and the file to write; several are written into the directory OUT")
+         "input files (- for stdin), followed by the output file; with several input files, OUT is a directory")
       .required()
       .expected(2, -1);
   app.add_option("--to", arguments->to,
-                 "format of OUT: " + keywords(export_formats()) + " [by its extension; state in a directory]");
+                 "format of the output: " + keywords(export_formats()) +
+                     " [according to the extension of OUT; state if OUT is a directory]");
   add_reading_options(app, *arguments);
-  app.add_flag("--overwrite", arguments->overwrite, "replace existing files");
+  app.add_flag("--overwrite", arguments->overwrite, "replace output files that exist already");
   return {app, [arguments] { return run_convert(*arguments); }};
 }
 

@@ -20,29 +20,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of a file or folder that is installed with floc, in share/floc beside the bin/ of this program.
+/// Returns the path of a file or directory that is installed with floc, in ../share/floc relative to the directory of
+/// the program.
+/// @throws InputError if it does not exist
 std::string shipped(const std::string& name) {
   const fs::path path = (fs::path(this_program()).parent_path() / "../share/floc" / name).lexically_normal();
   if (!fs::exists(path))
-    throw InputError(path.string(), "not found: expected the scenes and tables that are installed with floc");
+    throw InputError(
+        path.string(),
+        "not found; floc demo needs the scenes and tables that are installed with floc: install floc again");
   return path.string();
 }
 
-/// Prints a command line and runs it. @param about  purpose of the command, printed above it
+/// Prints a command line of floc on stderr and runs it.
+/// @param about  purpose of the command, printed above the command line
 /// @param shown  whether the output of the command is printed
+/// @return exit code of the command
 int step(const std::string& about, const std::vector<std::string>& arguments, bool shown) {
   fmt::print(stderr, "\n== {}\n   floc {}\n", about, fmt::join(arguments, " "));
   return run_floc(arguments, {"", shown ? "" : "/dev/null", "", false});
 }
 
-/// Prints the parameters of the law for this sample beside those for the mean of eight samples. Parameters that one
-/// sample does not identify have no value.
+/// Prints the parameters of the consolidation law, fitted to this sample and to the mean of eight samples. The value of
+/// a parameter that a single sample does not determine is left empty.
 void print_laws(const std::string& directory, const std::string& tables) {
-  fmt::print(
-      stderr,
-      "\n== The consolidation law: lambda and the others of the mean of eight such samples, and of this one\n"
-      "   floc fit consolidation {}\n   floc fit consolidation {}\n",
-      tables, directory);
+  fmt::print(stderr,
+             "\n== Parameters of the consolidation law, fitted to the mean of eight such samples and to this "
+             "sample\n   floc fit consolidation {}\n   floc fit consolidation {}\n",
+             tables, directory);
   const ConsolidationFit eight = consolidation_fit({tables}), one = consolidation_fit({directory});
   Table table{{"parameter", "eight samples", "stderr", "this sample"}, {}};
   for (const FittedParameter& p : eight.parameters) {
@@ -56,8 +61,8 @@ void print_laws(const std::string& directory, const std::string& tables) {
   for (const FittedParameter& p : eight.parameters)
     if (p.name == "lambda" && p.value && p.standard_error)
       fmt::print(
-          "One sample of 400 disks collapses in jumps at pressures of its own; the mean of eight has lambda = "
-          "{:.3f} +- {:.3f}\n",
+          "A single sample of 400 disks collapses in jumps, at pressures that differ between samples; the mean "
+          "of eight samples has lambda = {:.3f} +- {:.3f}\n",
           *p.value, *p.standard_error);
   std::fflush(stdout);
 }
@@ -67,24 +72,27 @@ int run_demo(const std::string& directory) {
   const auto began = std::chrono::steady_clock::now();
   const std::string picture = directory + "/forces.svg", page = directory + "/report.html";
   pass_signals_on();
-  int code = step("400 disks stick together and are consolidated: 40 equilibria, some ten seconds",
+  int code = step("400 disks stick together and are consolidated: 40 equilibrium states, in about ten seconds",
                   {"run", scene, "-o", directory, "--resume"}, false);
   if (code == kDone)
-    code = step("Bulk and shear moduli, and bounds of B where bounds_hold, in units of F0/a",
-                {"moduli", directory, "--columns", "P_star,phi,z,B_reuss,B_S,B,B_voigt,G,G_voigt,bounds_hold",
-                 "--format", "table"},
-                true);
+    code = step(
+        "Bulk modulus B and shear modulus G in units of F0/a, and bounds of B in rows where bounds_hold is "
+        "true",
+        {"moduli", directory, "--columns", "P_star,phi,z,B_reuss,B_S,B,B_voigt,G,G_voigt,bounds_hold",
+         "--format", "table"},
+        true);
   if (code == kDone) {
     print_laws(directory, tables);
-    code = step("The forces of three states",
+    code = step("Pictures of the contact forces in three states",
                 {"draw", directory, "-o", picture, "--steps", "1,14,26", "--columns", "3"}, false);
   }
-  if (code == kDone) code = step("The whole run on one page", {"report", directory, "-o", page}, false);
+  if (code == kDone)
+    code = step("A report of the whole run on one page", {"report", directory, "-o", page}, false);
   if (was_signalled()) return kInterrupted;
   if (code == kDone)
     fmt::print(stderr,
-               "\n== Done in {:.0f} s\n   states and tables   {}/\n   picture             {}\n"
-               "   report              {}, for a browser\n   next                floc scene new powder\n",
+               "\n== Done in {:.0f} s\n   states and tables   {}/\n   picture             {}\n   report        "
+               "      {} (open it in a browser)\n   next command        floc scene new powder\n",
                seconds_since(began), directory, picture, page);
   return code;
 }
@@ -93,10 +101,12 @@ int run_demo(const std::string& directory) {
 
 Command add_demo(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "demo", "Run the shipped demo: a powder of 400 disks, its moduli, its consolidation law, pictures");
+      "demo",
+      "Run a demonstration: a powder of 400 disks, its elastic moduli, its consolidation law, and pictures");
   auto directory = std::make_shared<std::string>("demo");
   app.add_option("DIR", *directory,
-                 "directory for states, tables and pictures [demo]; an interrupted demo continues there");
+                 "directory for the state files, tables and pictures; an interrupted demonstration is "
+                 "continued there [demo]");
   return {app, [directory] { return run_demo(*directory); }};
 }
 

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPointsPerCentimetre = 72.0 / 2.54;
-constexpr int kPictures = 4;  ///< number of states drawn of a directory without --steps
+constexpr int kPictures = 4;  ///< number of states that are drawn from a directory if --steps is not given
 
 struct DrawArguments {
   std::vector<std::string> inputs;
@@ -41,7 +41,7 @@ struct DrawArguments {
   bool image = false;
   bool vectors = false;
   std::string view, slab;
-  std::optional<Slab> cut;  ///< value of `slab`
+  std::optional<Slab> cut;  ///< slab of the cell that is drawn, parsed from `slab`
   Printing printing;
 };
 
@@ -57,11 +57,11 @@ PictureFormat format_named(const std::string& keyword) {
   return keyword == "pdf" ? PictureFormat::pdf : keyword == "png" ? PictureFormat::png : PictureFormat::svg;
 }
 
-/// Destination of the pictures: one file, stdout, or one file per state in a directory.
+/// Output of the pictures: one file, stdout, or a directory with one file per state.
 struct Target {
   bool directory = false;
   bool standard_output = false;
-  std::string suffix;  ///< ".svg", ...
+  std::string suffix;  ///< file name extension, such as ".svg"
 
   std::string of(const DrawArguments& arguments, const std::string& state) const {
     if (!directory) return arguments.output;
@@ -79,12 +79,13 @@ Target target_of(const DrawArguments& arguments) {
   if (target.standard_output || target.directory) return target;
   if (arguments.as.empty() && extension != ".svg" && extension != ".pdf" && extension != ".png")
     throw InputError("-o " + arguments.output,
-                     "expected a name that ends in .svg, .pdf or .png, a directory, or -");
+                     "the format of the picture cannot be told from this name: expected a name that ends in "
+                     ".svg, .pdf or .png, a directory, or - for stdout");
   if (arguments.as.empty()) target.suffix = extension;
   return target;
 }
 
-/// Returns the numbers in the text "A,B,...", or nothing unless there are `count` of them.
+/// Returns the numbers in the text "A,B,..."; returns nothing if their number is not `count` or one is invalid.
 std::optional<std::vector<double>> numbers_of(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   std::size_t begin = 0;
@@ -98,13 +99,15 @@ std::optional<std::vector<double>> numbers_of(const std::string& text, std::size
   return numbers.size() == count ? std::optional(numbers) : std::nullopt;
 }
 
-/// Parses the values of --view and --slab.
+/// Parses the values of the options --view and --slab.
+/// @throws InputError if a value is invalid
 void read_sight(DrawArguments& arguments) {
   if (!arguments.view.empty()) {
     const auto angles = numbers_of(arguments.view, 2);
     if (!angles)
-      throw InputError("--view " + arguments.view,
-                       "expected AZIMUTH,ELEVATION: two angles in degrees, such as -65,20");
+      throw InputError(
+          "--view " + arguments.view,
+          "this is not a direction of view: expected AZIMUTH,ELEVATION, two angles in degrees, such as -65,20");
     arguments.sheet.view.azimuth = (*angles)[0];
     arguments.sheet.view.elevation = (*angles)[1];
   }
@@ -115,36 +118,41 @@ void read_sight(DrawArguments& arguments) {
                         : numbers_of(arguments.slab.substr(2), 2);
   if (!ends)
     throw InputError("--slab " + arguments.slab,
-                     "expected AXIS,FROM,TO: x, y or z and two fractions of the cell, such as z,0.4,0.6");
+                     "this is not a slab: expected AXIS,FROM,TO with an axis x, y or z and two fractions of "
+                     "the cell, such as z,0.4,0.6");
   arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
 }
 
-/// A state read and its picture.
+/// The picture of a state, and the values of the state in the output table.
 template <int Dim>
 struct Drawn {
   std::string file;
   PackingPicture<Dim> picture;
-  std::vector<TableValue> cells;  ///< P_star, phi, z
+  std::vector<TableValue> cells;  ///< values of the columns P_star, phi and z of the output table
 };
 
 void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
   picture = part_in_slab(picture, *arguments.cut);
   if (picture.position.empty())
-    throw InputError(file, "has no grain whose centre lies in --slab " + arguments.slab +
-                               ": expected a slab that holds at least one");
+    throw InputError(file, "this state has no grain whose centre lies in --slab " + arguments.slab +
+                               ": choose a slab that contains at least one grain");
   picture.caption.push_back(fmt::format("{} from {} to {} of the cell", "xyz"[arguments.cut->axis],
                                         short_number(arguments.cut->from), short_number(arguments.cut->to)));
 }
 
-/// Returns the picture of a state. @param other  state to compare with, if there is one
+/// Makes the picture of a state. @param other  state with which it is compared, if --compare is given
 template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {
   if (Dim == 2 && (arguments.cut || !arguments.view.empty() || arguments.sheet.view.sphere_size))
-    throw InputError(file, "is 2D: --view, --slab and --sphere-size apply to spheres");
+    throw InputError(file,
+                     "this is a state of disks, but --view, --slab and --sphere-size apply only to states of "
+                     "spheres: leave them out");
   if (other && !std::holds_alternative<State<Dim>>(*other))
-    throw InputError(arguments.compare, fmt::format("is {}D, and {} is {}D: expected states of the same grains",
-                                                    Dim == 2 ? 3 : 2, file, Dim));
+    throw InputError(
+        arguments.compare,
+        fmt::format("this is a state in {}D, but {} is in {}D: --compare needs two states of the same grains",
+                    Dim == 2 ? 3 : 2, file, Dim));
   Drawn<Dim> drawn = {file,
                       other ? picture_of_changes(file, state, arguments.compare, std::get<State<Dim>>(*other))
                             : picture_of(file, state, shown_by(arguments)),
@@ -172,7 +180,7 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   table.rows.push_back(std::move(row));
 }
 
-/// Sets one scale of colours for all pictures of a strip.
+/// Gives all pictures of a strip a common colour scale.
 template <int Dim>
 void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;
@@ -184,7 +192,7 @@ void write_picture(const Target& target, const std::string& path, const std::str
   write_bytes_atomically(target.standard_output ? "-" : path, bytes);
 }
 
-/// Draws the states, each as a picture of its own or all as a strip.
+/// Draws states, either as one picture per state or as a strip of all states.
 class Drawer {
  public:
   Drawer(const DrawArguments& arguments, const Target& target) : arguments_(arguments), target_(target) {
@@ -197,9 +205,10 @@ class Drawer {
     auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
     auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
     if (!others.empty())
-      throw InputError(file, fmt::format("is {}D, and the states before it are not: a strip shows states of "
-                                         "one dimension (-o DIR/ draws each state by itself)",
-                                         Dim));
+      throw InputError(
+          file, fmt::format("this is a state in {}D, but the states before it are not: all states of a strip "
+                            "must have the same dimension (-o DIR/ draws each state as a separate picture)",
+                            Dim));
     const std::string path = target_.of(arguments_, file);
     add_row(drawn, path, table_);
     if (target_.directory)
@@ -208,7 +217,7 @@ class Drawer {
       strip.push_back(std::move(drawn.picture));
   }
 
-  /// Writes the strip and the table.
+  /// Writes the picture of the strip, if there is one, and prints the table.
   void finish() {
     write_strip<2>();
     write_strip<3>();
@@ -257,63 +266,70 @@ int draw(DrawArguments arguments) {
 }  // namespace
 
 Command add_draw(CommandLine program) {
-  CommandLine app = program.add_subcommand("draw", "Draw packings and their forces as svg, pdf or png");
+  CommandLine app = program.add_subcommand("draw", "Draw packings and their contact forces as svg, pdf or png");
   const auto arguments = std::make_shared<DrawArguments>();
-  app.add_option(
-         "STATE", arguments->inputs,
-         "state files, - for one on stdin, or directories of floc run (see --steps); several make a strip")
+  app.add_option("STATE", arguments->inputs,
+                 "state files (- for a state on stdin), or directories of floc run (see --steps); several "
+                 "states are drawn as a strip")
       .required();
-  app.add_option(
-         "-o,--output", arguments->output,
-         "F.svg, F.pdf or F.png; a directory, for one picture per state; - for stdout, without the table")
+  app.add_option("-o,--output", arguments->output,
+                 "picture to write: F.svg, F.pdf or F.png; a directory for a separate picture of each state; - "
+                 "writes the picture to stdout and prints no table")
       .required();
   const Option forces =
       app.add_option("--forces", arguments->forces,
-                     "equilibrium: the forces of the state; increment: what a small step of stress adds, with "
-                     "the contacts that hold 95 % of its energy in colour; particle-pressure: grains coloured "
-                     "by their pressure; phases: grains of positive and of negative pressure and the bonds "
-                     "within each phase; none: no forces [equilibrium]")
+                     "forces to draw. equilibrium: contact forces of the state; increment: changes of the "
+                     "contact forces in a small step of stress, with the contacts in colour that store 95 % of "
+                     "its elastic energy; particle-pressure: grains coloured by their pressure; phases: grains "
+                     "with positive and with negative pressure, and the contacts between grains of the same "
+                     "sign; none: no forces [equilibrium]")
           .one_of({"equilibrium", "increment", "particle-pressure", "phases", "none"});
   app.add_option("--step", arguments->step,
-                 "stress step of --forces increment: isotropic or deviatoric [isotropic]")
+                 "type of the stress step for --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});
-  // A picture of changes shows displacements in place of forces.
+  // Option --compare excludes --forces, because its picture shows displacements instead of forces.
   app.add_option("--compare", arguments->compare,
-                 "STATE2: draw the contacts lost and gained on the way to this state, and the non-affine "
-                 "displacements of the grains")
+                 "STATE2: draw the contacts that are lost and gained between STATE and STATE2, and the "
+                 "non-affine displacements of the grains")
       .excludes(forces);
   app.add_option("--steps", arguments->steps,
-                 "K,...: which states of a directory to draw [four, from the first to the last]")
+                 "K,...: numbers of the states of a directory to draw [four states, evenly spread from the "
+                 "first to the last]")
       .delimiter(',')
       .non_negative();
   app.add_option("--as", arguments->as,
-                 "svg, pdf or png, whatever the name of the file [by its extension; otherwise svg]")
+                 "format of the picture, regardless of the file name: svg, pdf or png [according to the "
+                 "extension of the file name, svg without one]")
       .one_of({"svg", "pdf", "png"});
-  app.add_option("--width", arguments->width, "width of the page in cm [17]");
-  app.add_option("--columns", arguments->sheet.columns, "pictures in a row of a strip [4]");
+  app.add_option("--width", arguments->width, "width of the page (cm) [17]");
+  app.add_option("--columns", arguments->sheet.columns, "number of pictures in each row of a strip [4]");
   app.add_option("--line-width", arguments->sheet.line_width,
-                 "line width of the r.m.s. force, in mean diameters; widths are proportional to |F| [0.15]");
+                 "width of the line of a contact that carries the r.m.s. force, in mean diameters; line widths "
+                 "are proportional to the force [0.15]");
   app.add_flag("--same-scale", arguments->sheet.same_force_scale,
-               "one scale of line widths for all pictures of a strip [each picture has its own, and says it]");
-  app.add_flag("--bare", arguments->sheet.bare, "no captions, no legend");
-  app.add_option("--resolution", arguments->sheet.resolution,
-                 "pixels per inch of a png or an image [6 pixels per grain, at least 200 pixels per inch, at "
-                 "most 3000 pixels per side]");
-  // Without --image or --vectors the number of grains decides between an image and vectors.
-  const Option image =
-      app.add_flag("--image", arguments->image,
-                   "svg and pdf: grains and lines as an image [if there are more than 15000, in 3D 6000]");
-  app.add_flag("--vectors", arguments->vectors, "svg and pdf: grains and lines as vectors, however many")
+               "use a common scale of line widths for all pictures of a strip [each picture has its own scale, "
+               "given in its legend]");
+  app.add_flag("--bare", arguments->sheet.bare, "draw no captions and no legend");
+  app.add_option(
+      "--resolution", arguments->sheet.resolution,
+      "resolution of a png picture or of an image embedded in svg or pdf (pixels per inch) [6 pixels per mean "
+      "diameter, but at least 200 pixels per inch and at most 3000 pixels per side]");
+  // If neither --image nor --vectors is given, grains and lines are drawn as an image only if there are many of them.
+  const Option image = app.add_flag(
+      "--image", arguments->image,
+      "in svg and pdf, embed grains and lines as an image [if there are more than 15000 of them, in 3D 6000]");
+  app.add_flag("--vectors", arguments->vectors,
+               "in svg and pdf, draw grains and lines as vectors, even if there are many of them")
       .excludes(image);
   app.add_option("--view", arguments->view,
-                 "AZIMUTH,ELEVATION: direction from which spheres are seen, in degrees; azimuth 0 is the x "
-                 "axis, 90 the y axis [-65,20]");
+                 "AZIMUTH,ELEVATION: direction from which spheres are viewed (degrees); azimuth 0 is the x "
+                 "axis, azimuth 90 the y axis [-65,20]");
   app.add_option("--slab", arguments->slab,
-                 "AXIS,FROM,TO: draw only the spheres whose centres lie between two fractions of the cell, "
-                 "e.g. z,0.4,0.6");
-  app.add_option(
-      "--sphere-size", arguments->sheet.view.sphere_size,
-      "drawn radius of a sphere over its true radius, 0 to 1 [1; 0.25 where forces or changes are drawn]");
+                 "AXIS,FROM,TO: draw only the spheres whose centres lie between two fractions of the cell, for "
+                 "example z,0.4,0.6");
+  app.add_option("--sphere-size", arguments->sheet.view.sphere_size,
+                 "ratio of the drawn radius of spheres to their true radius, from 0 to 1 [1; 0.25 if forces or "
+                 "changes are drawn]");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return draw(*arguments); }};
 }

@@ -19,7 +19,7 @@ namespace {
 
 struct ExportArguments {
   std::string state;
-  std::string grains, contacts;  ///< files; empty: none
+  std::string grains, contacts;  ///< names of the csv files to write; a file with an empty name is not written
 };
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
@@ -44,8 +44,8 @@ Table grain_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Returns the table of the contacts. Moments are listed only if the law has rolling resistance: `floc convert` rejects
-/// them for other laws.
+/// Returns the table of the contacts. Rolling and twisting moments are listed only if the contact law has this
+/// resistance, because `floc convert` rejects moments for other laws.
 template <int Dim>
 Table contact_table(const Packing<Dim>& packing) {
   const bool rolls = packing.law.has_rolling(), twists = packing.law.has_twisting();
@@ -53,8 +53,8 @@ Table contact_table(const Packing<Dim>& packing) {
   const auto numbered = [&table](const char* name, int n) {
     for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
   };
-  // The names are those that `floc convert --contacts` reads, so that an exported table can be imported. In 2D a
-  // rolling moment is a scalar, and its column has no index.
+  // The columns have the names that `floc convert --contacts` expects, so that an exported table can be imported again.
+  // In 2D the rolling moment is a scalar, so the name of its column has no index.
   numbered("image", Dim);
   table.columns.emplace_back("normal_force");
   numbered("shear_force", Dim);
@@ -80,8 +80,8 @@ Table contact_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Returns the command that makes the state again from the two tables; its options hold the quantities that are in
-/// neither table.
+/// Returns the command line of `floc convert` that restores the state from the two tables. Its options contain the
+/// quantities that are in neither of the tables.
 template <int Dim>
 std::string convert_command(const ExportArguments& arguments, const State<Dim>& state) {
   std::vector<std::string> vectors;
@@ -101,18 +101,19 @@ template <int Dim>
 void export_state(const ExportArguments& arguments, const State<Dim>& state) {
   if (!state.packing.walls.empty())
     throw InputError(arguments.state,
-                     "has walls, which a table of grains cannot hold: expected a periodic cell");
+                     "this state has walls, which cannot be written to a table of grains: floc export needs a "
+                     "state with a periodic cell");
   const bool both = !arguments.grains.empty() && !arguments.contacts.empty();
   if (!arguments.grains.empty()) write_csv(arguments.grains, grain_table(state.packing));
   if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state.packing));
   if (!both) return;
-  spdlog::info("{} grains, {} contacts. To make the state again:\n  {}", state.packing.grains.size(),
-               state.packing.contacts.size(), convert_command(arguments, state));
+  spdlog::info("wrote {} grains and {} contacts. The following command restores the state:\n  {}",
+               state.packing.grains.size(), state.packing.contacts.size(), convert_command(arguments, state));
 }
 
 int run_export(const ExportArguments& arguments) {
   if (arguments.grains.empty() && arguments.contacts.empty())
-    throw InputError("floc export", "expected --grains FILE, --contacts FILE or both");
+    throw InputError("floc export", "no output file is named: give --grains FILE, --contacts FILE or both");
   return for_each_file({arguments.state}, [&](const std::string& file) {
     std::visit([&](const auto& state) { export_state(arguments, state); }, read_state(file));
     return int{kDone};
@@ -123,15 +124,17 @@ int run_export(const ExportArguments& arguments) {
 
 Command add_export(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "export", "Write the grains and contacts of a state as csv tables, which floc convert can read");
+      "export", "Write the grains and contacts of a state to csv files that floc convert can read");
   auto arguments = std::make_shared<ExportArguments>();
-  app.add_option("STATE", arguments->state, "state file, - for one on stdin").required();
-  app.add_option("--grains", arguments->grains, "file with one row per grain");
+  app.add_option("STATE", arguments->state, "state file, or - for a state on stdin").required();
+  app.add_option("--grains", arguments->grains,
+                 "csv file to write, with one row per grain: position, radius, mass");
   app.add_option("--contacts", arguments->contacts,
-                 "file with one row per contact: forces, moments, stiffnesses");
+                 "csv file to write, with one row per contact: forces, moments, stiffnesses");
   app.footer(
-      "With both tables, it prints the command that makes the state again, with the cell, the law and the "
-      "load, which\nthe tables do not hold. Velocities, angles and the history of the run are not written.");
+      "If both files are written, the command is printed that restores the state from them; it contains the "
+      "cell, the\ncontact law and the load, which are not in the tables. Velocities, angles and the history of "
+      "the run are not written.");
   return {app, [arguments] { return run_export(*arguments); }};
 }
 

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Adds `floc export`.
+/// Adds the command `floc export`.
 Command add_export(CommandLine program);
 
 }  // namespace floc

@@ -17,11 +17,12 @@ namespace floc {
 namespace {
 
 struct HelpArguments {
-  std::vector<std::string> table;  ///< words of its name
+  std::vector<std::string> table;  ///< words of the name of the table
   Printing printing;
 };
 
-/// Returns the tables called `name` and those of its subcommands; all tables for an empty name.
+/// Returns the table with this name and the tables of its subcommands, or all tables if the name is empty.
+/// @throws InputError if there is no such table; the message names the table with the most similar name
 std::vector<DescribedTable> tables_named(const std::string& name) {
   std::vector<DescribedTable> found;
   std::vector<std::string> names;
@@ -35,9 +36,9 @@ std::vector<DescribedTable> tables_named(const std::string& name) {
   return found;
 }
 
-/// Prints the columns of tables with unit and meaning. A name such as "moduli" includes "moduli --increments"; an empty
-/// name means all tables.
-/// @throws InputError naming the most similar table if there is none of this name
+/// Prints name, unit and meaning of the columns of the tables with this name. A name such as "moduli" includes tables
+/// such as "moduli --increments"; an empty name means all tables.
+/// @throws InputError if there is no such table; the message names the table with the most similar name
 void print_column_reference(const std::string& name, const Printing& printing) {
   const std::vector<DescribedTable> tables = tables_named(name);
   Table all{{"table", "column", "unit", "meaning"}, {}};
@@ -59,14 +60,15 @@ void print_column_reference(const std::string& name, const Printing& printing) {
 Command add_help(CommandLine program) {
   CommandLine app = program.add_subcommand(
       "help", "Explain a command (floc help moduli) or the columns of tables (floc help columns)");
-  CommandLine columns =
-      app.add_subcommand("columns", "name, unit and meaning of the columns of all tables, or of TABLE");
+  CommandLine columns = app.add_subcommand(
+      "columns", "print name, unit and meaning of the columns of one table or of all tables");
   app.require_one_subcommand();
   auto arguments = std::make_shared<HelpArguments>();
-  columns.add_option("TABLE", arguments->table, "moduli, fit consolidation, path.csv, ... [all]");
+  columns.add_option("TABLE", arguments->table,
+                     "name of a table: moduli, fit consolidation, path.csv, ... [all tables]");
   columns
       .add_option("--format", arguments->printing.format,
-                  "table, csv or json [table on a terminal, csv otherwise]")
+                  "output format: table, csv or json [table on a terminal, otherwise csv]")
       .one_of({"table", "csv", "json"});
   return {app, [arguments] {
             print_column_reference(fmt::format("{}", fmt::join(arguments->table, " ")), arguments->printing);

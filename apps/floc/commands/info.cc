@@ -18,7 +18,8 @@ struct InfoArguments {
   bool scene = false;
 };
 
-/// Prints a row for each state, or, for reading, one line for each entry.
+/// Prints the table of the states. In the format "table" every value is printed on its own line, with the name of its
+/// column, because a state has more columns than fit on a line.
 void print(const Table& table, const Printing& printing) {
   if (chosen_format(printing.format) != TableFormat::table) return print_table(table, printing);
   const Table shown = with_chosen_columns(table, printing, false);
@@ -54,11 +55,12 @@ int info(const InfoArguments& arguments) {
 }  // namespace
 
 Command add_info(CommandLine program) {
-  CommandLine app = program.add_subcommand("info", "Print what a state file holds, its history and provenance");
+  CommandLine app = program.add_subcommand(
+      "info", "Print the contents of a state file, its loading history and its provenance");
   const auto arguments = std::make_shared<InfoArguments>();
   add_states_argument(app, arguments->files);
   add_printing_options(app, arguments->printing);
-  app.add_flag("--scene", arguments->scene, "print the scene the state was made from, and nothing else");
+  app.add_flag("--scene", arguments->scene, "print only the scene file from which the state was made");
   return {app, [arguments] { return info(*arguments); }};
 }
 

@@ -34,13 +34,15 @@ void say(const std::string& line) {
   std::cerr << line << '\n';
 }
 
-/// Number of nodes per mean diameter below which errors of several per cent are expected.
+/// Number of nodes per mean grain diameter below which a warning is printed, because errors of several per cent are
+/// expected.
 constexpr double kCoarse = 8.0;
-/// Largest number of nodes of a sample that is broken without --yes.
+/// Largest number of nodes of a sample that is broken without the option --yes.
 constexpr int kBrokenUnasked = 20000;
 
-/// Returns the memory that a solution takes (bytes): that of runs with 1e5 nodes, 2.5 kB per node in 2D and 2.3 kB in
-/// 3D, plus a margin. In 2D the factor per node grows with the logarithm of the number of nodes.
+/// Returns the memory that a solution is expected to take (bytes). The numbers are those measured with 1e5 nodes, 2.5
+/// kB per node in 2D and 2.3 kB in 3D, plus a margin. In 2D the memory of the factor per node grows with the logarithm
+/// of the number of nodes.
 double expected_memory(int dimension, double n_nodes) {
   if (dimension == 3) return 2600.0 * n_nodes;
   return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
@@ -50,9 +52,10 @@ void refuse_too_large(int dimension, double n_nodes) {
   const double needed = expected_memory(dimension, n_nodes);
   const double available = free_memory();
   if (needed <= available) return;
-  throw InputError("floc lattice", fmt::format("{:.3g} nodes take about {:.1f} GB, but {:.1f} GB are free: "
-                                               "give a wider spacing or fewer nodes per diameter",
-                                               n_nodes, needed / 1e9, available / 1e9));
+  throw InputError("floc lattice",
+                   fmt::format("a lattice of {:.3g} nodes takes about {:.1f} GB of memory, but only {:.1f} GB "
+                               "are free: choose a larger --spacing or a smaller --per-diameter",
+                               n_nodes, needed / 1e9, available / 1e9));
 }
 
 template <int Dim>
@@ -88,9 +91,10 @@ CementedSample<Dim> make_sample(const LatticeArguments& arguments, const Packing
   row.n_bridges = sample.n_bridges;
   if (row.nodes_a_diameter < kCoarse)
     say(
-        fmt::format("floc: warning: {:.1f} nodes per mean diameter are coarse: at 9, Young's modulus is 12 % "
-                    "too low and forces between grains agree with those of a fine lattice by a Pearson "
-                    "coefficient of 0.95; take 15 for forces and moduli, 35 for tails of the stress",
+        fmt::format("floc: warning: a lattice with {:.1f} nodes per mean diameter is coarse: with 9 nodes, "
+                    "Young's modulus is 12 % too low, and the forces between grains have a correlation "
+                    "coefficient of 0.95 with those of a fine lattice; use 15 nodes per diameter for forces "
+                    "and moduli, and 35 for the tails of the stress distribution",
                     row.nodes_a_diameter));
   return sample;
 }
@@ -102,10 +106,12 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
   if (network.n_directions < Dim)
     throw InputError(
         "floc lattice",
-        fmt::format("grains and matrix do not percolate: they {}; a higher --matrix or --bridge-gap joins more",
+        fmt::format("grains and matrix do not percolate: they {}; a larger --matrix or --bridge-gap connects "
+                    "more grains",
                     boundary_of(arguments) != LatticeBoundary::periodic
-                        ? std::string("do not join the boundaries that hold them")
-                        : fmt::format("hold together along {} of {} directions", network.n_directions, Dim)));
+                        ? std::string("do not connect the boundaries that hold the sample")
+                        : fmt::format("are connected across the cell along only {} of {} directions",
+                                      network.n_directions, Dim)));
   row.n_elements = static_cast<std::int64_t>(network.elements.size());
   row.n_removed = network.n_removed;
   row.n_islands = network.n_islands;
@@ -117,21 +123,27 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
   return network;
 }
 
-/// Returns the settings of the solver. @param telling  whether its rounds are printed; read at each round
+/// Returns the settings of the solver.
+/// @param telling  whether the progress of the solver is printed; the solver reads it in each round, so it must outlive
+/// the settings
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;
   settings.tolerance = arguments.tolerance.value_or(Dim == 2 ? 1e-10 : 1e-9);
   settings.observe = [&telling](const RelaxationRound& r) {
     if (!telling) return;
-    say(fmt::format("round {}: {} of the bare contacts open, {} changed, {} steps{}, imbalance {:.1e}", r.round,
-                    r.n_open, r.n_changed, r.n_steps, r.factorized ? " on a new factor" : "", r.imbalance));
+    say(
+        fmt::format("round {} of the solver: {} bare contacts are open, {} opened or closed, {} steps of "
+                    "conjugate gradients{}, relative imbalance {:.1e}",
+                    r.round, r.n_open, r.n_changed, r.n_steps, r.factorized ? " with a new factorization" : "",
+                    r.imbalance));
   };
   return settings;
 }
 
-/// Returns the normal forces of the contacts under the load if they were bonds of one stiffness, each a beam as wide as
-/// its bridge.
+/// Returns the normal forces that the contacts of a packing would carry under a load if they were elastic beams of
+/// equal stiffness. The forces of the lattice are compared with the forces of this simple model.
+/// @param width  width of the beams (length)
 template <int Dim>
 std::vector<double> bonded_forces(const Packing<Dim>& packing, const LatticeLoad<Dim>& load, double width) {
   ContactNetwork<Dim> network = contact_network(packing);
@@ -153,7 +165,9 @@ std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
   return normal;
 }
 
-/// Computes the forces between the grains, and their correlation with those of other models of the packing.
+/// Computes the forces between the grains, and their correlation with the forces of a model of equal beams and, if
+/// --compare is given, with the forces of another state.
+/// @return the packing with these forces as contact forces
 template <int Dim>
 Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim>& state,
                               const LatticeLoad<Dim>& load, LoadedSample<Dim>& loaded, double sign,
@@ -172,8 +186,9 @@ Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim
     const AnyState other = read_state(arguments.compare);
     const State<Dim>* same = std::get_if<State<Dim>>(&other);
     if (same == nullptr || same->packing.grains.size() != state.packing.grains.size())
-      throw InputError(arguments.compare,
-                       fmt::format("holds other grains: expected {} in {}D", state.packing.grains.size(), Dim));
+      throw InputError(arguments.compare, fmt::format("this state does not have the grains of the lattice: "
+                                                      "expected a state of the same {} grains in {}D",
+                                                      state.packing.grains.size(), Dim));
     row.pearson_state =
         agreement(forces, same->packing.contacts, normal_forces(same->packing.contacts)).pearson;
   }
@@ -196,8 +211,9 @@ void write_packing(const std::string& path, const LatticeArguments& arguments, c
   write_state(path, state);
 }
 
-/// Returns bounds of the moduli from the bulk and shear moduli of each phase alone. In 2D these are the moduli of the
-/// triangular lattice; in 3D they are computed for this lattice with one stiffness everywhere.
+/// Returns bounds of the bulk and shear modulus of the sample, computed from the moduli of its phases. The moduli of a
+/// phase are those of a lattice that has the stiffness of this phase everywhere: in 2D the closed formulas for the
+/// triangular lattice, in 3D computed by solving the lattice of the sample with one stiffness.
 template <int Dim>
 CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                           const RelaxationSettings& settings) {
@@ -228,16 +244,17 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
                           Dim);
 }
 
-/// Rejects the breaking of a large sample without --yes, because every breakage takes a solution.
+/// Rejects the breaking of a large sample without --yes, because each broken element needs a new solution.
+/// @throws InputError that gives the expected time of the breaking
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
-  /// Approximate number of elements that break until the stress has fallen, per node along a side; and the time that
-  /// each node adds to a solution (s).
+  /// Estimates for the expected time: number of elements that break until the stress has fallen, per node along a side
+  /// of the sample; and time of one solution, per node (s).
   constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
   throw InputError("floc lattice", fmt::format("breaking a sample of {} nodes takes about {:.0f} minutes, to "
-                                               "within a factor of three: give --yes to go on",
+                                               "within a factor of three: give --yes to break it nevertheless",
                                                row.n_nodes, std::max(1.0, minutes)));
 }
 
@@ -250,13 +267,14 @@ void break_sample(const LatticeArguments& arguments, const LatticeLoad<Dim>& loa
   auto last = Clock::now();
   options.observe = [&last](const Breakage& b, int n) {
     if (seconds_since(last) > 2.0) {
-      say(fmt::format("{} elements broken: strain {:.4g}, stress {:.4g}", n, b.strain, b.stress));
+      say(fmt::format("{} elements have broken; the last one at strain {:.4g} and stress {:.4g}", n, b.strain,
+                      b.stress));
       last = Clock::now();
     }
     return true;
   };
   row.fracture = fracture(loaded.network, solver, load, row.axis, options);
-  say(fmt::format("{} elements broke: {}", row.fracture->broken.size(), row.fracture->end));
+  say(fmt::format("{} elements broke; reason for the end: {}", row.fracture->broken.size(), row.fracture->end));
 }
 
 template <int Dim>
@@ -276,7 +294,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   describe(arguments, state, row);
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
-  // Options that are used only after the solution are checked before it, because it can take minutes.
+  // Options that are used only after the solution are checked before it, because the solution can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);
@@ -287,10 +305,11 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   LatticeSolver<Dim> solver(network, settings, boundary_of(arguments), row.axis);
   row.n_unknowns = solver.n_unknowns();
   row.seconds_lattice = seconds_since(start);
-  say(fmt::format(
-      "{} nodes, {} elements, {} unknowns; rho_p = {:.4f}, rho_m = {:.4f}, {:.1f} nodes per mean diameter",
-      row.n_nodes, row.n_elements, row.n_unknowns, row.grain_content, row.matrix_content,
-      row.nodes_a_diameter));
+  say(
+      fmt::format("lattice of {} nodes, {} elements and {} unknowns; volume fractions: grains rho_p = {:.4f}, "
+                  "matrix rho_m = {:.4f}; {:.1f} nodes per mean diameter",
+                  row.n_nodes, row.n_elements, row.n_unknowns, row.grain_content, row.matrix_content,
+                  row.nodes_a_diameter));
 
   const auto solving = Clock::now();
   const LatticeSolution<Dim> solution = solver.solve(load);
@@ -299,20 +318,21 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   row.n_open = solution.n_open();
   row.strain.assign(solution.strain.begin(), solution.strain.end());
   row.stress.assign(solution.stress.begin(), solution.stress.end());
-  // Without a converged solution there are no stresses to write: the row is printed, but no file.
+  // If the solution has not converged, there are no valid stresses: the row is printed, but no file is written.
   if (!solution.report.holds || !solution.report.converged) {
-    say(solution.report.holds
-            ? fmt::format("floc: {}: not converged: an imbalance of {:.1e} of the load is left", arguments.file,
-                          solution.report.imbalance)
-            : fmt::format(
-                  "floc: {}: no strength: under this load bare contacts open until the rest moves freely",
-                  arguments.file));
+    say(solution.report.holds ? fmt::format("floc: {}: the solution has not converged: the forces on the nodes "
+                                            "are out of balance by {:.1e} of the load",
+                                            arguments.file, solution.report.imbalance)
+                              : fmt::format("floc: {}: the sample has no strength under this load: bare "
+                                            "contacts open until parts of it move freely",
+                                            arguments.file));
     row.seconds = seconds_since(start);
     print_table(table_of(row), arguments.printing);
     return kNotConverged;
   }
   LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
-  // Distributions count stresses of the sign of the load as positive, in tension as in compression.
+  // In the distributions, stresses with the sign of the load count as positive, for loads in tension as well as in
+  // compression.
   const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
   row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
   row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);
@@ -328,8 +348,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     write_packing(arguments.output, arguments, state, packing_of(sample.lattice, network, solution), "lattice");
   write_lattice_files(arguments, row, loaded);
   if (!arguments.strength.empty()) {
-    // Each breakage is a solution of its own: break_sample() reports the breakages, and the rounds of the solver are
-    // not printed.
+    // Each broken element needs a new solution. break_sample() reports the broken elements, so the rounds of the solver
+    // are no longer printed.
     telling = false;
     break_sample(arguments, load, solver, loaded, row);
     write_fracture_files(arguments, row, loaded);
@@ -342,8 +362,9 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
 }  // namespace
 
 Command add_lattice(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "lattice", "Solve cemented grains (a saved packing and a solid matrix) as a lattice of elastic elements");
+  CommandLine app = program.add_subcommand("lattice",
+                                           "Compute the stresses in cemented grains (a saved packing with a "
+                                           "solid matrix), modelled as a lattice of elastic elements");
   const auto arguments = std::make_shared<LatticeArguments>();
   add_lattice_options(app, *arguments);
   return {app, [arguments] {

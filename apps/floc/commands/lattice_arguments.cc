@@ -36,71 +36,110 @@ void refuse_faults(const std::string& option, const std::vector<std::string>& fa
 }  // namespace
 
 void add_lattice_options(CommandLine app, LatticeArguments& a) {
-  app.add_option("STATE", a.file, "state file of the grains, - for one on stdin").required();
-  app.add_option("--matrix", a.matrix, "content of the matrix: its share of the volume")
+  app.add_option("STATE", a.file, "state file of the grains, or - for a state on stdin").required();
+  app.add_option("--matrix", a.matrix, "volume fraction of the matrix")
       .required()
       .within(CementOptions::kContent);
-  app.add_option("--stiffness", a.stiffness,
-                 "grain=K,matrix=K,interface=K,contact=K: stiffnesses of the elements, force/length [1; "
-                 "interface 2 K K'/(K + K'), contact that of the grains]");
-  // Defaults that differ between 2D and 3D are set where the dimension of STATE is known; here the variables stay
-  // empty.
-  app.add_option("--per-diameter", a.per_diameter, "nodes per mean diameter [15 in 2D, 6.5 in 3D]").positive();
-  app.add_option("--spacing", a.spacing, "spacing of the nodes instead (length)")
+  app.add_option(
+      "--stiffness", a.stiffness,
+      "grain=K,matrix=K,interface=K,contact=K: stiffness of the elements inside grains, inside the matrix, "
+      "between a grain and the matrix, and between two grains (force/length) [grain and matrix 1; interface 2 "
+      "K K'/(K + K') from the stiffnesses of grain and matrix; contact as for grain]");
+  // Some defaults differ between 2D and 3D. They are set later, when the dimension of the state is known, so the
+  // variables of these options are empty here.
+  app.add_option("--per-diameter", a.per_diameter,
+                 "number of lattice nodes per mean grain diameter [15 in 2D, 6.5 in 3D]")
+      .positive();
+  app.add_option("--spacing", a.spacing,
+                 "distance between neighbouring lattice nodes, instead of --per-diameter (length)")
       .positive()
       .excludes("--per-diameter");
-  app.add_option("--bridge-gap", a.bridge_gap, "widest gap that a bridge joins, in mean diameters [0.05]")
+  app.add_option("--bridge-gap", a.bridge_gap,
+                 "largest gap between two grains that a bridge of matrix connects, in mean diameters [0.05]")
       .non_negative();
   app.add_option("--contacts", a.contacts,
-                 "bare contacts between two grains: unilateral, bilateral or none [unilateral]")
+                 "elements between two grains without matrix between them (bare contacts): unilateral "
+                 "(compression only), bilateral (also tension) or none (no force) [unilateral]")
       .one_of({"unilateral", "bilateral", "none"});
   app.add_option("--patch", a.patch,
-                 "half width of bare contacts over R' = 2 R R'/(R + R') [as wide as the lattice makes them]")
+                 "half width of bare contacts: elements of a contact that are farther than this from the line "
+                 "between the centres of its two grains are left out, in units of 2 R1 R2/(R1 + R2) with the "
+                 "radii R1 and R2 [no limit]")
       .non_negative();
-  app.add_option("--shear", a.shear, "K_T/K_N of the elements [0: central springs]").non_negative();
-  app.add_option("--bending", a.bending, "K_R/(K_N spacing^2) of the elements [0]").non_negative();
-  app.add_flag("--by-facet", a.by_facet, "K = E facet/length: the stiffnesses are moduli");
-  app.add_option("--jitter", a.jitter, "3D: largest random displacement of a node, in spacings [0.35]");
-  app.add_option("--seed", a.seed, "3D: seed of these displacements [1]");
+  app.add_option("--shear", a.shear,
+                 "ratio K_T/K_N of the tangential to the normal stiffness of the elements [0, which means "
+                 "central springs]")
+      .non_negative();
+  app.add_option("--bending", a.bending,
+                 "bending stiffness K_R of the elements, given as the ratio K_R/(K_N h^2) with their normal "
+                 "stiffness K_N and the spacing h of the nodes [0]")
+      .non_negative();
+  app.add_flag("--by-facet", a.by_facet,
+               "take the values of --stiffness as moduli E (stress); an element then has the stiffness E times "
+               "its facet over its length");
   app.add_option(
-      "--load", a.load,
-      "compression or tension (a stress of 1 along the axis), stress:S11,S22,... or strain:E11,E22,... in the "
-      "order 11,22,12 or 11,22,33,23,13,12 [compression]");
-  app.add_option("--axis", a.axis, "axis of the load: x, y or z [the last]").one_of({"x", "y", "z"});
+      "--jitter", a.jitter,
+      "in 3D, largest random displacement of a node from a regular lattice, in units of the spacing [0.35]");
+  app.add_option("--seed", a.seed, "in 3D, seed of the random displacements of the nodes [1]");
+  app.add_option("--load", a.load,
+                 "load on the sample: compression or tension (a stress of 1 along --axis), or "
+                 "stress:S11,S22,... or strain:E11,E22,... with the components in the order 11,22,12 (2D) or "
+                 "11,22,33,23,13,12 (3D) [compression]");
+  app.add_option("--axis", a.axis, "axis of the load: x, y or z [the last one]").one_of({"x", "y", "z"});
   app.add_option("--boundary", a.boundary,
-                 "periodic, plates (without friction, sides free), bonded-plates, or uniform-strain (held at "
-                 "the border) "
-                 "[periodic]")
+                 "boundary of the sample: periodic, plates (frictionless plates across the axis, other sides "
+                 "free), bonded-plates (plates that hold the sample), or uniform-strain (all nodes at the "
+                 "border move with a uniform strain) [periodic]")
       .one_of({"periodic", "plates", "bonded-plates", "uniform-strain"});
-  app.add_flag("--moduli", a.moduli, "all elastic moduli about the loaded sample, and their bounds");
-  app.add_option("--tolerance", a.tolerance, "relative tolerance of the solution [1e-10 in 2D, 1e-9 in 3D]")
+  app.add_flag("--moduli", a.moduli, "compute all elastic moduli of the loaded sample, and bounds of them");
+  app.add_option(
+         "--tolerance", a.tolerance,
+         "largest imbalance of the forces in the solution, relative to the load [1e-10 in 2D, 1e-9 in 3D]")
       .positive();
-  app.add_option("--compare", a.compare,
-                 "state of the same grains, whose forces are compared with those of the lattice");
-  app.add_option("-o,--output", a.output,
-                 "file for the loaded lattice as a state: its nodes are grains, its elements contacts");
-  app.add_option("--stress", a.stress, "csv: phase, position and stress of each node");
-  app.add_option("--forces", a.forces, "file for the grains, with the forces between them, as a state");
-  app.add_option("--pdf", a.pdf, "csv: distributions of the stress of nodes and of the forces between grains");
-  app.add_option("--bin-width", a.bin_width, "bin width of these distributions, in means [0.1]").positive();
-  app.add_option("--plot", a.plot, "F.svg, F.pdf or F.png: distributions of the stress with their tails");
-  app.add_option("--map", a.map, "F.svg, F.pdf or F.png: the stress of the nodes along the axis");
-  app.add_option("--largest", a.largest, "stress at the end of the colour scale of --map, in means [4]")
+  app.add_option(
+      "--compare", a.compare,
+      "state file with the same grains, whose contact forces are compared with those of the lattice");
+  app.add_option(
+      "-o,--output", a.output,
+      "state file to write: the loaded lattice, with its nodes as grains and its elements as contacts");
+  app.add_option("--stress", a.stress, "csv file to write, with one row per node: phase, position and stress");
+  app.add_option("--forces", a.forces,
+                 "state file to write: the grains, with the forces between them as contact forces");
+  app.add_option(
+      "--pdf", a.pdf,
+      "csv file to write: distributions of the stresses of the nodes and of the forces between grains");
+  app.add_option("--bin-width", a.bin_width,
+                 "bin width of the distributions of --pdf and --plot, in units of the mean [0.1]")
       .positive();
-  app.add_option("--phases", a.phases, "F.svg, F.pdf or F.png: grains, matrix and voids");
-  app.add_option("--cut", a.cut, "3D: section that the pictures show: an axis and a share of the cell [y,0.5]");
-  app.add_option("--pixels", a.pixels, "pixels per node in pictures, which stay below 3000 pixels per side [4]")
+  app.add_option(
+      "--plot", a.plot,
+      "plot to write (F.svg, F.pdf or F.png): distributions of the stress, with fitted exponential tails");
+  app.add_option("--map", a.map,
+                 "picture to write (F.svg, F.pdf or F.png): normal stress of the nodes along the axis of the "
+                 "load, in colour");
+  app.add_option("--largest", a.largest,
+                 "largest stress of the colour scale of --map, in units of the mean stress [4]")
+      .positive();
+  app.add_option("--phases", a.phases, "picture to write (F.svg, F.pdf or F.png): grains, matrix and voids");
+  app.add_option("--cut", a.cut,
+                 "AXIS,FRACTION: in 3D, plane through the sample that the pictures show, by its normal axis "
+                 "and its position as a fraction of the cell [y,0.5]");
+  app.add_option("--pixels", a.pixels,
+                 "number of pixels per node in pictures; fewer if a side would exceed 3000 pixels [4]")
       .within(LatticeSheetOptions::kPixels);
-  // Giving a strength makes the command break the sample; the options below apply to breaking alone.
-  app.add_option("--strength", a.strength,
-                 "grain=F,matrix=F,interface=F,contact=F: tension at which elements break; a kind left out "
-                 "never breaks. The sample is then broken, element by element");
+  // With --strength the command also breaks the sample; the options that follow apply only to the breaking.
+  app.add_option(
+      "--strength", a.strength,
+      "grain=F,matrix=F,interface=F,contact=F: break the sample, one element at a time; F is the tension at "
+      "which an element of this kind breaks (force), and kinds that are not named never break");
   app.add_option("--end-at", a.end_at,
-                 "stop breaking where the stress has fallen to this share of the largest [0.2]")
+                 "fraction of the largest stress; the breaking ends when the stress has fallen below it [0.2]")
       .within(FractureOptions::kShare);
-  app.add_option("--curve", a.curve, "csv: strain, stress and element of each breakage");
-  app.add_option("--cracks", a.cracks, "F.svg, F.pdf or F.png: the broken elements");
-  app.add_flag("--yes", a.yes, "break samples of more than 20000 nodes, however long it takes");
+  app.add_option("--curve", a.curve,
+                 "csv file to write, with one row per broken element: strain, stress and the element");
+  app.add_option("--cracks", a.cracks,
+                 "picture to write (F.svg, F.pdf or F.png): the broken elements in the sample");
+  app.add_flag("--yes", a.yes, "also break samples of more than 20000 nodes, which can take long");
   add_printing_options(app, a.printing);
 }
 
@@ -112,12 +151,14 @@ std::vector<std::optional<double>> named_numbers(const std::string& option, cons
     const std::size_t equals = part.find('=');
     const auto name = std::find(names.begin(), names.end(), part.substr(0, equals));
     if (equals == std::string::npos || name == names.end())
-      throw InputError(
-          option, fmt::format("'{}': expected NAME=NUMBER with a name of {}", part, fmt::join(names, ", ")));
+      throw InputError(option, fmt::format("'{}' is not valid: expected NAME=NUMBER, where NAME is one of {}",
+                                           part, fmt::join(names, ", ")));
     std::optional<double>& number = numbers[static_cast<std::size_t>(name - names.begin())];
-    if (number) throw InputError(option, fmt::format("'{}': {} is given twice", part, *name));
+    if (number)
+      throw InputError(option, fmt::format("'{}' is not valid: a number for {} is given twice", part, *name));
     number = parse_number<double>(std::string_view(part).substr(equals + 1));
-    if (!number) throw InputError(option, fmt::format("'{}': expected a number after =", part));
+    if (!number)
+      throw InputError(option, fmt::format("'{}' is not valid: expected a number after the sign =", part));
   }
   return numbers;
 }
@@ -161,7 +202,8 @@ LatticeBoundary boundary_of(const LatticeArguments& a) {
 int axis_of(const LatticeArguments& a, int dimension) {
   if (a.axis.empty()) return dimension - 1;
   const int axis = a.axis[0] - 'x';
-  if (axis >= dimension) throw InputError("--axis " + a.axis, "the state is of disks: expected x or y");
+  if (axis >= dimension)
+    throw InputError("--axis " + a.axis, "the state is two-dimensional and has no such axis: expected x or y");
   return axis;
 }
 
@@ -173,7 +215,9 @@ LatticeLoad<Dim> load_of(const LatticeArguments& a) {
   const std::size_t colon = a.load.find(':');
   const std::string kind = a.load.substr(0, colon);
   const std::string expected = fmt::format(
-      "expected compression, tension, or stress: or strain: with {} numbers between commas", kSymmetric<Dim>);
+      "this is not a load: expected compression, tension, stress:S11,S22,... or strain:E11,E22,... with {} "
+      "numbers separated by commas",
+      kSymmetric<Dim>);
   if (colon == std::string::npos || (kind != "stress" && kind != "strain"))
     throw InputError("--load " + a.load, expected);
   const std::vector<std::string> parts = parts_of(a.load.substr(colon + 1));
@@ -186,7 +230,8 @@ LatticeLoad<Dim> load_of(const LatticeArguments& a) {
     load.value[k] = *number;
   }
   if (load.value.isZero(0.0))
-    throw InputError("--load " + a.load, "is not a load: expected at least one number other than zero");
+    throw InputError("--load " + a.load,
+                     "all components of this load are zero: expected at least one number other than zero");
   return load;
 }
 

@@ -12,12 +12,12 @@
 
 namespace floc {
 
-/// The command line of floc lattice.
+/// Values of the arguments and options of `floc lattice`.
 struct LatticeArguments {
   std::string file;
   double matrix = 0.0;
   std::string stiffness;
-  std::optional<double> per_diameter;  ///< nodes per mean diameter; default: 15 in 2D, 6.5 in 3D
+  std::optional<double> per_diameter;  ///< nodes per mean diameter of the grains; default: 15 in 2D, 6.5 in 3D
   std::optional<double> spacing;
   double bridge_gap = 0.05;
   std::string contacts = "unilateral";
@@ -35,7 +35,7 @@ struct LatticeArguments {
   std::string compare;
   std::string output, stress, forces, pdf, plot, map, phases;
   double bin_width = 0.1;
-  double largest = 0.0;  ///< stress at the end of the colour scale of a map; 0: four times the mean
+  double largest = 0.0;  ///< largest stress of the colour scale of --map, in units of the mean; 0 means 4
   std::string cut = "y,0.5";
   double pixels = 4.0;  ///< pixels per node in pictures
   std::string strength;
@@ -45,22 +45,26 @@ struct LatticeArguments {
   Printing printing;
 };
 
-/// Adds the arguments and options of floc lattice.
+/// Adds the arguments and options of `floc lattice` to its command line.
 void add_lattice_options(CommandLine app, LatticeArguments& arguments);
 
-/// Parses text such as "grain=100,matrix=1". @return number given for each of `names`, in their order
-/// @throws InputError naming option, name and value if a name is not in `names` or is given twice, or a number is not
-/// valid
+/// Parses text such as "grain=100,matrix=1".
+/// @param option  name of the option, for messages
+/// @param names   names that the text may contain
+/// @return for each of `names`, in their order, the number given for it
+/// @throws InputError if a name is not one of `names` or is given twice, or if a number is not valid
 std::vector<std::optional<double>> named_numbers(const std::string& option, const std::string& text,
                                                  const std::vector<std::string>& names);
 
-// Each converts an option to the argument of the library. @throws InputError with every fault
+// The following functions convert options to arguments of the library. They throw an InputError that lists all invalid
+// values.
 ElementStiffness stiffness_of(const LatticeArguments& arguments);
 ElementStrength strength_of(const LatticeArguments& arguments);
 LatticeBoundary boundary_of(const LatticeArguments& arguments);
 int axis_of(const LatticeArguments& arguments, int dimension);
 
-/// Returns the load; a uniaxial one has a stress of 1.
+/// Returns the load that --load describes. The keywords compression and tension mean a stress of magnitude 1 along the
+/// axis of --axis.
 template <int Dim>
 LatticeLoad<Dim> load_of(const LatticeArguments& arguments);
 

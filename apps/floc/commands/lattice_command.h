@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Adds `floc lattice`.
+/// Adds the command `floc lattice`.
 Command add_lattice(CommandLine program);
 
 }  // namespace floc

@@ -41,8 +41,8 @@ std::vector<std::pair<int, int>> stress_components() {
   return {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 }
 
-/// Returns the table of the nodes that have an element, numbered as the grains of the lattice that is written as a
-/// state.
+/// Returns the table of all nodes that belong to an element, with their position, phase and stress. They are numbered
+/// from 0 in the same order as the grains in the state file of --output.
 template <int Dim>
 Table node_table(const LoadedSample<Dim>& of) {
   Table table;
@@ -67,7 +67,7 @@ Table node_table(const LoadedSample<Dim>& of) {
   return table;
 }
 
-/// A distribution that is written or plotted.
+/// A distribution of stresses or forces that is written to a table or plotted.
 struct Named {
   std::string name;
   std::vector<double> values;
@@ -85,7 +85,8 @@ std::vector<Named> distributions(const LatticeRow& row, const LoadedSample<Dim>&
 Table distribution_table(const std::vector<Named>& all, double width) {
   Table table{{"of", "low", "high", "count", "n", "density", "unit", "n_outside"}, {}};
   for (const Named& named : all) {
-    // x counts along the load: stresses of its sign are positive.
+    // Values are divided by `unit`, so that values with the sign of the load are positive. The unit is zero if there
+    // are no values with this sign.
     const double unit = named.distribution.unit;
     if (unit == 0.0) continue;
     const ForceDistribution h = distribution_of(named.values, unit, width);
@@ -99,8 +100,10 @@ Table distribution_table(const std::vector<Named>& all, double width) {
   return table;
 }
 
-/// Returns points of a fitted tail, from its threshold to the largest value: the density of the tail times its share of
-/// all values.
+/// Returns the two ends of the line that shows a fitted exponential tail, from its threshold to the largest value. The
+/// density of the tail is multiplied by the fraction of all values that belong to the tail.
+/// @param n     number of all values
+/// @param sign  factor of the abscissas: 1 for values with the sign of the load, -1 for the others
 std::vector<std::vector<double>> tail_points(const StressTail& tail, int n, double largest, double sign) {
   std::vector<std::vector<double>> rows;
   if (!tail.beta) return rows;
@@ -117,16 +120,16 @@ Plot stress_plot(const LatticeRow& row, const std::vector<Named>& all, double wi
   const char* axis_names[] = {"11", "22", "33"};
   for (std::size_t s = 0; s < all.size(); ++s) {
     const StressDistribution& d = all[s].distribution;
-    // x = stress/unit is undefined if no value has the sign of the load.
+    // The unit is zero if no value has the sign of the load; x = stress/unit is then undefined.
     if (d.unit == 0.0) continue;
     const ForceDistribution h = distribution_of(all[s].values, d.unit, width);
     std::vector<std::vector<double>> points;
-    // The axis of densities is logarithmic, so empty bins have no point.
+    // Empty bins are not plotted, because the axis of densities is logarithmic.
     for (int b = 0; b < static_cast<int>(h.counts.size()); ++b)
       if (h.counts[b] > 0) points.push_back({h.middle(b), h.density(b)});
     const int of_points = plot.add(all[s].name + ": x density", std::move(points));
-    const int of_tail =
-        plot.add(all[s].name + ": tail from x = 1: x density", tail_points(d.loaded_1, d.n, d.largest, 1.0));
+    const int of_tail = plot.add(all[s].name + ": fitted tail from x = 1: x density",
+                                 tail_points(d.loaded_1, d.n, d.largest, 1.0));
     std::string title = all[s].name;
     if (d.loaded_1.beta)
       title += fmt::format(": beta = {}", value_and_error(*d.loaded_1.beta, d.loaded_1.error.value_or(0.0)));
@@ -151,10 +154,12 @@ PictureFormat format_of(const std::string& path) {
   if (extension == ".pdf") return PictureFormat::pdf;
   if (extension == ".png") return PictureFormat::png;
   if (extension == ".svg") return PictureFormat::svg;
-  throw InputError(path, "expected a name that ends in .svg, .pdf or .png");
+  throw InputError(path,
+                   "the format of the picture cannot be told from this name: expected a name that ends in "
+                   ".svg, .pdf or .png");
 }
 
-/// Parses the value of --cut.
+/// Parses the value of the option --cut. @throws InputError if it is invalid
 LatticeSheetOptions section_of(const std::string& cut) {
   LatticeSheetOptions sheet;
   const std::size_t axis =
@@ -162,7 +167,9 @@ LatticeSheetOptions section_of(const std::string& cut) {
   const auto at =
       axis == std::string::npos ? std::nullopt : parse_number<double>(std::string_view(cut).substr(2));
   if (!at || *at < 0.0 || *at > 1.0)
-    throw InputError("--cut " + cut, "expected AXIS,SHARE: x, y or z and a share of the cell, such as y,0.5");
+    throw InputError("--cut " + cut,
+                     "this is not a section: expected AXIS,FRACTION with an axis x, y or z and a fraction of "
+                     "the cell from 0 to 1, such as y,0.5");
   sheet.cut_axis = static_cast<int>(axis);
   sheet.cut_at = *at;
   return sheet;
@@ -225,14 +232,16 @@ void check_lattice_pictures(const LatticeArguments& arguments, const Cell<Dim>& 
   const bool drawn = !(arguments.map.empty() && arguments.phases.empty() && arguments.cracks.empty());
   if (drawn && !can_be_drawn(cell))
     throw InputError(arguments.file,
-                     "holds a cell that --map, --phases and --cracks cannot draw: expected its first vector "
-                     "along x and its second in the plane of x and y, as in a cell that simple shear skews");
+                     "the cell of this state cannot be drawn by --map, --phases and --cracks: expected a cell "
+                     "whose first lattice vector is along x and whose second is in the plane of x and y, for "
+                     "example a right-angled cell or one skewed by simple shear");
   for (const std::string& path : {arguments.map, arguments.phases, arguments.cracks})
     if (!path.empty()) (void)format_of(path);
   if (!arguments.plot.empty()) format_of(arguments.plot);
   if (arguments.strength.empty() && !(arguments.curve.empty() && arguments.cracks.empty()))
-    throw InputError("floc lattice",
-                     "--curve and --cracks show what has broken: expected --strength with them");
+    throw InputError(
+        "floc lattice",
+        "the options --curve and --cracks show broken elements and need --strength, which is not given");
 }
 
 template <int Dim>

@@ -25,15 +25,17 @@ struct ModuliCommand {
   std::string strains = "diagonal";
   std::string method = "factor";
   std::string solver = "automatic";
-  std::optional<double> memory;       ///< GB
-  std::vector<std::string> accuracy;  ///< "X", or "B=X", "G=X"; empty: `method` is used
+  std::optional<double> memory;  ///< largest memory that a Cholesky factor may take (GB)
+  std::vector<std::string>
+      accuracy;  ///< required relative errors "X", or "B=X", "G=X"; if empty, `method` is used
   bool force = false;
-  std::string increments;  ///< file for the increments of every contact; empty: none
-  std::string output;      ///< file for the table; empty: stdout
+  std::string
+      increments;  ///< name of the csv file for the force increments of every contact; if empty, it is not written
+  std::string output;  ///< name of the file for the table; if empty, the table is printed on stdout
   Printing printing;
 };
 
-/// Returns the options of the library. @throws InputError naming the option at fault
+/// Converts the command line to the options of the library. @throws InputError that names the invalid option
 ModuliTableOptions options_of(const ModuliCommand& command) {
   constexpr double kGigabyte = 1e9;
   ModuliTableOptions options = command.options;
@@ -49,7 +51,7 @@ ModuliTableOptions options_of(const ModuliCommand& command) {
   return options;
 }
 
-/// Returns whether rows reach the required accuracy; prints on stderr how one misses it.
+/// Returns whether all rows reach the required accuracy. Prints an error for the first row that does not.
 bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
   return std::ranges::all_of(rows, [&](const ModuliRow& row) {
     const std::string fault = accuracy_fault(row, accuracy);
@@ -58,8 +60,9 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Returns whether the moduli of a state are to be computed: those of an equilibrium, and with `force` of any state,
-/// after a warning. Prints an error if not.
+/// Returns whether the moduli of a state are to be computed. Without `force` this is the case for equilibria only, and
+/// an error is printed for any other state. With `force` it is the case for every state, and a warning is printed
+/// unless the state is in equilibrium.
 bool accepts_state(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
   if (force) {
     std::visit([&](const auto& state) { warn_unless_in_equilibrium(file, state, remarks); }, any);
@@ -68,11 +71,12 @@ bool accepts_state(const std::string& file, const AnyState& any, bool force, con
   const std::string faults = std::visit([](const auto& state) { return equilibrium_faults(state); }, any);
   if (!faults.empty())
     std::cerr << "floc: " << file << ": this state is not in equilibrium: " << faults
-              << "; --force computes moduli anyway\n";
+              << "; give --force to compute its moduli nevertheless\n";
   return faults.empty();
 }
 
-/// Writes a table in the format of `--format`, as csv without it. @throws IoError if the file cannot be written
+/// Writes a table to a file in the format given by `--format`, or as csv without this option.
+/// @throws IoError if the file cannot be written
 void write_file(const std::string& path, const Table& table, const Printing& printing) {
   std::ostringstream text;
   write_table(text, with_chosen_columns(table, printing, false),
@@ -89,7 +93,7 @@ void print_rows(const ModuliCommand& command, const ModuliTableOptions& options,
     write_file(command.output, table, command.printing);
 }
 
-/// Computes the moduli of one state after the other, in this process.
+/// Computes the moduli of all states, one after another, in this process.
 int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   ModuliRows computation(options);
   std::vector<ModuliRow> rows;
@@ -112,7 +116,8 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   return code;
 }
 
-/// Computes the moduli of each state on all processes of mpirun together. Only the first process prints.
+/// Computes the moduli of all states, one after another, in parallel on all processes of mpirun. Only the first process
+/// prints the table.
 int run_together(const ModuliCommand& command, const ModuliTableOptions& options) {
   const std::unique_ptr<ParallelSolver> solver = load_parallel_solver();
   std::vector<ModuliRow> rows;
@@ -146,57 +151,64 @@ Command add_moduli(CommandLine program) {
   const auto command = std::make_shared<ModuliCommand>();
   add_states_argument(app, command->files);
   app.add_option("--strains", command->strains,
-                 "diagonal: shear strains clamped; full: every component, which adds the shear moduli")
+                 "strain components that the cell may have: diagonal (shear strains are held at zero) or full "
+                 "(all components, which adds the shear moduli)")
       .one_of({"diagonal", "full"})
       .show_default();
   app.add_flag("--prestress", command->options.moduli.prestress,
-               "add the geometric terms of the forces (except those of F_T); stress is the Cauchy stress");
+               "include the geometric stiffness due to the contact forces (except the tangential force F_T); "
+               "moduli are then derivatives of the Cauchy stress");
   const Option tolerance = app.add_option("--tolerance", command->options.moduli.tolerance,
-                                          "relative error wanted of B and G; the error reached is printed, "
-                                          "with a warning where it is larger")
+                                          "required relative error of the moduli B and G; the achieved error "
+                                          "is printed, with a warning if it is larger")
                                .show_default();
   const Option method =
       app.add_option("--method", command->method,
-                     "factor: in double precision; single-factor: in single precision, refined; iterative: "
-                     "from the solution of the state before, to --tolerance; bounds: the middle between the "
-                     "bounds. The last three are approximate, and their errors are printed too")
+                     "method of solution. factor: Cholesky factor in double precision; single-factor: Cholesky "
+                     "factor in single precision, with iterative refinement; iterative: conjugate gradients to "
+                     "--tolerance, started from the solution of the previous state; bounds: mean of the lower "
+                     "and upper bound. The last three methods are approximate; their errors are printed")
           .one_of({"factor", "single-factor", "iterative", "bounds"})
           .show_default();
-  // --accuracy chooses the method and its tolerance itself, so it excludes both options.
-  const Option accuracy = app.add_option("--accuracy", command->accuracy,
-                                         "X, or B=X, G=X: relative errors that are good enough; the cheapest "
-                                         "method that keeps them is taken and named in the column method")
-                              .delimiter(',')
-                              .excludes(method)
-                              .excludes(tolerance)
-                              .one_argument_each();
-  app.add_option(
-         "--force-tolerance", command->options.moduli.force_tolerance,
-         "cohesionless packings: a contact below this force, in units of max(F0, P a^(d-1)), carries nothing")
+  // Option --accuracy selects the method and its tolerance, so it excludes the options --method and --tolerance.
+  const Option accuracy =
+      app.add_option("--accuracy", command->accuracy,
+                     "X, or B=X,G=X: largest acceptable relative errors of both moduli, or of B and G; the "
+                     "cheapest method that achieves them is used and named in the column method")
+          .delimiter(',')
+          .excludes(method)
+          .excludes(tolerance)
+          .one_argument_each();
+  app.add_option("--force-tolerance", command->options.moduli.force_tolerance,
+                 "in packings without cohesion, normal force below which a contact is ignored, in units of "
+                 "max(F0, P a^(d-1)) (F0: pull-off force, P: pressure, a: largest diameter, d: dimension)")
       .show_default();
   app.add_option("--rolling-stiffness", command->options.rolling_stiffness,
-                 "K_R of every touching contact, in the state's units; one row per value")
+                 "rolling stiffness K_R to use for all touching contacts, in place of the one of the state "
+                 "(force * length); one row is printed per value")
       .delimiter(',')
       .excludes(method)
       .excludes(accuracy)
       .one_argument_each();
   app.add_option("--increments", command->increments,
-                 "file with one row per contact: what a unit of isotropic and of deviatoric stress adds to its "
-                 "forces, energy and rank, dead end, backbones");
-  app.add_flag("--force", command->force,
-               "accept states that are not in equilibrium, which are refused otherwise");
-  app.add_option("--solver", command->solver,
-                 "cholmod: with a factor; petsc: without one, also on all processes of mpirun; automatic: "
-                 "cholmod where its factor fits into memory")
+                 "csv file to write, with one row per contact: increments of its forces per unit of isotropic "
+                 "and of deviatoric stress, their elastic energy, its rank by energy, and whether the contact "
+                 "is a dead end or part of a backbone");
+  app.add_flag("--force", command->force, "accept states that are not in equilibrium [they are rejected]");
+  app.add_option(
+         "--solver", command->solver,
+         "linear solver. cholmod: Cholesky factorization; petsc: iterative, needs less memory, can run on all "
+         "processes of mpirun; automatic: cholmod if its factor fits into memory, otherwise petsc")
       .one_of({"automatic", "cholmod", "petsc"})
       .show_default();
-  // GB here, bytes in the options of the library: options_of() converts it.
+  // The unit of this variable is GB, that of the library option is bytes; options_of() converts it.
   app.add_option("--memory", command->memory,
-                 "GB that a factor may take before --solver automatic leaves it to petsc [0.7 of what is free]")
+                 "largest memory of a Cholesky factor with --solver automatic, above which petsc is used (GB) "
+                 "[0.7 of the free memory]")
       .positive();
   app.add_option("-o,--output", command->output,
-                 "file for the table in place of stdout, written whole or not at all: for mpirun, which does "
-                 "not report a full disk");
+                 "write the table to this file instead of stdout; the file is either complete or not written "
+                 "(useful with mpirun, which does not report a full disk)");
   add_printing_options(app, command->printing);
   return {app, [command] { return run_moduli(*command); }};
 }

@@ -15,14 +15,14 @@ struct NetworkCommand {
   std::vector<std::string> files;
   NetworkTableOptions options;
   std::string unit = "mean";
-  std::vector<std::string> without;  ///< groups of columns left empty: "mechanics"
-  std::vector<std::string> with;     ///< further groups: "bonds", "phases"
-  /// Files of the tables beside the main one; empty: none.
+  std::vector<std::string> without;  ///< groups of columns that are left empty: "mechanics"
+  std::vector<std::string> with;     ///< groups of columns that are added: "bonds", "phases"
+  /// Names of the files of further tables; a table with an empty name is not written.
   std::string distributions, pressures, exponents, bond_pressures, neighbours, clusters;
   Printing printing;
 };
 
-/// Returns the options of the library, with the groups and tables that the command line selects.
+/// Converts the command line to the options of the library, with the groups of columns and the tables that it selects.
 NetworkTableOptions options_of(const NetworkCommand& command) {
   NetworkTableOptions options = command.options;
   options.unit = force_unit_named(command.unit);
@@ -65,34 +65,38 @@ int run_network(const NetworkCommand& command) {
 }
 
 void add_bond_options(CommandLine app, NetworkCommand& command) {
-  app.add_option(
-         "--with", command.with,
-         "bonds: all interactions by sign, with a class near zero, and estimates of the tensile strength; "
-         "phases: how grains of positive and negative pressure are joined, compared with shuffled signs")
+  app.add_option("--with", command.with,
+                 "columns to add. bonds: numbers of contacts in compression, in tension and near zero force, "
+                 "and estimates of the tensile strength; phases: clusters of grains with positive and with "
+                 "negative pressure, compared with random permutations of the signs")
       .delimiter(',')
       .one_of({"bonds", "phases"});
-  // The variables hold the defaults of BondTableOptions, which show_default() prints.
+  // The variables contain the defaults of BondTableOptions, which show_default() adds to the help.
   app.add_option("--near-zero", command.options.bonds.near,
-                 "normal forces below this are near zero, in units of F0")
+                 "magnitude below which a normal force counts as near zero, in units of F0")
       .non_negative()
       .show_default();
-  app.add_option("--shuffles", command.options.bonds.phase_structure.n_shuffles,
-                 "number of shuffles of the signs of the grains, a control for the phases")
+  app.add_option(
+         "--shuffles", command.options.bonds.phase_structure.n_shuffles,
+         "number of random permutations of the signs of the grains that --with phases uses for comparison")
       .within(PhaseOptions::kShuffles)
       .show_default();
-  app.add_option("--exponents", command.exponents,
-                 "file for the exponents of the distributions of forces and particle pressures, by maximum "
-                 "likelihood, for each sign and for both");
   app.add_option(
-      "--pressure-pdf", command.bond_pressures,
-      "file for the distribution of particle pressures, in units of F0/<d>^(d-1), without adhesion of P");
+      "--exponents", command.exponents,
+      "csv file to write: exponents b of exponential distributions exp(-b x) of normal forces and particle "
+      "pressures, fitted by maximum likelihood to the positive, the negative and all values");
+  app.add_option("--pressure-pdf", command.bond_pressures,
+                 "csv file to write: distribution of the particle pressures, in units of F0/<d>^(d-1) (F0: "
+                 "pull-off force, <d>: mean diameter) or, without adhesion, of the pressure P");
   app.add_option("--pressure-bin-width", command.options.bonds.bin_width,
-                 "bin width of this distribution, in that unit")
+                 "bin width of the distribution of --pressure-pdf, in the unit of its pressures")
       .positive()
       .show_default();
   app.add_option("--like-neighbours", command.neighbours,
-                 "file for the size of particle pressures against the share of neighbours of the same sign");
-  app.add_option("--clusters", command.clusters, "file for the sizes of the connected parts of each phase");
+                 "csv file to write: mean magnitude of the particle pressure against the fraction of "
+                 "neighbours with a pressure of the same sign");
+  app.add_option("--clusters", command.clusters,
+                 "csv file to write: sizes of the clusters of grains with positive and with negative pressure");
 }
 
 }  // namespace
@@ -100,35 +104,40 @@ void add_bond_options(CommandLine app, NetworkCommand& command) {
 Command add_network(CommandLine program) {
   CommandLine app = program.add_subcommand("network",
                                            "Describe the contact networks of saved states: coordination, "
-                                           "forces, particle pressures, what carries the load");
+                                           "forces, particle pressures, load-carrying structure");
   const auto command = std::make_shared<NetworkCommand>();
   add_states_argument(app, command->files);
-  // The defaults of --zero-force and --least-contacts depend on the state, so their variables begin empty.
-  app.add_option("--zero-force", command->options.zero_force,
-                 "normal forces below this count as zero, in units of max(F0, P a^(d-1)) [the force tolerance "
-                 "of the state]")
+  // The defaults of --zero-force and --least-contacts depend on the state, so their variables are empty here.
+  app.add_option(
+         "--zero-force", command->options.zero_force,
+         "magnitude below which a normal force counts as zero, in units of max(F0, P a^(d-1)) (F0: pull-off "
+         "force, P: pressure, a: largest diameter, d: dimension) [the force tolerance of the state]")
       .non_negative();
-  app.add_option("--least-contacts", command->options.least_contacts,
-                 "fewest contacts above that force for a grain of the force-carrying structure [2 where a "
-                 "contact carries a tangential force, else d+1]")
+  app.add_option(
+         "--least-contacts", command->options.least_contacts,
+         "smallest number of contacts with a force above --zero-force that a grain of the force-carrying "
+         "structure must have [2 if any contact carries a tangential force, otherwise d+1]")
       .within(kLeastContacts);
   app.add_option("--pdf", command->distributions,
-                 "file for distributions of normal forces (with sign), tangential forces and rolling moments, "
-                 "one row per bin");
-  app.add_option(
-         "--unit", command->unit,
-         "unit of these distributions: mean (mean size of their kind), F0 (of moments F0 a) or P (P a^(d-1))")
+                 "csv file to write, with one row per bin: distributions of the normal forces (with sign), of "
+                 "the tangential forces and of the rolling moments");
+  app.add_option("--unit", command->unit,
+                 "unit of the distributions of --pdf: mean (mean magnitude of the force or moment), F0 (the "
+                 "pull-off force F0, or F0 a for moments, with the largest diameter a) or P (P a^(d-1) with "
+                 "the pressure P and the dimension d)")
       .one_of({"mean", "F0", "P"})
       .show_default();
-  app.add_option("--bin-width", command->options.bin_width, "bin width of these distributions, in that unit")
+  app.add_option("--bin-width", command->options.bin_width,
+                 "bin width of the distributions of --pdf, in the unit given by --unit")
       .positive()
       .show_default();
-  app.add_option("--particle-stress", command->pressures, "file for the pressure and stress of each grain");
+  app.add_option("--particle-stress", command->pressures,
+                 "csv file to write, with one row per grain: its pressure and stress");
   add_bond_options(app, *command);
-  app.add_option(
-         "--without", command->without,
-         "mechanics: leave empty what needs the moduli (indeterminacy to correlation_size, hyperstaticity and "
-         "n_null_modes), which takes most of the time in a large packing")
+  app.add_option("--without", command->without,
+                 "mechanics: leave the columns empty that need the elastic response (indeterminacy to "
+                 "correlation_size, hyperstaticity, n_null_modes); computing them takes most of the time in a "
+                 "large packing")
       .delimiter(',')
       .one_of({"mechanics"});
   add_printing_options(app, command->printing);

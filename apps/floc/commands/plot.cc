@@ -32,11 +32,11 @@ struct PlotArguments {
   std::string kind = "normal";
   std::string unit = "mean";
   std::string columns;
-  ColumnNames names;  ///< columns to read, as `columns` maps them
+  ColumnNames names;  ///< names of the columns to read, parsed from `columns`
   Printing printing;
 };
 
-/// A plot, and the exit code for its inputs.
+/// Result of making a plot: the exit code of the program, and the plot unless no input could be read.
 struct Made {
   int code = kDone;
   std::optional<Plot> plot;
@@ -55,7 +55,8 @@ Made consolidation(const PlotArguments& arguments) {
   if (samples.empty()) return made;
   const FittedConsolidation fitted = fitted_consolidation(samples);
   if (!fitted.fit.found()) {
-    spdlog::warn("no fit, so no law is drawn: {}", fitted.fit.failure_reason);
+    spdlog::warn("the consolidation law is not drawn, because it cannot be fitted: {}",
+                 fitted.fit.failure_reason);
     made.code = worse(made.code, kNotConverged);
   }
   for (const std::string& warning : fitted.fit.warnings) spdlog::warn("warning: {}", warning);
@@ -74,8 +75,9 @@ ModuliPoint moduli_of_state(const AnyState& any) {
       any);
 }
 
-/// Returns the unit of the moduli of a table of `floc moduli`. In reduced units with cohesion P* is about P: they
-/// differ because the largest grain is a little smaller than a. This distinguishes them from units without cohesion.
+/// Returns the unit of the moduli in a table of `floc moduli`. The table does not say whether the packing has cohesion,
+/// which determines the unit, so this is inferred from the pressures: with cohesion and in reduced units, the reduced
+/// pressure P* and the pressure P are almost equal (they differ because the largest grain is a little smaller than a).
 std::string unit_of_table(const CsvTable& table) {
   for (const char* name : {"units", "dimension", "P", "P_star"})
     if (!table.has(name)) return "units of the state";
@@ -85,15 +87,15 @@ std::string unit_of_table(const CsvTable& table) {
                      std::abs(number("P") - number("P_star")) < 0.1 * std::abs(number("P")));
 }
 
-/// Returns whether the bounds of a row of a table of `floc moduli` hold: as its column bounds_hold says. Tables of floc
-/// 0.2 and before lack that column; there the bounds hold if nothing acts across a gap.
+/// Returns whether the bounds in a row of a table of `floc moduli` hold, as given by its column bounds_hold. Tables of
+/// floc 0.2 and earlier do not have this column; for them the bounds are taken to hold if no force acts across a gap.
 bool bounds_hold(const CsvTable& table, int row) {
   if (table.has("bounds_hold")) return table.text(row, table.column("bounds_hold")) == "true";
   return !table.has("n_distant") || table.number(row, table.column("n_distant")) == 0.0;
 }
 
-/// Returns whether a row has no negative eigenvalue; methods that do not count them leave the column empty, which is
-/// taken as none.
+/// Returns whether the stiffness matrix of the state in a row has no negative eigenvalue. Some methods do not count
+/// these eigenvalues and leave the column empty, which is taken as zero.
 bool is_stable(const CsvTable& table, int row) {
   if (!table.has("n_negative")) return true;
   const int column = table.column("n_negative");
@@ -114,7 +116,8 @@ Made moduli(const PlotArguments& arguments) {
       const auto x = [&](int k) {
         return table.is_empty(i, columns[k]) ? std::nan("") : table.number(i, columns[k]);
       };
-      // A packing without load has no Reuss bound, and no place on a logarithmic axis of pressures.
+      // An unloaded packing has no Reuss bound. Its reduced pressure is set to zero, so that it does not appear on the
+      // logarithmic axis of pressures.
       const ModuliPoint point{x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)};
       points.push_back(point.with_bounds(bounds_hold(table, i), is_stable(table, i)));
     }
@@ -135,7 +138,11 @@ Made moduli(const PlotArguments& arguments) {
 
 Made coordination_of_path(const PlotArguments& arguments) {
   if (arguments.inputs.size() != 1)
-    throw InputError("--show coordination", fmt::format("expected one input, got {}", arguments.inputs.size()));
+    throw InputError(
+        "--show coordination",
+        fmt::format(
+            "this plot shows a single run: expected one directory of floc run or one table, got {} inputs",
+            arguments.inputs.size()));
   const std::string& input = arguments.inputs.front();
   const bool is_directory = input != "-" && fs::is_directory(input);
   return {kDone, coordination_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
@@ -143,19 +150,25 @@ Made coordination_of_path(const PlotArguments& arguments) {
 
 Made test_of_path(const PlotArguments& arguments) {
   if (arguments.inputs.size() != 1)
-    throw InputError("--show test", fmt::format("expected one input, got {}", arguments.inputs.size()));
+    throw InputError(
+        "--show test",
+        fmt::format(
+            "this plot shows a single run: expected one directory of floc run or one table, got {} inputs",
+            arguments.inputs.size()));
   const std::string& input = arguments.inputs.front();
   const bool is_directory = input != "-" && fs::is_directory(input);
   return {kDone, axial_test_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
 }
 
-/// Returns the states to plot; of a directory without --steps, three from the first to the last.
+/// Returns the state files to plot. Without --steps these are three states of each directory, evenly spread from the
+/// first to the last.
 std::vector<std::string> states_of(const PlotArguments& arguments) {
   return drawn_states(arguments.inputs, arguments.steps, 3);
 }
 
-/// Returns states of a run whose forces can be compared: at the lowest pressure of its loading, half way up and at the
-/// highest. States without pressure are left out, because they have only forces that are locked in between the grains.
+/// Returns the files of three states of a run whose force distributions can be compared: the first state of the loading
+/// that has a pressure, the state of the highest pressure, and the state half way between them. States without pressure
+/// are left out, because all their forces are residual.
 std::vector<std::string> loading_states(const std::string& directory) {
   const std::vector<PathRow> rows = read_path(table_of_run(directory), {}).rows;
   const auto highest = static_cast<int>(std::ranges::max_element(rows, {}, &PathRow::P_star) - rows.begin());
@@ -167,7 +180,7 @@ std::vector<std::string> loading_states(const std::string& directory) {
   return states_of_inputs({directory}, steps);
 }
 
-/// Returns the states whose forces are plotted.
+/// Returns the state files whose force distributions are plotted.
 std::vector<std::string> force_states(const PlotArguments& arguments) {
   if (!arguments.steps.empty()) return states_of(arguments);
   std::vector<std::string> files;
@@ -179,7 +192,8 @@ std::vector<std::string> force_states(const PlotArguments& arguments) {
   return files;
 }
 
-/// Returns the name of a state in a plot: its pressure, and its branch if that is not the first loading.
+/// Returns the name of a state in the legend of a plot: its reduced pressure, followed by its branch of the load path
+/// unless this is the first loading.
 std::string name_of_state(const AnyState& any) {
   return std::visit(
       [](const auto& state) {
@@ -212,21 +226,22 @@ Made forces(const PlotArguments& arguments) {
 Made pressures(const PlotArguments& arguments) {
   Made made;
   std::vector<PressureSample> samples;
-  made.code =
-      for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
-        PressureSample sample = std::visit(
-            [&](const auto& state) {
-              const double zero = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
-              return pressure_sample(file, name_of_state(any), state.packing, zero);
-            },
-            any);
-        if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
-          throw InputError(file,
-                           "has particle pressures in a different unit from the states before it: some have "
-                           "adhesion, others have none");
-        samples.push_back(std::move(sample));
-        return int{kDone};
-      });
+  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any,
+                                                       const Remarks&) {
+    PressureSample sample = std::visit(
+        [&](const auto& state) {
+          const double zero = state.tolerance.force * force_scale(state.packing, state.target_stress).force;
+          return pressure_sample(file, name_of_state(any), state.packing, zero);
+        },
+        any);
+    if (!samples.empty() && samples.front().over_adhesion != sample.over_adhesion)
+      throw InputError(
+          file,
+          "the particle pressures of this state have another unit than those of the states before it, because "
+          "only some of the states have adhesion: plot states with and without adhesion separately");
+    samples.push_back(std::move(sample));
+    return int{kDone};
+  });
   if (!samples.empty()) made.plot = pressures_plot(samples);
   return made;
 }
@@ -234,24 +249,26 @@ Made pressures(const PlotArguments& arguments) {
 Made scattering_of_states(const PlotArguments& arguments) {
   Made made;
   std::vector<ScatteringSample> samples;
-  made.code = for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any,
-                                                       const Remarks&) {
-    ScatteringSample sample = std::visit(
-        [&](const auto& state) { return scattering_sample(name_of_state(any), state.packing); }, any);
-    if (!samples.empty() && samples.front().dimension != sample.dimension)
-      throw InputError(
-          file, fmt::format("is {}D, and those before it are not: a plot of I(k) shows states of one dimension",
-                            sample.dimension));
-    samples.push_back(std::move(sample));
-    if (!samples.back().failure_reason.empty())
-      spdlog::warn("{}: no law is drawn: {}", file, samples.back().failure_reason);
-    return int{kDone};
-  });
+  made.code =
+      for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
+        ScatteringSample sample = std::visit(
+            [&](const auto& state) { return scattering_sample(name_of_state(any), state.packing); }, any);
+        if (!samples.empty() && samples.front().dimension != sample.dimension)
+          throw InputError(file, fmt::format("this is a state in {}D, but the states before it are not: all "
+                                             "states in a plot of I(k) must have the same dimension",
+                                             sample.dimension));
+        samples.push_back(std::move(sample));
+        if (!samples.back().failure_reason.empty())
+          spdlog::warn("{}: the law of fractal aggregates is not drawn, because it cannot be fitted: {}", file,
+                       samples.back().failure_reason);
+        return int{kDone};
+      });
   if (!samples.empty()) made.plot = scattering_plot(samples);
   return made;
 }
 
-constexpr int kDirections = 36;  // bins of a rose diagram over 180 degrees, five degrees each
+constexpr int kDirections =
+    36;  // number of bins of a rose diagram, which cover 180 degrees with five degrees each
 
 Made fabric(const PlotArguments& arguments) {
   Made made;
@@ -260,7 +277,9 @@ Made fabric(const PlotArguments& arguments) {
       for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
         const State<2>* state = std::get_if<State<2>>(&any);
         if (state == nullptr)
-          throw InputError(file, "is 3D: a rose diagram is for disks; see fabric in floc network");
+          throw InputError(file,
+                           "this is a state of spheres, but rose diagrams show only states of disks; floc "
+                           "network prints the fabric tensor of spheres");
         states.emplace_back(name_of_state(any), contact_directions(state->packing, kDirections));
         return int{kDone};
       });
@@ -297,39 +316,45 @@ int plot(const PlotArguments& arguments) {
 }  // namespace
 
 Command add_plot(CommandLine program) {
-  CommandLine app =
-      program.add_subcommand("plot", "Plot paths and states by gnuplot, with data and script beside the plot");
+  CommandLine app = program.add_subcommand(
+      "plot",
+      "Plot load paths and states with gnuplot; the data and the gnuplot script are written next to the plot");
   const auto arguments = std::make_shared<PlotArguments>();
   app.add_option("INPUT", arguments->inputs,
-                 "directories of floc run, tables, or state files; - is a table on stdin")
+                 "directories of floc run, tables, or state files; - for a table on stdin")
       .required();
   app.add_option("-o,--output", arguments->output,
-                 "F.svg, F.pdf or F.png; F.dat and F.gp are written beside it")
+                 "plot to write: F.svg, F.pdf or F.png; the data F.dat and the gnuplot script F.gp are written "
+                 "to the same directory")
       .required();
   app.add_option(
          "--show", arguments->show,
-         "consolidation: 1/Phi against P*, its fit and regimes, unloading and elastic lines; moduli: moduli "
-         "with their bounds, of states or a table of floc moduli; coordination: coordination numbers by sign "
-         "of the force; forces: force distributions of states; pressures: distributions of particle pressures "
-         "of states; scattering: I(k) of states, and its fit; test: q/p and volumetric strain against the "
-         "axial strain, and K0, of a path with a driven axis; fabric: rose diagrams of the contacts of states "
-         "[forces for state files, otherwise consolidation]")
+         "quantity to plot. consolidation: inverse solid fraction 1/Phi against reduced pressure P* of runs, "
+         "the fitted law with its regimes, unloading branches and elastic lines; moduli: elastic moduli and "
+         "their bounds, of states or of a table of floc moduli; coordination: coordination numbers of a run by "
+         "sign of the normal force; forces: distributions of contact forces of states; pressures: "
+         "distributions of particle pressures of states; scattering: scattered intensity I(k) of states and "
+         "the fitted law; test: stress ratio q/p and volumetric strain against axial strain, and the lateral "
+         "stress ratio K0, of a run with a driven axis; fabric: rose diagrams of the contact directions of "
+         "states [forces for state files, otherwise consolidation]")
       .one_of(
           {"consolidation", "moduli", "coordination", "forces", "pressures", "scattering", "test", "fabric"});
-  app.add_option(
-         "--steps", arguments->steps,
-         "K,...: which states of a directory to plot, for forces [at the lowest pressure of loading, half way "
-         "up, at the highest], pressures, scattering and fabric [three, from the first to the last]")
+  app.add_option("--steps", arguments->steps,
+                 "K,...: numbers of the states of a directory to plot with --show forces [the states at the "
+                 "lowest and highest pressure of loading and half way between], pressures, scattering or "
+                 "fabric [three states, evenly spread from the first to the last]")
       .delimiter(',')
       .non_negative();
-  app.add_option("--kind", arguments->kind, "kind of the forces: normal, tangential or rolling [normal]")
+  app.add_option("--kind", arguments->kind,
+                 "forces to plot with --show forces: normal, tangential or rolling (moments) [normal]")
       .one_of({"normal", "tangential", "rolling"});
-  app.add_option("--unit", arguments->unit, "unit of the forces: mean (of their sizes) or F0 [mean]")
+  app.add_option("--unit", arguments->unit,
+                 "unit of the plotted forces: mean (mean of their magnitudes) or F0 (pull-off force) [mean]")
       .one_of({"mean", "F0"});
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {
-            // The default of --show depends on the inputs, which are known only after parsing.
+            // The default of --show depends on the inputs, so it is set here, after parsing.
             if (arguments->show.empty())
               arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
             arguments->names = parse_column_names(arguments->columns, {"P_star", "phi", "void_ratio", "branch"},

@@ -7,15 +7,15 @@
 
 namespace floc {
 
-/// One curve of a plot command.
+/// One curve of a gnuplot `plot` command.
 struct Curve {
-  int block;              ///< index of the block that it draws
-  std::string how;        ///< "using 1:2 with lines title 'law'"
-  std::string loop = {};  ///< loop over curves, such as "for [k=1:4]"; may be empty
+  int block;              ///< index of the data block of the plot that is drawn
+  std::string how;        ///< columns and style, such as "using 1:2 with lines title 'law'"
+  std::string loop = {};  ///< gnuplot loop that repeats the curve, such as "for [k=1:4]"; may be empty
 };
 
-/// Returns the gnuplot command that plots the curves. Curves whose blocks have no finite values are left out, so that
-/// they have no entry in the legend.
+/// Returns the gnuplot command that draws the curves. Curves whose data blocks contain no finite values are left out,
+/// so that the legend does not list them.
 std::string plot_command(const Plot& plot, const std::vector<Curve>& curves);
 
 }  // namespace floc

@@ -39,13 +39,13 @@ struct ReportArguments {
   Printing printing;
 };
 
-/// The parts of a run that a report shows, read once.
+/// Data of a run that are shown in its report. They are read once and used by all sections.
 template <int Dim>
 struct ReportedRun {
   std::string directory;
   PathTable path;
   std::vector<std::string> files;
-  std::vector<State<Dim>> shown;  ///< states with pictures and distributions
+  std::vector<State<Dim>> shown;  ///< states that are shown in pictures and distributions
   std::vector<std::string> shown_files;
   std::optional<State<Dim>> first;
   std::vector<ModuliPoint> moduli;
@@ -55,11 +55,11 @@ struct ReportedRun {
                    {}};
   std::vector<std::string> warnings;
   std::map<std::string, std::vector<int>>
-      state_warnings;  ///< text of a warning, and the indices of the states it holds for
+      state_warnings;  ///< for each warning, the numbers of the states that it concerns
 };
 
-/// Returns the indices of the loosest state under load, of one half way up in the logarithm of the pressure, and of the
-/// densest.
+/// Returns the indices of three states of the first loading: the loosest one, the densest one, and the one half way
+/// between them in the order of the path. If the path contains no loading, returns the index of its last state.
 std::set<std::size_t> shown_states(const PathTable& path) {
   std::set<std::size_t> shown;
   const Loading loading = first_loading(path.rows);
@@ -92,11 +92,11 @@ void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
     run.state_warnings["not in equilibrium: " + message].push_back(state.path.step);
 }
 
-/// Unit of pressures and moduli in reduced units.
+/// Unit of pressures and moduli in reduced units, as text for HTML.
 template <int Dim>
 constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
 
-/// Reads all states of a run. @throws InputError unless there are as many as rows of the path
+/// Reads the table and all states of a run. @throws InputError unless the table path.csv has one row per state
 template <int Dim>
 ReportedRun<Dim> read_run(const std::string& directory) {
   ReportedRun<Dim> run;
@@ -104,16 +104,18 @@ ReportedRun<Dim> read_run(const std::string& directory) {
   run.path = read_path(table_of_run(directory), {});
   run.files = states_of_run(directory);
   if (run.files.size() != run.path.rows.size())
-    throw InputError(directory, fmt::format("holds {} states, but path.csv has {} rows: expected one row per "
-                                            "state (floc run --resume completes a run)",
-                                            run.files.size(), run.path.rows.size()));
+    throw InputError(directory,
+                     fmt::format("this directory has {} state files, but its path.csv has {} rows: expected "
+                                 "one row per state file (floc run --resume completes an unfinished run)",
+                                 run.files.size(), run.path.rows.size()));
   const std::set<std::size_t> shown = shown_states(run.path);
   for (std::size_t k = 0; k < run.files.size(); ++k) {
     const AnyState any = read_state(run.files[k]);
     const auto* found = std::get_if<State<Dim>>(&any);
     if (found == nullptr)
-      throw InputError(run.files[k], fmt::format("is not {}D as {} is: expected the states of one run", Dim,
-                                                 run.files.front()));
+      throw InputError(run.files[k],
+                       fmt::format("this state is not in {}D like {}: expected the states of a single run", Dim,
+                                   run.files.front()));
     const State<Dim>& state = *found;
     require_periodic(state.packing, "a report is made", run.files[k]);
     add_state(state, run);
@@ -149,8 +151,8 @@ std::string provenance_section(const ReportedRun<Dim>& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
-/// Returns the scene of a run, from the text in its states. If the run started from a state file, that file may be
-/// gone; the first state of the run, which has the same grains, takes its place.
+/// Returns the scene of a run, which is stored as text in its states. If the run started from a saved state, the file
+/// of that state may no longer exist. It is replaced by the first state of the run, which has the same grains.
 template <int Dim>
 Scene scene_of(const ReportedRun<Dim>& run) {
   std::vector<std::string> changes;
@@ -178,9 +180,10 @@ std::string groups_section(ReportedRun<Dim>& run) {
 
 template <int Dim>
 std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
-  for (const std::string& warning : fit.warnings) run.warnings.push_back("fit of consolidation: " + warning);
+  for (const std::string& warning : fit.warnings)
+    run.warnings.push_back("fit of the consolidation law: " + warning);
   if (!fit.found()) {
-    run.warnings.push_back("no fit of consolidation: " + fit.failure_reason);
+    run.warnings.push_back("the consolidation law cannot be fitted: " + fit.failure_reason);
     return "";
   }
   Table table{{"parameter", "value", "standard error", "95 % from", "to", "identified"}, {}};
@@ -190,7 +193,8 @@ std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
     table.rows.push_back(std::move(row));
   }
   return "<h2>Consolidation</h2>\n<p>1/Φ = 1/Φ0 − λ ln{(P*/P0*) [1 − exp(−(P1*/P*)^α)]^(1/α)}, fitted to the "
-         "first loading; errors are those of one sample and do not include the scatter between samples.</p>\n" +
+         "first loading. The errors are estimated from this sample alone and do not include the scatter "
+         "between samples.</p>\n" +
          html_table(table);
 }
 
@@ -200,11 +204,13 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
   const auto add = [&out](const Plot& plot, const std::string& caption) {
     out += html_figure(plot_as_svg(plot), caption);
   };
-  add(consolidation_plot({run.path}, fitted), "Consolidation curve, its fit, unloading and elastic line.");
+  add(consolidation_plot({run.path}, fitted),
+      "Consolidation curve with the fitted law, unloading branches and elastic lines.");
   const bool cohesive = run.first->packing.law.adheres();
   add(moduli_plot(run.moduli, stress_unit(run.first->units, Dim, cohesive)),
-      "Bulk and shear moduli, with their bounds where these hold.");
-  add(coordination_plot(run.path.table), "Coordination by the sign of the normal force; open: unloading.");
+      "Bulk and shear moduli; bounds are shown for the states for which they hold.");
+  add(coordination_plot(run.path.table),
+      "Coordination number by the sign of the normal force; open symbols: unloading.");
   std::vector<ForceSample> forces;
   std::vector<ScatteringSample> scattering;
   for (std::size_t k = 0; k < run.shown.size(); ++k) {
@@ -213,11 +219,14 @@ std::string plots_section(const FittedConsolidation& fitted, ReportedRun<Dim>& r
         force_sample(run.shown_files[k], name, run.shown[k].packing, ForceKind::normal, ForceUnit::mean));
     scattering.push_back(scattering_sample(name, run.shown[k].packing));
     if (!scattering.back().failure_reason.empty())
-      run.warnings.push_back("I(k) at " + name + ": no law is drawn: " + scattering.back().failure_reason);
+      run.warnings.push_back("I(k) at " + name +
+                             ": the law of fractal aggregates is not drawn, because it cannot be fitted: " +
+                             scattering.back().failure_reason);
   }
   add(forces_plot(forces, ForceKind::normal, ForceUnit::mean),
-      "Distribution of normal forces, with their sign.");
-  add(scattering_plot(scattering), "Intensity scattered by the grains, and the law of fractal aggregates.");
+      "Probability density of the normal forces, positive in compression.");
+  add(scattering_plot(scattering),
+      "Scattered intensity I(k) of the grains, and the fitted law of fractal aggregates.");
   return out + "</div>\n";
 }
 
@@ -251,15 +260,15 @@ std::string page_of(ReportedRun<Dim>& run) {
   const std::string groups = groups_section(run), fit = fit_section(fitted.fit, run),
                     plots = plots_section(fitted, run);
   std::string body = "<h1>" + html_text(title) + "</h1>\n";
-  body += html_text(fmt::format("{} {}, {} equilibria, up to {}, Φ = {:.4f}.", dense.packing.grains.size(),
-                                Dim == 2 ? "disks" : "spheres", run.files.size(), pressure_text(dense),
-                                solid_fraction(dense.packing)));
+  body += html_text(fmt::format("{} {}, {} equilibrium states, up to {} at a solid fraction of Φ = {:.4f}.",
+                                dense.packing.grains.size(), Dim == 2 ? "disks" : "spheres", run.files.size(),
+                                pressure_text(dense), solid_fraction(dense.packing)));
   body += warnings_section(run) + pictures_section(run) + plots + fit;
   body += "<h2>States</h2>\n" + html_table(run.packings);
   const std::string unit = stress_unit(run.first->units, Dim, run.first->packing.law.adheres());
   body += "<h2>Moduli</h2>\n<p>In " +
           (unit == "F_0/a" || unit == "F_0/a^2" ? kPressureUnit<Dim> : html_text(unit)) +
-          "; ± are bounds of the errors that solving and rounding leave.</p>\n" + html_table(run.elasticity);
+          "; ± gives an upper bound of the numerical error.</p>\n" + html_table(run.elasticity);
   body += groups + provenance_section(run);
   if (!run.first->scene.empty()) body += "<h2>Scene</h2>\n<pre>" + html_text(run.first->scene) + "</pre>\n";
   return html_page(title, body);
@@ -279,7 +288,7 @@ int report_of(const ReportArguments& arguments) {
 }
 
 int report(const ReportArguments& arguments) {
-  table_of_run(arguments.directory);  // for the directory of an ensemble its error names a sample
+  table_of_run(arguments.directory);  // throws InputError for an ensemble, with a message that names a sample
   const AnyState first = read_state(states_of_run(arguments.directory).front());
   return std::holds_alternative<State<2>>(first) ? report_of<2>(arguments) : report_of<3>(arguments);
 }
@@ -287,11 +296,11 @@ int report(const ReportArguments& arguments) {
 }  // namespace
 
 Command add_report(CommandLine program) {
-  CommandLine app =
-      program.add_subcommand("report", "Put a run on one self-contained page: pictures, plots, tables, scene");
+  CommandLine app = program.add_subcommand(
+      "report", "Write a report of a run as one self-contained HTML page: pictures, plots, tables, scene");
   const auto arguments = std::make_shared<ReportArguments>();
   app.add_option("DIR", arguments->directory, "directory of floc run").required();
-  app.add_option("-o,--output", arguments->output, "F.html").required();
+  app.add_option("-o,--output", arguments->output, "HTML file to write, such as F.html").required();
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return report(*arguments); }};
 }

@@ -22,7 +22,7 @@ struct RunArguments {
   std::string scene;
   std::vector<std::string> overrides;
   SceneRunOptions run;
-  std::string seeds;  ///< "A..B"; empty: one run
+  std::string seeds;  ///< range of seeds "A..B" of an ensemble; empty for a single run
   int jobs = 1;
 };
 
@@ -34,7 +34,7 @@ void interrupt(int) {
   g_interrupted = 1;
 }
 
-/// Prints how a run ended. @return exit code
+/// Prints the outcome of a run and the commands that may follow. @return exit code of the program
 template <int Dim>
 int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::string& directory) {
   switch (report.outcome) {
@@ -47,25 +47,29 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
     case DriveReport::done:
       break;
   }
-  fmt::print(stderr, "{} in {}. Next:\n{}",
-             run.point().step == 1 ? "1 equilibrium" : fmt::format("{} equilibria", run.point().step),
-             directory, next_steps(directory, "state-*.h5"));
+  fmt::print(
+      stderr, "The run has reached {}; its files are in the directory {}. You may run next:\n{}",
+      run.point().step == 1 ? "1 equilibrium state" : fmt::format("{} equilibrium states", run.point().step),
+      directory, next_steps(directory, "state-*.h5"));
   return kDone;
 }
 
-/// Size of the smallest block of memory that is returned to the system when it is freed (bytes). glibc would keep
-/// blocks of up to 32 MB, so that the lists, states and files of a large packing would occupy memory at the same time.
+/// Size of the smallest block of memory that the allocator returns to the system as soon as the block is freed (bytes).
+/// By default glibc keeps freed blocks of up to 32 MB. A large packing would then occupy the memory of its neighbour
+/// lists, its saved states and its files all at the same time.
 constexpr int kReturnedBlock = 1 << 22;
 
 template <int Dim>
 int run_scene(const Scene& scene, const SceneRunOptions& asked) {
-  // From here on a signal has to leave the directory of the run in a consistent state.
+  // From here on, a signal must not end the process at once, because it has to leave the directory of the run in a
+  // consistent state.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   SceneRun<Dim> scene_run(scene, asked);
 
-  if (!scene.start.empty()) fmt::print(stderr, "start: {}\n", scene.start);
-  if (!scene.accuracy.empty()) fmt::print(stderr, "accuracy: {}\n", scene.accuracy);
+  if (!scene.start.empty()) fmt::print(stderr, "starting state: {}\n", scene.start);
+  if (!scene.accuracy.empty())
+    fmt::print(stderr, "settings chosen for the required accuracy: {}\n", scene.accuracy);
   RunMonitor monitor(static_cast<int>(scene_run.run.plan().size()));
   DriveOptions<Dim> watch;
   watch.stop = [] { return g_interrupted != 0; };
@@ -87,22 +91,23 @@ int run_scene(const RunArguments& arguments) {
   return scene.dimension == 3 ? run_scene<3>(scene, arguments.run) : run_scene<2>(scene, arguments.run);
 }
 
-/// Runs one process per seed, each with this scene and these arguments.
+/// Runs an ensemble: one process per seed, each with the same scene and arguments.
 int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
-  // Faults that all samples share are reported once, before any of them starts.
+  // Faults that would occur in every sample are reported here once, before any sample starts.
   const RunOptions options = checked_options(scene, arguments.run);
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,
-                     "all samples would be the same, because the scene starts from a state at rest; expected "
-                     "assembly.agitation, or one run");
+                     "all samples would be equal, because the scene starts from a saved state at rest, without "
+                     "random velocities: set assembly.agitation in the scene, or omit --seeds");
   const std::string& directory = arguments.run.directory;
   const ClaimedDirectory claim(directory, existing_of(arguments.run), "runs");
   tell_unused_threads(scene, arguments.run);
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
-  // The number of threads that are of use, so that no sample repeats the remark that more are not.
+  // The samples get the number of threads that they can use, so that none of them repeats the message about unused
+  // threads.
   args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
   if (arguments.run.until) args.insert(args.end(), {"--until", std::to_string(*arguments.run.until)});
   if (arguments.run.track_contacts)
@@ -117,45 +122,51 @@ int run_seeds(const RunArguments& arguments) {
 }  // namespace
 
 Command add_run(CommandLine program) {
-  CommandLine app =
-      program.add_subcommand("run", "Assemble a packing, bring it to equilibrium and load it as a scene says");
+  CommandLine app = program.add_subcommand(
+      "run", "Assemble a packing, bring it to equilibrium and load it as described in a scene file");
   auto arguments = std::make_shared<RunArguments>();
   app.add_option("SCENE", arguments->scene, "scene file (TOML)").required();
-  app.add_option("-o,--output", arguments->run.directory, "directory for states, path.csv and checkpoints")
+  app.add_option("-o,--output", arguments->run.directory,
+                 "directory for the state files, the table path.csv and the checkpoint of the run")
       .required();
-  // Without --resume or --overwrite a directory that holds a run is rejected.
-  const Option resume = app.add_flag("--resume", arguments->run.resume,
-                                     "continue the run in the directory (harmless on a first run)");
-  app.add_flag("--overwrite", arguments->run.overwrite, "replace the run in the directory").excludes(resume);
+  // If neither --resume nor --overwrite is given, a directory that contains a run is rejected.
+  const Option resume =
+      app.add_flag("--resume", arguments->run.resume,
+                   "continue the run in the output directory; starts a new run if there is none");
+  app.add_flag("--overwrite", arguments->run.overwrite, "replace the run in the output directory")
+      .excludes(resume);
   const Option seed =
-      app.add_option("--seed", arguments->run.seed, "seed of the random numbers, instead of run.seed");
-  // Every sample of an ensemble has a seed of its own, so --seed does not apply to it.
-  const Option seeds =
-      app.add_option("--seeds", arguments->seeds,
-                     "A..B: an ensemble with one sample per seed, each in its own directory seed-N")
-          .excludes(seed);
-  app.add_option("--jobs", arguments->jobs, "samples that run at the same time").needs(seeds).within(kJobs);
-  app.add_option(
-         "--threads", arguments->run.threads,
-         "number of threads, of which at most one for each 1400 disks or 500 spheres is used; results do not "
-         "depend on it")
+      app.add_option("--seed", arguments->run.seed,
+                     "seed of the random numbers, used instead of the key run.seed of the scene");
+  // Option --seed excludes --seeds, because every sample of an ensemble has a different seed.
+  const Option seeds = app.add_option("--seeds", arguments->seeds,
+                                      "A..B: run an ensemble with one sample for each seed from A to B, each "
+                                      "in its own subdirectory seed-N")
+                           .excludes(seed);
+  app.add_option("--jobs", arguments->jobs, "number of samples that run at the same time")
+      .needs(seeds)
+      .within(kJobs);
+  app.add_option("--threads", arguments->run.threads,
+                 "number of threads; at most one thread per 1400 disks or 500 spheres is used, and the results "
+                 "do not depend on the number of threads")
       .within(RunOptions::kThreads);
   app.add_option("--set", arguments->overrides,
-                 "KEY=VALUE: change one key of the scene, e.g. contact.rolling.coefficient=0.5")
+                 "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
   const Option track_contacts =
       app.add_option("--track-contacts", arguments->run.track_contacts,
-                     "record in DIR/contacts.csv which contacts open and close inside steps, checking every DT "
-                     "of simulated time (at least every 500 time steps)")
+                     "DT: write to DIR/contacts.csv which contacts open and close during each step of the load "
+                     "path; contacts are checked once per simulated time DT, and at least every 500 time steps")
           .positive();
-  app.add_flag(
-         "--track-energy", arguments->run.track_energy,
-         "record the energy account in DIR/energy.csv: the work of the boundary, the energy stored, and the "
-         "energy lost to each cause; needs equilibrium.finish = \"dynamic\", and takes about 20 times as long")
+  app.add_flag("--track-energy", arguments->run.track_energy,
+               "write the energy balance to DIR/energy.csv: work of the boundary, stored energy, and energy "
+               "dissipated by each mechanism; requires equilibrium.finish = \"dynamic\" in the scene and makes "
+               "the run about 20 times longer")
       .excludes(track_contacts);
   app.add_flag("--no-timing", arguments->run.no_timing,
-               "leave the column seconds of path.csv empty, so that equal runs are equal files");
-  app.add_option("--until", arguments->run.until, "stop after the equilibrium with this number").non_negative();
+               "leave the column seconds of path.csv empty, so that identical runs write identical files");
+  app.add_option("--until", arguments->run.until, "stop the run after the equilibrium state with this number")
+      .non_negative();
   return {app,
           [arguments] { return arguments->seeds.empty() ? run_scene(*arguments) : run_seeds(*arguments); }};
 }

@@ -16,7 +16,8 @@
 namespace floc {
 namespace {
 
-/// Interval at which samples are polled (microseconds); a sample runs for seconds at least.
+/// Time between two checks whether a sample has ended (microseconds). It is short compared with the run of a sample,
+/// which takes seconds at least.
 constexpr useconds_t kPause = 20000;
 
 class Ensemble {
@@ -35,7 +36,7 @@ class Ensemble {
     seed_of_[start_floc(args, {"", "", sample + ".log", append_})] = seed;
   }
 
-  /// Waits until one sample has ended, and passes signals on to the samples.
+  /// Waits until one of the running samples has ended. Signals that arrive meanwhile are passed on to all samples.
   void wait() {
     int status = 0;
     pid_t ended = 0;
@@ -44,12 +45,13 @@ class Ensemble {
       ::usleep(kPause);
     }
     const auto found = seed_of_.find(ended);
-    if (found == seed_of_.end()) throw IoError(directory_, "lost the processes of its samples");
+    if (found == seed_of_.end())
+      throw IoError(directory_, "the processes that run the samples of this ensemble can no longer be found");
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : int{kFailure};
     fmt::print(stderr, "seed {}: {}\n", found->second,
-               code == kDone
-                   ? "done"
-                   : fmt::format("exit code {}, see {}/seed-{}.log", code, directory_, found->second));
+               code == kDone ? "done"
+                             : fmt::format("failed with exit code {}; its messages are in {}/seed-{}.log", code,
+                                           directory_, found->second));
     code_ = worse(code_, code);
     seed_of_.erase(found);
   }
@@ -76,7 +78,9 @@ SeedRange parse_seeds(const std::string& text) {
   if (range && range->last - range->first < kMostSamples) return *range;
   throw InputError(
       "--seeds " + text,
-      fmt::format("expected A..B, two whole numbers, A at most B, at most {} samples", kMostSamples));
+      fmt::format(
+          "this is not a range of seeds: expected A..B with two whole numbers, A <= B, and at most {} seeds",
+          kMostSamples));
 }
 
 int run_ensemble(const ClaimedDirectory& claim, const std::string& directory, const SeedRange& seeds, int jobs,
@@ -91,9 +95,9 @@ int run_ensemble(const ClaimedDirectory& claim, const std::string& directory, co
   while (ensemble.n_running() > 0) ensemble.wait();
   if (was_signalled()) return kInterrupted;
   claim.require_held();
-  fmt::print(stderr, "{} samples in {}.{}", seeds.last - seeds.first + 1, directory,
-             ensemble.code() == kDone ? " Next:\n" + next_steps(directory, "seed-*/state-*.h5")
-                                      : " Not all of them are done.\n");
+  fmt::print(stderr, "The {} samples are in the directory {}.{}", seeds.last - seeds.first + 1, directory,
+             ensemble.code() == kDone ? " You may run next:\n" + next_steps(directory, "seed-*/state-*.h5")
+                                      : " Some of the samples have failed.\n");
   return ensemble.code();
 }
 

@@ -17,23 +17,25 @@ constexpr double kSecondsBetweenLines = 10.0;
 
 template <int Dim>
 std::string phase_of(const Run<Dim>& run) {
-  if (run.point().aggregating) return fmt::format("aggregating, {} clusters", run.n_clusters());
+  if (run.point().aggregating)
+    return fmt::format("aggregation of the grains into one cluster, {} clusters left", run.n_clusters());
   const RelaxationReport report = run.report();
   const bool finishing = report.phase == "finishing";
   std::string text = fmt::format("{}, {}", report.phase, report.blocking);
   if (finishing && report.decay_rate > 0.0)
-    text += fmt::format(", falls at {:.2g} per unit time", report.decay_rate);
+    text += fmt::format(", the residual decays at a rate of {:.2g} per unit of time", report.decay_rate);
   return text;
 }
 
-/// Returns how a relaxation ended, with the number of mechanisms if a state between walls is no equilibrium because of
-/// them.
+/// Returns the kind of the end of a relaxation, and, for a packing between walls, the number of mechanisms if they
+/// prevent an equilibrium.
 std::string ending_of(const RelaxationReport& report) {
   if (report.n_mechanisms <= 0) return report.ending;
-  return fmt::format("{}, {} mechanisms", report.ending, report.n_mechanisms);
+  return fmt::format("{}, not in equilibrium because of {} mechanisms", report.ending, report.n_mechanisms);
 }
 
-/// Formats a simulated time, which is about 1e-4 s in scenes in SI units and thousands of periods in others.
+/// Formats a simulated time. Its size is about 1e-4 s in scenes in SI units, and up to thousands of units of time in
+/// reduced units.
 std::string time_text(double time) {
   return time < 100.0 ? fmt::format("{:.3g}", time) : fmt::format("{:.0f}", time);
 }
@@ -43,8 +45,8 @@ std::string time_text(double time) {
 RunMonitor::RunMonitor(int n_steps)
     : n_steps_(n_steps), terminal_(isatty(STDERR_FILENO) == 1), last_line_(Clock::now()) {}
 
-/// Returns the time that the remaining steps will take (s), from the mean of the steps done. Collapses take longer, but
-/// cannot be predicted.
+/// Returns the expected wall time of the remaining steps (s), computed from the mean time of the completed steps. Steps
+/// in which the packing collapses take longer, but they cannot be predicted.
 double RunMonitor::expected_seconds_left(int steps_left) const {
   return seconds_done_ / steps_done_ * steps_left;
 }
@@ -56,28 +58,32 @@ void RunMonitor::chunk(const Run<Dim>& run) {
   if (since < (terminal_ ? kSecondsBetweenRedraws : kSecondsBetweenLines)) return;
   last_line_ = now;
   const int step = run.point().step;
-  std::string line = fmt::format("step {}/{} {} P = {:.4g}: phi {:.4f}, t {}, {}", step + 1, n_steps_,
-                                 run.target().branch, run.pressure(), solid_fraction(run.packing()),
-                                 time_text(run.point().time + run.point().equilibration_time), phase_of(run));
+  std::string line =
+      fmt::format("step {}/{} (branch {}, P = {:.4g}): solid fraction {:.4f}, simulated time {}, {}", step + 1,
+                  n_steps_, run.target().branch, run.pressure(), solid_fraction(run.packing()),
+                  time_text(run.point().time + run.point().equilibration_time), phase_of(run));
   if (steps_done_ > 0)
-    line += fmt::format("; about {} left", duration_text(expected_seconds_left(n_steps_ - step)));
+    line += fmt::format("; about {} of wall time left", duration_text(expected_seconds_left(n_steps_ - step)));
   fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
   std::fflush(stderr);
 }
 
 template <int Dim>
 void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds) {
-  if (state.path.branch != "assembly") {  // the assembly takes longer than any step of a load path
+  if (state.path.branch !=
+      "assembly") {  // the assembly is not counted, because it takes longer than a step of the load path
     ++steps_done_;
     seconds_done_ += seconds;
   }
-  fmt::print(stderr, "{}step {}/{} {} P = {:.4g}: phi {:.5f}, {} contacts, residual {:.1e} ({}), {:.1f} s\n",
+  fmt::print(stderr,
+             "{}step {}/{} (branch {}, P = {:.4g}): solid fraction {:.5f}, {} contacts, force residual {:.1e} "
+             "(ending: {}), {:.1f} s of wall time\n",
              terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
              state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
              state.residuals.force, ending_of(report), seconds);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
     fmt::print(stderr, "  warning: {}\n", warning);
-  if (!report.stability.note.empty()) fmt::print(stderr, "  stability {}\n", report.stability.note);
+  if (!report.stability.note.empty()) fmt::print(stderr, "  test of stability: {}\n", report.stability.note);
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                    \

@@ -6,16 +6,17 @@
 
 namespace floc {
 
-/// Reports the progress of a run on stderr: on a terminal as one line that is redrawn, otherwise as a line from time to
-/// time.
+/// Reports the progress of a run on stderr. On a terminal the report is one line that is redrawn; otherwise a new line
+/// is printed every ten seconds.
 class RunMonitor {
  public:
   explicit RunMonitor(int n_steps);
 
-  /// Reports the state of a run that is in motion.
+  /// Reports the present pressure, solid fraction and residual of a run whose grains are still moving, if enough time
+  /// has passed since the last report.
   template <int Dim>
   void chunk(const Run<Dim>& run);
-  /// Reports an equilibrium. @param seconds  wall time of the step (s)
+  /// Reports a state that the run has recorded at the end of a step. @param seconds  wall time of the step (s)
   template <int Dim>
   void equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds);
 

@@ -32,18 +32,18 @@ int check_scene(const SceneArguments& arguments) {
   Table table{{"group", "value", "meaning"}, {}};
   for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.printing);
-  if (!scene.start.empty()) spdlog::info("start: {}", scene.start);
-  if (!scene.accuracy.empty()) spdlog::info("accuracy: {}", scene.accuracy);
+  if (!scene.start.empty()) spdlog::info("starting state: {}", scene.start);
+  if (!scene.accuracy.empty()) spdlog::info("settings chosen for the required accuracy: {}", scene.accuracy);
   const std::vector<std::string> warnings = scene_warnings(scene);
   for (const std::string& warning : warnings) spdlog::warn("{}: warning: {}", arguments.path, warning);
-  spdlog::info("{}: no faults{}", arguments.path,
+  spdlog::info("{}: the scene has no faults{}", arguments.path,
                warnings.empty()       ? ""
                : warnings.size() == 1 ? ", 1 warning"
                                       : fmt::format(", {} warnings", warnings.size()));
   return kDone;
 }
 
-/// Writes NAME.toml, or to stdout for -. @throws InputError if the file exists
+/// Writes a new scene to the file NAME.toml, or to stdout if the name is "-". @throws InputError if the file exists
 int start_scene(const std::string& name) {
   if (name == "-") {
     write_bytes_atomically(name, starting_scene("powder"));
@@ -53,13 +53,17 @@ int start_scene(const std::string& name) {
   if (path.extension() != ".toml") path += ".toml";
   const std::string text = starting_scene(path.stem().string());
   std::FILE* file = std::fopen(path.c_str(), "wx");
-  if (!file && errno == EEXIST) throw InputError(path.string(), "exists; expected a name that is not taken");
+  if (!file && errno == EEXIST)
+    throw InputError(path.string(),
+                     "this file exists already and is not replaced: choose another name for the new scene");
   if (!file) throw IoError(path.string(), std::strerror(errno));
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  if (std::fclose(file) != 0 || !written) throw IoError(path.string(), "cannot be written: disk full?");
+  if (std::fclose(file) != 0 || !written)
+    throw IoError(path.string(), "the file cannot be written completely; the disk may be full");
   spdlog::info(
-      "wrote {0}, the cohesive powder of floc demo: a name chooses no kind of scene, and data/scenes has "
-      "the other kinds; next: floc scene check {0}, floc run {0} -o {1}",
+      "wrote {0}, a copy of the scene of a cohesive powder that floc demo runs (the content does not depend on "
+      "the name; data/scenes contains scenes of other materials); you may run next: floc scene check {0}, floc "
+      "run {0} -o {1}",
       path.string(), path.stem().string());
   return kDone;
 }
@@ -70,15 +74,21 @@ Command add_scene(CommandLine program) {
   auto arguments = std::make_shared<SceneArguments>();
   CommandLine app = program.add_subcommand("scene", "Check a scene file, or start a new one");
   app.require_one_subcommand();
-  CommandLine check =
-      app.add_subcommand("check", "list every fault; print the dimensionless groups and the cost");
+  CommandLine check = app.add_subcommand(
+      "check",
+      "check a scene file: list all its faults, or print its dimensionless groups and its expected cost");
   check.add_option("SCENE", arguments->path, "scene file (TOML)").required();
-  check.add_option("--set", arguments->overrides, "key.path=value: replaces what the file says")
+  check
+      .add_option("--set", arguments->overrides,
+                  "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
   add_printing_options(check, arguments->printing);
-  CommandLine start =
-      app.add_subcommand("new", "write NAME.toml, a commented scene of a cohesive powder to start from");
-  start.add_option("NAME", arguments->name, "name of the scene, which chooses no kind of scene; - is stdout")
+  CommandLine start = app.add_subcommand(
+      "new", "write a commented scene of a cohesive powder, as a template for your own, to the file NAME.toml");
+  start
+      .add_option(
+          "NAME", arguments->name,
+          "name of the scene file, without .toml (the content does not depend on it); - writes to stdout")
       .required();
   return {app, [arguments, check] {
             return check.parsed() ? check_scene(*arguments) : start_scene(arguments->name);

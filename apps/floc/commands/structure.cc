@@ -16,14 +16,14 @@ namespace {
 struct StructureCommand {
   std::vector<std::string> files;
   StructureTableOptions options;
-  std::string profile_axis;  ///< axis of the profile; empty: the last
-  /// Files of the tables beside the main one; empty: none.
+  std::string profile_axis;  ///< axis of the profile, "x", "y" or "z"; if empty, the last axis
+  /// Names of the files of further tables; a table with an empty name is not written.
   std::string intensity, pairs, gaps, pores, map, prediction, porosity, profile;
   Printing printing;
 };
 
-/// Returns the options of the library, with the tables whose files the command line names.
-/// @throws InputError naming the option at fault
+/// Converts the command line to the options of the library. A further table is computed only if its file is named.
+/// @throws InputError that names the invalid option
 StructureTableOptions options_of(const StructureCommand& command) {
   StructureTableOptions options = command.options;
   for (const auto& [asked, path] : {std::pair{&options.intensity, &command.intensity},
@@ -70,57 +70,66 @@ int run_structure(const StructureCommand& command) {
 Command add_structure(CommandLine program) {
   CommandLine app = program.add_subcommand(
       "structure",
-      "Describe the structure of saved states: I(k) with xi and dF, pores, g(r), z(h), local "
-      "solid fraction");
+      "Describe the structure of saved states: scattered intensity I(k) with correlation length xi and fractal "
+      "dimension dF, pores, pair correlation g(r), neighbours z(h) within a gap h, local solid fraction");
   const auto command = std::make_shared<StructureCommand>();
   add_states_argument(app, command->files);
   app.add_flag("--average", command->options.average,
-               "add a last row for all states together, as samples of one ensemble");
-  app.add_option("--fit-range", command->options.fit_range,
-                 "LOW,HIGH: wave numbers fitted, in 2 pi over the largest diameter")
+               "add a last row with averages over all states, which are taken as samples of one ensemble");
+  app.add_option(
+         "--fit-range", command->options.fit_range,
+         "LOW,HIGH: range of wave numbers in which I(k) is fitted, in units of 2 pi over the largest diameter")
       .delimiter(',')
       .expected(2)
       .show_default();
   app.add_option("--largest-k", command->options.scattering.largest,
-                 "largest wave number, in 2 pi over the largest diameter")
+                 "largest wave number k of I(k), in units of 2 pi over the largest diameter")
       .positive()
       .show_default();
   app.add_option("--cells-per-wave", command->options.scattering.cells_per_wave,
-                 "mesh cells per wavelength at the largest wave number, at least 4")
+                 "number of mesh cells per wavelength at the largest wave number (at least 4)")
       .within(ScatteringOptions::kCellsPerWave)
       .show_default();
-  // A table beside the main one is computed only if its file is named: see options_of().
-  app.add_option("--intensity", command->intensity, "file for I(k), one row per bin of k");
-  app.add_option("--pair-correlation", command->pairs, "file for g(r), one row per bin of r");
-  app.add_option("--reach", command->options.reach, "largest r of g(r), in largest diameters")
+  // Each of the following tables is computed only if its file is named: see options_of().
+  app.add_option("--intensity", command->intensity,
+                 "csv file to write, with one row per bin of the wave number k: scattered intensity I(k)");
+  app.add_option("--pair-correlation", command->pairs,
+                 "csv file to write, with one row per bin of the distance r: pair correlation function g(r)");
+  app.add_option("--reach", command->options.reach, "largest distance r of g(r), in largest diameters")
       .positive()
       .show_default();
   app.add_option("--gaps", command->gaps,
-                 "file for z(h), neighbours within a gap h: rattlers as found, and pushed against the others");
-  app.add_option("--prediction", command->prediction,
-                 "file for P and z that the first state would have if it were uniformly shrunk or expanded to "
-                 "the solid fraction of each state");
-  app.add_option("--pores", command->pores, "file for the pores (3D: balls in the voids), one row each");
-  app.add_option("--map", command->map,
-                 "file for the local solid fraction, one row per mesh cell (3D: Voronoi cell)");
-  app.add_option("--map-size", command->options.map_size, "mesh cells along each lattice vector")
+                 "csv file to write: mean number z(h) of neighbours within a gap h, with rattlers where they "
+                 "are, and with rattlers pushed against other grains");
+  app.add_option(
+      "--prediction", command->prediction,
+      "csv file to write, with one row per state: pressure P and coordination z that the first state would "
+      "have if it were uniformly compressed or expanded to the solid fraction of that state");
+  app.add_option("--pores", command->pores,
+                 "csv file to write, with one row per pore (in 3D, per ball that fits in the voids): its "
+                 "position and size");
+  app.add_option(
+      "--map", command->map,
+      "csv file to write, with one row per mesh cell (in 3D, per Voronoi cell): local solid fraction");
+  app.add_option("--map-size", command->options.map_size,
+                 "number of mesh cells of --map along each lattice vector, in 2D")
       .delimiter(',')
       .expected(2)
       .within(kMapSide)
       .show_default();
   app.add_option("--porosity", command->porosity,
-                 "file for the porosity of cubes about the centre of the cell against their size, and of the "
-                 "cell itself, shrunk about its centre");
-  app.add_option("--probes", command->options.n_probes, "number of sizes of these cubes")
+                 "csv file to write: porosity in cubes around the centre of the cell against their size, and "
+                 "in copies of the cell shrunk about its centre");
+  app.add_option("--probes", command->options.n_probes, "number of different sizes of the cubes of --porosity")
       .within(kPorosityProbes)
       .show_default();
-  app.add_option(
-      "--profile", command->profile,
-      "file for solid fraction, coordination and particle pressure in slices of the cell, one row each");
+  app.add_option("--profile", command->profile,
+                 "csv file to write, with one row per slice of the cell: solid fraction, coordination and "
+                 "particle pressure");
   app.add_option("--profile-axis", command->profile_axis,
-                 "lattice vector along which the slices follow each other; the last one unless given")
+                 "lattice vector along which the cell is divided into slices [the last one]")
       .one_of({"x", "y", "z"});
-  app.add_option("--slices", command->options.n_slices, "number of slices of the profile")
+  app.add_option("--slices", command->options.n_slices, "number of slices of --profile")
       .within(kProfileSlices)
       .show_default();
   add_printing_options(app, command->printing);

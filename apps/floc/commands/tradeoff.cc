@@ -33,15 +33,16 @@ std::vector<std::string> observable_names() {
   return names;
 }
 
-/// Returns a number of a comparison of n values; undefined if n is 0.
+/// Returns a table cell with the result of a comparison of n values; the cell is undefined if n is 0 or the result is
+/// not finite.
 TableValue of_compared(int n, double value) {
   return n > 0 && std::isfinite(value) ? TableValue{value} : TableValue{};
 }
 
-/// The scene that was run, as its rows name it.
+/// Name and dimensionless stiffness of the scene that was run, for the rows of the table.
 struct StudiedScene {
   std::string name;
-  double kappa;  ///< a K_N/F0, without adhesion K_N/P
+  double kappa;  ///< dimensionless stiffness of the contacts: a K_N/F0, or K_N/P without adhesion
 };
 
 std::vector<TableValue> row_of(const StudiedScene& run, const MeasuredSetting& m, const std::string& observable,
@@ -104,12 +105,13 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
   const std::vector<std::string> names = observable_names();
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
-    // The Pareto front is that of one observable: a setting may be on it for one and not for another.
+    // The Pareto front is determined for each observable separately, because a setting may be on the front of one
+    // observable and not on that of another.
     const std::vector<bool> front = pareto_front(tradeoff, k);
     for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
       const MeasuredSetting& m = tradeoff.settings[i];
       const ObservableError& e = m.errors[k];
-      // A setting that was compared in no state of this observable has no row.
+      // A setting has no row if no values of this observable could be compared.
       if (e.before.n + e.after.n + e.mean.n > 0) table.rows.push_back(row_of(run, m, names[k], e, front[i]));
     }
   }
@@ -122,7 +124,7 @@ double stiffness_of(const Scene& scene) {
   return 0.0;
 }
 
-/// Prints the table; on a terminal only the first columns, which fit its width.
+/// Prints the table. On a terminal only the first columns are printed, which fit its width, unless columns are chosen.
 void print_tradeoff(Table table, const Printing& printing) {
   constexpr std::size_t kShort = 11;
   if (chosen_format(printing.format) == TableFormat::table && printing.columns.empty()) {
@@ -138,17 +140,18 @@ int run_tradeoff(TradeoffCommand& command) {
     throw InputError(
         command.scene,
         fmt::format(
-            "scene.dimension = {}: expected 2; costs and errors of settings are measured for disks only",
+            "scene.dimension = {}: expected 2, because floc tradeoff measures costs and errors only for disks",
             scene.dimension));
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study_tradeoff(scene, command.options);
-  std::cerr << "not varied separately: power control, which is what finish = dynamic does, and the precision "
-               "of the force loop, which is always double\n";
-  for (const std::string& message : tradeoff.left_out) std::cerr << "left out: " << message << '\n';
+  std::cerr << "two settings are not varied: power control, which the setting equilibrium.finish = dynamic "
+               "switches on, and the precision of the force computation, which is always double\n";
+  for (const std::string& message : tradeoff.left_out)
+    std::cerr << "left out of the study: " << message << '\n';
   if (tradeoff.settings.empty()) {
     std::cerr << "floc: " << command.scene
-              << ": nothing could be compared: not even one sample could be made at the strictest settings; "
-                 "--budget may be too small\n";
+              << ": no results could be compared, because not even one sample was completed at the strictest "
+                 "settings; try a larger --budget\n";
     return kNotConverged;
   }
   print_tradeoff(table_of({scene.name, stiffness_of(scene)}, tradeoff, command.observables), command.printing);
@@ -160,23 +163,28 @@ int run_tradeoff(TradeoffCommand& command) {
 
 Command add_tradeoff(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "tradeoff", "Run a scene at several accuracies: the error of its results against their cost");
+      "tradeoff",
+      "Run a scene with several numerical settings, and compare the error of its results with their cost");
   const auto command = std::make_shared<TradeoffCommand>();
   app.add_option("SCENE", command->scene, "scene file (TOML)").required();
-  app.add_option("--budget", command->options.budget, "seconds that it may take, on one core")
+  app.add_option("--budget", command->options.budget, "processor time that the study may take, on one core (s)")
       .positive()
       .show_default();
-  app.add_option("--samples", command->options.max_samples,
-                 "largest number of samples, with seeds that count up from the scene's own")
+  app.add_option(
+         "--samples", command->options.max_samples,
+         "largest number of samples; their seeds are successive numbers that begin with the seed of the scene")
       .within(TradeoffOptions::kSamples)
       .show_default();
-  app.add_option("--set", command->overrides, "KEY=VALUE: change one key of the scene").one_argument_each();
-  app.add_option("--observables", command->observables, "observables to compare: phi, B, lambda, ... [all]")
+  app.add_option("--set", command->overrides,
+                 "KEY=VALUE: set one key of the scene to another value, e.g. grains.count=200")
+      .one_argument_each();
+  app.add_option("--observables", command->observables, "results to compare: phi, B, lambda, ... [all]")
       .delimiter(',')
       .one_argument_each()
       .one_of(observable_names());
   app.add_option("--plot", command->plot,
-                 "F.svg: error against cost; data and gnuplot script are written beside it");
+                 "F.svg: plot to write, of the error against the cost; the data and the gnuplot script are "
+                 "written to the same directory");
   add_printing_options(app, command->printing);
   return {app, [command] { return run_tradeoff(*command); }};
 }

@@ -18,13 +18,16 @@ struct VerifyArguments {
   Printing printing;
 };
 
-/// Appends one row, and prints on stderr which criteria do not hold, and where.
+/// Appends the row of one state to the table, and prints on stderr each criterion that the state violates, with the
+/// grains or contacts that violate it.
+/// @return exit code for this state
 int report(const std::string& file, const std::vector<Criterion>& criteria, Table& table) {
   for (const Criterion& c : criteria) {
-    if (c.holds && !c.where.empty()) spdlog::info("{}: {}: {}", file, c.name, c.where);
+    if (c.holds && !c.where.empty()) spdlog::info("{}: criterion {}: {}", file, c.name, c.where);
     if (c.holds) continue;
-    const std::string measured = c.by_value ? fmt::format("{:.3g}, limit {:.3g}: ", *c.value, c.limit) : "";
-    spdlog::error("{}: {} does not hold: {}{}", file, c.name, measured, c.where);
+    const std::string measured =
+        c.by_value ? fmt::format("measured {:.3g}, limit {:.3g}: ", *c.value, c.limit) : "";
+    spdlog::error("{}: criterion {} does not hold: {}{}", file, c.name, measured, c.where);
   }
   add_verification_row(file, criteria, table);
   return std::ranges::all_of(criteria, &Criterion::holds) ? kDone : kVerificationFailed;
@@ -43,14 +46,14 @@ int verify(const VerifyArguments& arguments) {
 }  // namespace
 
 Command add_verify(CommandLine program) {
-  CommandLine app =
-      program.add_subcommand("verify", "Recompute from the file alone whether a state is in equilibrium");
+  CommandLine app = program.add_subcommand(
+      "verify", "Check whether a saved state is in equilibrium, by recomputing all forces from the file");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_states_argument(app, arguments->files);
   add_printing_options(app, arguments->printing);
   app.footer(
-      "Prints what was found for each state; floc help columns verify explains the columns. The exit code is 5 "
-      "if\na criterion does not hold.");
+      "Prints one row per state; floc help columns verify explains the columns. The exit code is 5 if "
+      "a\ncriterion does not hold.");
   return {app, [arguments] { return verify(*arguments); }};
 }
 

@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// Adds blocks 0 to 2, as the script refers to them: points fitted, points left out, the law.
+/// Adds the blocks of data that the gnuplot script refers to by number: 0 the fitted points, 1 the points left out of
+/// the fit, 2 the fitted law.
 void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   const ConsolidationCurve& curve = of.curve;
   const ConsolidationFit& fit = of.fit;
@@ -37,8 +38,8 @@ std::string title_of(const ConsolidationPlot& plot) {
 }
 
 std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
-  // Two panels share the axis of pressures: the curve above, the residuals below. The points fitted are drawn last,
-  // above the law.
+  // Two panels share the pressure axis: the curve above, the residuals below. The fitted points are drawn last, so that
+  // the law does not cover them.
   const std::string curves = plot_command(
       drawn,
       {{2, "using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title 'law'"},
@@ -48,7 +49,7 @@ std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
         "dashed'"}});
   const double low = plot.curve.P_star.front();
   const double high = plot.curve.P_star.back();
-  // The title holds names such as Phi_max, of which gnuplot would make subscripts without noenhanced.
+  // Without noenhanced, gnuplot would turn names in the title, such as Phi_max, into subscripts.
   return fmt::format(
       R"(set termoption noenhanced
 set multiplot

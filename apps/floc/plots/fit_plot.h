@@ -8,27 +8,29 @@
 
 namespace floc {
 
-/// Contents of a plot of a fit.
+/// Contents of a plot of a fit of the consolidation law.
 struct ConsolidationPlot {
   std::string title;
-  std::string unit;    ///< of the pressures; empty in reduced units
-  std::string stress;  ///< stress that is the pressure of oedometric rows: see PathTable::stress
+  std::string unit;  ///< unit of the pressures; empty in reduced units
+  /// Stress that is the pressure of an oedometer test: "driven" or "mean"; empty for other tests.
+  std::string stress;
   const ConsolidationCurve& curve;
   const ConsolidationFit& fit;
 };
 
-/// Returns the label of the axis of pressures.
-/// @param unit    of the pressures; empty in reduced units
-/// @param stress  stress that is the pressure of oedometric rows: see PathTable::stress
+/// Returns the label of the pressure axis.
+/// @param unit  unit of the pressures; empty in reduced units
+/// @param stress  stress that is the pressure of an oedometer test: "driven" or "mean"; empty for other tests
 std::string pressure_label(const std::string& unit, const std::string& stress);
 
-/// Plots 1/Phi against P* with the fitted curve and its window, and the residuals below.
+/// Plots 1/Phi (Phi: solid fraction) against the pressure P*, with the fitted curve and the window of pressures of the
+/// fit. A second panel below shows the residuals.
 Plot plot_of_fit(const ConsolidationPlot& of);
 
-/// Returns the standard error of the mean of 1/Phi over samples at the i-th pressure; 0 for a single curve.
+/// Returns the standard error of the mean of 1/Phi over all samples at the i-th pressure; 0 for a single sample.
 double error_of_mean(const ConsolidationCurve& curve, std::size_t i);
 
-/// Returns points of the fitted curve over its window: rows of P* and 1/Phi. @pre fit.found()
+/// Returns points of the fitted curve over the window of pressures of the fit: pairs of P* and 1/Phi. @pre fit.found()
 std::vector<std::vector<double>> law_points(const ConsolidationFit& fit);
 
 }  // namespace floc

@@ -33,7 +33,7 @@ std::string data_of(const Plot& plot) {
   return text;
 }
 
-/// Returns the gnuplot terminal for a file extension; empty if the extension is not supported.
+/// Returns the gnuplot terminal for the extension of a file name; empty if the extension is not supported.
 std::string terminal_for(const std::string& extension, const Plot& plot) {
   constexpr const char* kFont = "font 'DejaVu Sans,{}'";
   constexpr double kPixelsPerInch = 96.0;
@@ -57,8 +57,8 @@ std::string script_of(const Plot& plot, const fs::path& picture, const fs::path&
       terminal_for(picture.extension().string(), plot), plot.script);
 }
 
-/// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`: its
-/// warnings concern the look of plots of few points, and are useful only if it fails.
+/// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`. They are
+/// shown only if gnuplot fails, because its warnings only concern the look of plots with few points.
 /// @throws IoError if gnuplot is missing or fails
 void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path& words) {
   const std::string directory = script.has_parent_path() ? script.parent_path().string() : ".";
@@ -74,13 +74,17 @@ void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path
   posix_spawn_file_actions_destroy(&actions);
   int status = 0;
   if (failure != 0 || waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) == 127)
-    throw IoError("gnuplot",
-                  fmt::format("cannot be started (package gnuplot-nox); the script is {}", script.string()));
+    throw IoError(
+        "gnuplot",
+        fmt::format("cannot be started: install the package gnuplot-nox; the script of the plot is {}",
+                    script.string()));
   if (WEXITSTATUS(status) != 0)
-    throw IoError("gnuplot", fmt::format("failed on {}: {}", script.string(), read_file(words.string())));
+    throw IoError("gnuplot", fmt::format("failed on the script {} with the message: {}", script.string(),
+                                         read_file(words.string())));
 }
 
-/// Removes the creation time from a pdf; the other bytes keep their positions.
+/// Overwrites the creation time in a pdf file with blanks, so that equal plots give equal files and no other byte
+/// moves.
 void blank_creation_date(std::string& bytes) {
   const std::string key = "/CreationDate (";
   const std::size_t first = bytes.find(key);
@@ -142,7 +146,8 @@ void write_plot(const std::string& file, const Plot& plot) {
 
 std::string plot_as_svg(const Plot& plot) {
   std::string directory = (fs::temp_directory_path() / "floc-plot-XXXXXX").string();
-  if (::mkdtemp(directory.data()) == nullptr) throw IoError(directory, "cannot be made");
+  if (::mkdtemp(directory.data()) == nullptr)
+    throw IoError(directory, "this temporary directory cannot be made");
   std::string svg;
   try {
     write_plot(directory + "/plot.svg", plot);

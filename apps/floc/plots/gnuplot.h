@@ -5,41 +5,44 @@
 
 namespace floc {
 
-/// A plot as gnuplot draws it: blocks of numbers, and a script that refers to them as `data index N`, N from 0.
+/// A plot for gnuplot: blocks of numbers, and a script that refers to block N, counted from 0, as `data index N`.
 struct Plot {
-  /// Lines of numbers. In the data file a comment that names the columns precedes each block. A block without lines is
-  /// kept, so that the indices of the others do not change.
+  /// A table of numbers. In the data file, a comment with the names of its columns precedes it. A block without rows is
+  /// written too, so that the indices of the later blocks do not change.
   struct Block {
     std::string columns;
     std::vector<std::vector<double>> rows;
   };
   std::vector<Block> blocks;
-  std::string script;             ///< gnuplot commands that follow those of terminal, output and data
+  std::string script;  ///< gnuplot commands; they follow the commands that set terminal, output and data
   int width = 720, height = 520;  ///< size of the plot (1/96 inch)
 
-  /// Adds a block. @return its index
+  /// Adds a block. @return index of the block
   int add(const std::string& columns, std::vector<std::vector<double>> rows);
 };
 
-/// Returns the command that sets the range of an axis ("x", "y") to that of a column of some blocks, with a margin of a
-/// tenth of a decade or, on a linear axis, of a twentieth of the range. Empty if there are no two different values.
+/// Returns the gnuplot command that sets the range of an axis ("x", "y") so that it holds the values in one column of
+/// some blocks. The margin is a tenth of a decade on a logarithmic axis and a twentieth of the range on a linear axis.
+/// Empty if there are no two different values.
 std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
                          bool logarithmic);
 
-/// Formats a value with its error, "0.197 ± 0.090": the error has two digits, and the value as many decimals.
+/// Formats a value with its error, as in "0.197 ± 0.090". The error has two significant digits, and the value as many
+/// decimals as the error.
 std::string value_and_error(double value, double error);
 
-/// Returns text as a gnuplot string in single quotes.
+/// Returns a text as a string of gnuplot in single quotes.
 std::string gnuplot_quoted(const std::string& text);
 
-/// Writes F.dat and F.gp beside F.svg, F.pdf or F.png and runs gnuplot to draw it; each file is complete or absent. The
-/// script draws the picture again when it is run in its directory, so that a user can edit its style.
-/// @throws InputError if the name has another extension; IoError if a file cannot be written, or gnuplot is missing or
-/// fails
+/// Writes the picture F.svg, F.pdf or F.png, with its data in F.dat and its gnuplot script in F.gp, and runs gnuplot to
+/// draw it. An interrupted call leaves no incomplete file. A user can edit the script and run it in its directory to
+/// draw the picture again.
+/// @throws InputError if the name has another extension; IoError if a file cannot be written, or if gnuplot is missing
+/// or fails
 void write_plot(const std::string& file, const Plot& plot);
 
-/// Returns the picture as svg, without writing its files.
-/// @throws IoError under the conditions of write_plot()
+/// Returns the plot as the text of an svg file; no files remain.
+/// @throws IoError if a temporary file cannot be written, or if gnuplot is missing or fails
 std::string plot_as_svg(const Plot& plot);
 
 }  // namespace floc

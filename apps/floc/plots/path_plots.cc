@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Consecutive rows along which the pressure rises, or falls. The row at which it reverses belongs to both branches.
-/// Rows without pressure are left out, because the axis is logarithmic.
+/// Indices of consecutive rows of a path along which the pressure rises, or falls. The row at which the pressure
+/// reverses belongs to both branches. Rows with zero pressure are left out, because the pressure axis is logarithmic.
 struct Branch {
   bool up = true;
   std::vector<int> rows;
@@ -34,8 +34,8 @@ std::vector<Branch> branches_of(const std::vector<double>& P) {
   return branches;
 }
 
-/// Returns the rows of all branches along which the pressure rises (or falls), with a row of NaN between branches so
-/// that no line joins them.
+/// Returns the points of all branches along which the pressure rises (or falls). A point of NaN separates the branches,
+/// so that no line joins them.
 template <class Row>
 std::vector<std::vector<double>> rows_going(bool up, const std::vector<Branch>& branches, Row&& row) {
   std::vector<std::vector<double>> rows;
@@ -53,7 +53,7 @@ std::vector<double> pressures_of(const PathTable& path) {
   return P;
 }
 
-/// Returns the stress that corresponds to a pressure of 1 in the unit of a path, at a row.
+/// Returns the stress that corresponds to P* = 1 in row `row` of a path.
 double stress_of_unit(const PathTable& path, int row) {
   const PathRow& of = path.rows[static_cast<std::size_t>(row)];
   if (!path.table.has("P") || of.P_star == 0.0) return 1.0;
@@ -61,8 +61,9 @@ double stress_of_unit(const PathTable& path, int row) {
   return path.table.number(row, path.table.column("P")) * driven_over_mean / of.P_star;
 }
 
-/// Returns the modulus of the state at the start of a branch, in the unit of the pressures of the path: B_S under equal
-/// stresses; in an oedometer M if the pressures are the driven stress, and B_uniaxial if they are the mean stress.
+/// Returns the modulus of the state at the start of an unloading branch, in the unit of the pressures of the path. It
+/// is the bulk modulus for imposed stresses (B_S) or, in an oedometer, the modulus of uniaxial strain for the driven
+/// stress (M) or for the mean stress (B_uniaxial), whichever stress the pressures are.
 std::optional<double> modulus_of_state(const PathTable& path, const Loading& branch) {
   const auto found = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
   if (!found) return std::nullopt;
@@ -71,7 +72,8 @@ std::optional<double> modulus_of_state(const PathTable& path, const Loading& bra
   return path.unit.empty() ? modulus / stress_of_unit(path, branch.rows.front()) : modulus;
 }
 
-/// Returns points of the line ln Phi = ln phi + (P - pressure)/B from the start of a branch to its end.
+/// Adds points of the elastic line ln Phi = ln phi + (P - pressure)/B, from the start of an unloading branch to its
+/// end.
 void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<std::vector<double>>& points) {
   constexpr int kSteps = 60;
   const double P_first = branch.curve.P_star.front(), P_last = branch.curve.P_star.back();
@@ -89,11 +91,11 @@ void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<
   }
 }
 
-/// Returns the places and names of the regimes, above the plot. A regime that is too narrow for its name shares the
-/// label of its neighbour, so that names do not overlap.
+/// Returns the positions and the texts of the labels that name the regimes of the law, above the plot. A regime that is
+/// too narrow for a separate label is named in the label of its neighbour, so that labels do not overlap.
 std::vector<std::pair<double, std::string>> regime_labels(
     double low, const std::vector<std::pair<double, const char*>>& regimes) {
-  constexpr double kNarrowest = 0.08;  // share of the axis, about the width of "III"
+  constexpr double kNarrowest = 0.08;  // fraction of the length of the axis, about the width of "III"
   const double axis = std::log(regimes.back().first / low);
   std::vector<std::pair<double, std::string>> labels;
   double start = low, label_start = low;
@@ -111,14 +113,15 @@ std::vector<std::pair<double, std::string>> regime_labels(
   return labels;
 }
 
-/// Returns commands that draw the limits of the regimes and their names, for the limits that the data identify.
+/// Returns gnuplot commands that draw the limits of the regimes of the consolidation law and their names. A limit is
+/// drawn only if the data identify it.
 std::string regimes_script(const ConsolidationFit& fit, double low, double high) {
   const auto value = [&fit](const char* name) -> std::optional<double> {
     const FittedParameter* p = fit.find(name);
     return p != nullptr && p->identified ? p->value : std::nullopt;
   };
   const auto P0 = value("P0_star"), P1 = value("P1_star");
-  std::vector<std::pair<double, const char*>> regimes;  // end and name
+  std::vector<std::pair<double, const char*>> regimes;  // upper limit and name of each regime
   if (P0 && *P0 > low && *P0 < high) regimes.emplace_back(*P0, "I");
   if (P1 && *P1 > (regimes.empty() ? low : *P0) && *P1 < high) {
     regimes.emplace_back(*P1, "II");
@@ -137,7 +140,8 @@ std::string regimes_script(const ConsolidationFit& fit, double low, double high)
   return script;
 }
 
-/// Returns the command that marks values of Phi on the right axis, which has the scale of 1/Phi.
+/// Returns the gnuplot command that marks round values of Phi on the right axis. This axis has the same positions as
+/// the axis of 1/Phi on the left.
 std::string density_tics(const Plot& plot) {
   double low = 1.0, high = 0.0;
   for (const Plot::Block& block : plot.blocks)
@@ -185,7 +189,7 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
     const std::vector<Branch> branches = branches_of(pressures_of(sample));
     for (const auto& [up, rows] : {std::pair(true, &each), std::pair(false, &down)})
       for (auto& row : rows_going(up, branches, point)) rows->push_back(std::move(row));
-    // A row of NaN ends each sample, so that no line joins it to the next.
+    // A row of NaN after each sample keeps its line separate from the line of the next sample.
     for (auto* rows : {&each, &down}) rows->push_back({std::nan(""), std::nan("")});
     for (const Loading& branch : unloadings(sample.rows)) add_elastic_line(sample, branch, elastic);
   }
@@ -203,7 +207,7 @@ Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConso
   const double low = curve.P_star.empty() ? 1.0 : curve.P_star.front();
   const double high = curve.P_star.empty() ? 1.0 : curve.P_star.back();
   const bool one = samples.size() == 1;
-  // The order of drawing: lines of the samples at the bottom, the mean and its errors on top.
+  // Order of drawing: the lines of the samples first, the mean and its errors last, on top.
   const std::string curves = plot_command(
       plot,
       {{0, fmt::format("using 1:2 with lines linecolor rgb '#bdbdbd' {}", one ? "notitle" : "title 'samples'")},
@@ -222,8 +226,8 @@ set y2label 'Φ'
 set key top right
 set title {title} offset 0,0.6
 {regimes}{curves})",
-      // The axis of Phi on the right has the range of 1/Phi on the left; density_tics() puts its marks at round values
-      // of Phi.
+      // The axis of Phi on the right has the range of the axis of 1/Phi on the left; density_tics() puts its marks at
+      // round values of Phi.
       fmt::arg("ranges", range_script(plot, "x", all, 0, true) + y_range +
                              (y_range.empty() ? "" : "set y2" + y_range.substr(5)) + density_tics(plot)),
       fmt::arg("xlabel", gnuplot_quoted(pressure_label(unit, samples.front().stress))),
@@ -246,7 +250,8 @@ Plot coordination_plot(const CsvTable& path) {
   };
   Plot plot;
   const std::vector<Branch> branches = branches_of(pressures);
-  // Columns 2 to 5 of a block are drawn by the loop over k. Only z has an entry for unloading in the legend.
+  // The loop over k in the script draws columns 2 to 5 of a block. For unloading, only the curve of z has an entry in
+  // the legend.
   plot.add("loading: P_star z z_plus z_minus z_zero", rows_going(true, branches, row));
   plot.add("unloading: P_star z z_plus z_minus z_zero", rows_going(false, branches, row));
   plot.script = "set logscale x\n" + range_script(plot, "x", {0, 1}, 0, true) + R"(set format x '%g'
@@ -297,8 +302,8 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
   const std::vector<Branch> branches = branches_of(pressures);
   plot.add("loading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(true, branches, row));
   plot.add("unloading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(false, branches, row));
-  // The bounds are drawn first, below the moduli, and for loading alone. Bounds that do not hold are NaN, which gnuplot
-  // leaves out.
+  // The bounds are drawn first, so that the moduli cover them, and only for loading. Bounds that do not hold are NaN,
+  // and gnuplot leaves them out.
   const std::string curves = plot_command(
       plot,
       {{0,

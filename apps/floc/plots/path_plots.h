@@ -11,47 +11,50 @@
 
 namespace floc {
 
-/// Curve and fitted law of `consolidation_plot`.
+/// A consolidation curve and the law fitted to it, as consolidation_plot() draws them.
 struct FittedConsolidation {
-  ConsolidationCurve curve;  ///< curve of the only sample, or mean of several
+  ConsolidationCurve curve;  ///< curve of the sample, or the mean curve of several samples
   ConsolidationFit fit;
 };
 
-/// Fits the full law to the first loading of a sample, or to the mean of several samples.
+/// Fits the full consolidation law to the first loading of a sample or, for several samples, to their mean first
+/// loading.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 
-/// Plots 1/Phi against P* (Phi on the right axis): samples, their mean with errors, the law with its regimes, unloading
-/// branches and their elastic lines dPhi/Phi = dP/B. B is computed from the state at the start of the branch if its
-/// file lies beside the table, otherwise fitted to the branch.
-/// @param samples  at least one
+/// Plots 1/Phi against P*, with Phi (solid fraction) on the right axis. The plot shows the samples, their mean with its
+/// error, the fitted law with its regimes, and the unloading branches with their elastic lines dPhi/Phi = dP/B. The
+/// modulus B is computed from the state at the start of the branch if its file is in the directory of the table;
+/// otherwise B is fitted to the branch.
+/// @param samples  loading paths; at least one
 Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConsolidation& fitted);
 
-/// Plots coordination numbers by sign of the normal force against P*, with filled symbols for loading and open ones for
-/// unloading.
+/// Plots coordination numbers against P*: of all contacts, and of the contacts with positive, negative and zero normal
+/// force. Filled symbols are for loading and open symbols for unloading.
 /// @throws InputError if a column of path.csv is missing
 Plot coordination_plot(const CsvTable& path);
 
-/// Returns the unit of stresses and moduli as gnuplot text: the SI unit, or in reduced units F_0/a for disks and
-/// F_0/a^2 for spheres. Reduced units without cohesion have no force F_0 and are called "units of the state".
+/// Returns the unit of stresses and moduli as gnuplot text. This is the SI unit, or in reduced units F_0/a for disks
+/// and F_0/a^2 for spheres. Without cohesion there is no pull-off force F_0, and the text is "units of the state".
 /// @param units  "reduced" or "SI"
 std::string stress_unit(const std::string& units, int dimension, bool cohesive);
 
-/// Moduli of a state and their bounds (stress). A bound that does not hold is NaN.
+/// Moduli of a state and their bounds, in units of stress. A bound that does not hold is NaN.
 struct ModuliPoint {
   double P_star;
   double B, B_S, G, B_reuss, B_voigt, G_voigt;
 
-  /// Sets bounds that do not hold to NaN. @param hold  whether the conditions of B_reuss <= B <= B_voigt hold
-  /// @param stable  whether no eigenvalue of the stiffness matrix is negative, so that G <= G_voigt
+  /// Returns a copy in which the bounds that do not hold are NaN.
+  /// @param hold  whether the bounds B_reuss <= B <= B_voigt (Reuss, Voigt) and G <= G_voigt are valid
+  /// @param stable  whether no eigenvalue of the stiffness matrix is negative; this alone is enough for G <= G_voigt
   ModuliPoint with_bounds(bool hold, bool stable) const;
 };
 
-/// Returns the point of moduli that were solved for.
+/// Converts the computed moduli of a state to a point of the plot, with NaN for bounds that do not hold.
 ModuliPoint moduli_point(double P_star, const Moduli& moduli);
 
-/// Plots moduli and their bounds against P*, both logarithmic, with filled symbols for loading and open ones for
+/// Plots moduli and their bounds against P*, on logarithmic axes. Filled symbols are for loading and open symbols for
 /// unloading.
-/// @param unit  unit of the moduli, as text
+/// @param unit  unit of the moduli, for the label of the axis
 Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit);
 
 }  // namespace floc

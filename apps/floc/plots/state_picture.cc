@@ -23,8 +23,9 @@ PackingPicture<Dim> increments_of(const std::string& file, const State<Dim>& sta
   const auto response = step_response(network, moduli.response, step);
   if (!response)
     throw InputError(file,
-                     "a mechanism strains the cell at no cost, so no forces balance a step of stress (floc "
-                     "modes lists it): --forces increment expects a packing without such mechanisms");
+                     "a mechanism of this packing lets the cell deform without resistance, so that contact "
+                     "forces cannot balance a step of stress: --forces increment expects a packing without "
+                     "such mechanisms; floc modes lists them");
   return increment_forces(state.packing, network, *response);
 }
 
@@ -33,7 +34,7 @@ std::string pressure_of(const State<Dim>& state) {
   return short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
-/// Returns the largest normal force that path.csv counts as zero.
+/// Returns the largest normal force that counts as zero, by the definition used for path.csv.
 template <int Dim>
 double zero_force_of(const State<Dim>& state) {
   return state.tolerance.force * force_scale(state.packing, state.target_stress).force;

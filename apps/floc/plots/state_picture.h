@@ -7,24 +7,26 @@
 
 namespace floc {
 
-/// Quantity of a state that a picture shows.
+/// Quantity of a state that is drawn.
 enum class Shown {
-  equilibrium,        ///< contact forces
-  isotropic_step,     ///< increments of the contact forces in a small step of pressure
-  deviatoric_step,    ///< increments of the contact forces in a small step of sigma_1 - sigma_2
+  equilibrium,     ///< contact forces
+  isotropic_step,  ///< increments of the contact forces in a small step of pressure
+  deviatoric_step,  ///< increments of the contact forces in a small step of the stress difference sigma_1 - sigma_2
   particle_pressure,  ///< pressure of each grain, as its colour
-  phases,             ///< grains under pressure and under tension, and the bonds within either kind
-  grains,             ///< grains alone
+  phases,  ///< grains coloured by the sign of their pressure, with the bonds between grains of equal sign
+  grains,  ///< grains without forces
 };
 
-/// Draws a state, with its numbers as caption.
-/// @throws InputError if a step of stress has no solution because of a mechanism
+/// Draws a state; the caption gives its pressure, solid fraction and coordination number.
+/// @param file  name of the state file, for messages
+/// @throws InputError if a mechanism lets the cell deform without resistance, so that the contact network cannot
+/// balance the step of stress
 template <int Dim>
 PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown);
 
-/// Draws the changes from one state to another on the geometry of the first: contacts lost and gained, and the
-/// displacements of the grains without their affine part.
-/// @throws InputError if the two states are not of the same grains
+/// Draws the changes from one state to another at the grain positions of the first state: lost and gained contacts, and
+/// the displacements of the grains without their affine part.
+/// @throws InputError if the two states do not have the same grains
 template <int Dim>
 PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,
                                        const std::string& after_file, const State<Dim>& after);

@@ -24,7 +24,8 @@
 namespace floc {
 namespace {
 
-/// Line colours that are easy to distinguish, in the order of use; further samples start again with the first.
+/// Line colours that are easy to distinguish, in the order of their use. Further samples start again with the first
+/// colour.
 constexpr const char* kColors =
     "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n";
 constexpr int kDrawsForNoPValue = 1;
@@ -41,8 +42,9 @@ double bin_width(std::vector<double> forces) {
   return range > 0.0 ? round_number_below(range / 20.0) : 0.1;
 }
 
-/// Adds the density of a tail, from the threshold to the largest force: its share of all forces times
-/// exp[-(f - threshold)/f_0]/f_0.
+/// Adds points of the exponential tail fitted to the forces f of one sign, from the threshold (their mean) to the
+/// largest force. The density is the fraction of all forces in the tail times exp[-(f - threshold)/f_0]/f_0, with the
+/// fitted force f_0.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
   double sum = 0.0;
@@ -61,12 +63,12 @@ void add_tail(const std::vector<double>& forces, double sign, std::vector<std::v
     rows.push_back({sign * f, at_threshold * std::exp(-(f - fit.mean) / f0)});
 }
 
-/// Returns the rows of a histogram: value, density, ends of its approximate 68 % interval, count.
+/// Returns the rows of a histogram: value, density, lower and upper end of the 68 % interval of the density, count.
 std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   std::vector<std::vector<double>> rows;
   for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
     if (d.counts[b] > 0) {
-      // Approximate 68 % interval of the mean of a Poisson variable of which n were counted.
+      // Approximate 68 % interval for the mean of a Poisson variable whose counted value is n.
       const auto n = static_cast<double>(d.counts[b]);
       const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
       rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
@@ -74,7 +76,8 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   return rows;
 }
 
-/// Adds the exponential of one sign, from zero on: its share of all values times b exp(-b |p|).
+/// Adds points of the exponential fitted to the values p of one sign, from zero to the largest. The density is the
+/// fraction of values of this sign times b exp(-b |p|), with the fitted parameter b.
 void add_exponential(const std::vector<double>& values, double sign, std::vector<std::vector<double>>& rows) {
   const std::vector<double> sizes = sizes_of(values, sign);
   const ExponentEstimate fit = fit_exponent({cut_sample(sizes, 0.0, std::numeric_limits<double>::infinity())});
@@ -97,7 +100,10 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
   ForceSample sample{name, {}, contact_forces(packing, kind)};
   const double size = force_unit(packing, kind, unit);
   if (sample.forces.empty() || size <= 0.0)
-    throw InputError(place, fmt::format("has no {} forces to plot in this unit", name_of(kind)));
+    throw InputError(
+        place,
+        fmt::format("has no {} contact forces, or their unit in this plot is zero: expected a state with both",
+                    name_of(kind)));
   for (double& f : sample.forces) f /= size;
   sample.distribution = force_distribution(packing, kind, unit, bin_width(sample.forces));
   return sample;
@@ -105,9 +111,10 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 
 namespace {
 
-/// Returns the lowest and the highest value shown, such that all curves can be seen. Each curve shows 99 % of its
-/// values, unless these take more than three times the width of the narrowest curve, which would then become a spike.
-/// @param samples  values of each curve
+/// Returns the lowest and the highest value on the axis that the curves of all samples share, such that every curve can
+/// be read. The axis shows 99 % of the values of each sample, but of a widely spread sample only a range three times as
+/// wide as the range of the narrowest sample. Otherwise the curve of the narrowest sample would become a spike.
+/// @param samples  values of each sample
 std::pair<double, double> shown_values(std::vector<std::vector<double>> samples) {
   constexpr double kLeftOut = 0.005, kWidest = 3.0;
   std::vector<std::pair<double, double>> held;
@@ -130,8 +137,8 @@ std::pair<double, double> shown_values(std::vector<std::vector<double>> samples)
   return {shown.first < 0.0 ? shown.first - margin : 0.0, shown.second + margin};
 }
 
-/// Returns the name of a sample in the legend, with the number of its values beyond the axis.
-/// @param what  word for the values
+/// Returns the name of a sample in the legend, with the number of values that lie beyond the ends of the axis.
+/// @param what  word for the values, such as "forces"
 std::string name_in_legend(const std::string& name, const std::vector<double>& values, const char* what,
                            const std::pair<double, double>& shown) {
   const auto n =
@@ -139,7 +146,8 @@ std::string name_in_legend(const std::string& name, const std::vector<double>& v
   return n == 0 ? name : fmt::format("{} ({} of {} {} not shown)", name, n, values.size(), what);
 }
 
-/// Returns commands for axes that hold the points between the values shown; tails are cut at the ends of the axes.
+/// Returns gnuplot commands that set the ranges of the axes so that they hold the points with values in the shown
+/// range. Fitted curves are cut at the ends of the axes.
 std::string density_axes(const Plot& plot, const std::vector<int>& points,
                          const std::pair<double, double>& shown) {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
@@ -153,31 +161,33 @@ std::string density_axes(const Plot& plot, const std::vector<int>& points,
   return script;
 }
 
-/// A distribution to draw: its values, its density with error bars, and exponentials fitted to it.
+/// A distribution to draw: the values of a sample, the rows of their histogram, and points of the fitted exponentials.
 struct DensityCurve {
   std::string name;
   const std::vector<double>& values;
   std::vector<std::vector<double>> rows, fits;
 };
 
-/// Words for the values and for the fitted exponentials in the labels of a plot of densities.
+/// Words in the labels of a plot of densities: for one value ("force"), for several values ("forces"), and for the
+/// fitted exponentials.
 struct DensityWords {
   const char *value, *values, *fits;
 };
 
-/// Plots densities on a logarithmic axis with their exponentials, in one colour for each sample.
+/// Plots probability densities on a logarithmic axis, with the fitted exponentials, in one colour per sample.
 Plot density_plot(std::vector<DensityCurve> densities, const DensityWords& words, const std::string& xlabel) {
   Plot plot;
   std::vector<Curve> curves, fits;
   std::vector<int> all;
   std::vector<std::vector<double>> values;
   for (const DensityCurve& d : densities) values.push_back(d.values);
-  // All samples share one range of values, limited so that a wide sample does not press a narrow one into a spike.
+  // All samples share one range of values. It is limited, so that a sample with widely spread values does not reduce
+  // the curve of a narrow one to a spike.
   const std::pair<double, double> shown = shown_values(std::move(values));
   for (std::size_t s = 0; s < densities.size(); ++s) {
     DensityCurve& d = densities[s];
     const std::size_t color = s % 6 + 1;
-    // The legend has one entry for all exponentials, at the first of them.
+    // The legend has a single entry for all fitted exponentials, at the first sample that has them.
     const bool named = d.fits.empty() || !fits.empty();
     all.push_back(
         plot.add(fmt::format("{}: {} density low high count", d.name, words.value), std::move(d.rows)));
@@ -241,8 +251,8 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
                                            : static_stress(packing).trace() / Dim;
   if (sample.pressures.empty() || !(unit > 0.0) || (!sample.over_adhesion && pressure_is_noise(packing)))
     throw InputError(place,
-                     "has no particle pressures to plot: no grain carries forces, or there is neither adhesion "
-                     "nor pressure to give them a unit");
+                     "has no particle pressures to plot: no grain carries forces, or the packing has neither "
+                     "adhesion nor a pressure that could be the unit");
   for (double& p : sample.pressures) p /= unit;
   return sample;
 }
@@ -274,14 +284,14 @@ ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& 
     points.push_back({s.k[b], s.I[b], s.n_vectors[b]});
     sample.k.push_back(s.k[b] / unit);
     sample.I.push_back(s.I[b] / unit_I);
-    // The intensity of one wave vector has the exponential distribution of speckles, so that the mean over n of them
-    // has a relative error of 1/sqrt(n).
+    // The intensity at a single wave vector has an exponential distribution, so the mean over n wave vectors has a
+    // relative error of 1/sqrt(n).
     sample.error.push_back(sample.I.back() / std::sqrt(static_cast<double>(s.n_vectors[b])));
   }
   const ScatteringFit fit = fit_scattering(points, 0.0, kLargestFitted * unit);
   sample.failure_reason = fit.failure_reason;
   if (!fit.found()) return sample;
-  // The law is drawn only if the data identify all its parameters.
+  // The law is drawn only if the data determine all its parameters.
   for (const FittedParameter& p : fit.parameters)
     if (!p.value) {
       sample.failure_reason = p.name + " is not identified by these data";
@@ -323,7 +333,7 @@ Plot scattering_plot(const std::vector<ScatteringSample>& samples) {
     laws.push_back(
         {line, fmt::format("using 1:2 with lines linewidth 1.5 linecolor rgb color[{}] notitle", color)});
   }
-  // The laws follow all points, so that gnuplot draws them above the points of every sample.
+  // The fitted laws come after the points, so that gnuplot draws them above the points of all samples.
   std::ranges::move(laws, std::back_inserter(curves));
   plot.script = fmt::format(R"(set logscale xy
 set bars 0.4

@@ -9,58 +9,65 @@
 
 namespace floc {
 
-/// Forces of one state, as a plot needs them.
+/// Contact forces of one state, for a plot of their distribution.
 struct ForceSample {
   std::string name;  ///< name in the legend
   ForceDistribution distribution;
-  std::vector<double> forces;  ///< forces of which it is the distribution, in its unit
+  /// Forces from which the distribution is computed, in the unit of the distribution.
+  std::vector<double> forces;
 };
 
-/// Returns the forces of a packing and their distribution, with bins such that about twenty hold nine tenths of them.
-/// @throws InputError naming `place` if there are no such forces or their unit vanishes
+/// Returns the contact forces of one kind (normal, tangential, rolling) in a packing and their distribution. The width
+/// of its bins is chosen so that about twenty bins hold nine tenths of the forces.
+/// @param place  name of the state file, for messages
+/// @throws InputError if the packing has no contact forces of this kind or the unit of force is zero
 template <int Dim>
 ForceSample force_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
                          ForceKind kind, ForceUnit unit);
 
-/// Plots probability densities of contact forces on a logarithmic axis, with errors from the counts, and exponential
-/// tails fitted to the forces of each sign beyond their mean.
+/// Plots probability densities of contact forces on a logarithmic axis, with error bars from the counts. Exponential
+/// tails are fitted to the forces of each sign that exceed the mean force of that sign.
 Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit);
 
-/// Particle pressures of one state, in units of F0/<d>^(d-1) or, without adhesion, of the pressure of the state.
+/// Particle pressures of one state. Their unit is F0/<d>^(d-1), with the pull-off force F0, the mean diameter <d> and
+/// the dimension d, or without adhesion the pressure of the state.
 struct PressureSample {
   std::string name;               ///< name in the legend
   std::vector<double> pressures;  ///< pressures of the grains that are not rattlers
-  bool over_adhesion = true;      ///< the unit: F0/<d>^(d-1); false: the pressure of the state
+  bool over_adhesion = true;      ///< whether the unit is F0/<d>^(d-1); if not, it is the pressure of the state
 };
 
 /// Returns the particle pressures of a packing.
+/// @param place  name of the state file, for messages
 /// @param zero_force  largest normal force that counts as zero (force)
-/// @throws InputError naming `place` if there is no unit of pressure
+/// @throws InputError if no grain carries forces, or if the packing has neither adhesion nor a pressure as unit
 template <int Dim>
 PressureSample pressure_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
                                double zero_force);
 
-/// Plots probability densities of particle pressures on a logarithmic axis, with errors from the counts, and an
-/// exponential for each sign by maximum likelihood.
-/// @pre there is at least one sample, and all have the same kind of unit
+/// Plots probability densities of particle pressures on a logarithmic axis, with error bars from the counts. For each
+/// sign of the pressure, an exponential fitted by maximum likelihood is drawn.
+/// @pre there is at least one sample, and all samples have the same kind of unit
 Plot pressures_plot(const std::vector<PressureSample>& samples);
 
-/// A state whose scattering is plotted.
+/// The scattered intensity of a state, for a plot.
 struct ScatteringSample {
   std::string name;
   int dimension = 2;
-  std::vector<double> k, I, error;   ///< k in 2 pi/a, I and its error in a^dimension; a is the largest diameter
-  std::vector<double> fit_k, fit_I;  ///< points of the law over the range fitted; empty without a fit
-  std::string parameters;            ///< parameters of the law, as text
-  std::string failure_reason;        ///< reason why there is no fit
+  std::vector<double> k, I,
+      error;  ///< wave number k in 2 pi/a, I and its error in a^dimension; a is the largest diameter
+  std::vector<double> fit_k,
+      fit_I;                   ///< points of the fitted law over the range of the fit; empty without a fit
+  std::string parameters;      ///< fitted parameters of the law, as text for the legend
+  std::string failure_reason;  ///< reason why there is no fit; empty if there is one
 };
 
-/// Computes I(k), the scattered intensity of the indicator function of the grains, and fits the law for k up to half of
-/// 2 pi/a.
+/// Computes I(k), the scattered intensity of the indicator function of the grains at wave number k, and fits the law of
+/// fractal aggregates to the points up to k = pi/a, where a is the largest diameter.
 template <int Dim>
 ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& packing);
 
-/// Plots I(k) of the samples with their laws, both axes logarithmic. @pre all samples have the same dimension
+/// Plots I(k) of the samples with the fitted laws, on logarithmic axes. @pre all samples have the same dimension
 Plot scattering_plot(const std::vector<ScatteringSample>& samples);
 
 }  // namespace floc

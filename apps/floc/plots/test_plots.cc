@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Columns of a path that a plot of tests reads.
+/// Indices of the columns of path.csv that a plot of tests needs.
 struct TestColumns {
   explicit TestColumns(const CsvTable& path) : axis(path.column("axis")), branch(path.column("branch")) {
     stress.push_back(path.column("stress_1"));
@@ -28,8 +28,9 @@ struct TestColumns {
   std::vector<int> stress, strain;
 };
 
-/// Returns shear strain, tau/sigma and volumetric strain at row `row` of a simple shear that started from row `first`.
-/// @param axis  axis normal to the planes of shear
+/// Returns the shear strain, the ratio tau/sigma of shear to normal stress and the volumetric strain in row `row` of a
+/// simple shear test that started in row `first`.
+/// @param axis  axis normal to the shear planes
 std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns, int row, int first,
                                 int axis) {
   double volumetric = 0.0;
@@ -40,8 +41,9 @@ std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns
 
 using Rows = std::vector<std::vector<double>>;
 
-/// Computes q, K0 and the strains of a row from its stresses and strains, because the columns q and K0 of the row where
-/// a test starts belong to another axis.
+/// Computes the deviator q, the lateral stress ratio K0 and the strains of a row from its stresses and strains. The
+/// columns q and K0 of the table are not used, because in the row where a test starts they refer to the axis of the
+/// stage before.
 template <int Dim>
 AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int axis, int first) {
   Vec<Dim> stress, strain;
@@ -53,8 +55,8 @@ AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int
 }
 
 constexpr const char* kTestPanel =
-    R"(set xlabel 'axial strain (of simple shear: shear strain) since the start of the test'
-set ylabel 'q/p (of simple shear: tau/sigma)'
+    R"(set xlabel 'axial strain (in simple shear: shear strain) since the start of the test'
+set ylabel 'q/p (in simple shear: tau/sigma)'
 set ytics nomirror
 set y2label 'volumetric strain (compression positive)'
 set y2tics
@@ -63,7 +65,8 @@ plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor
      data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
 )";
 
-/// Panel of K0 against the driven stress. It is left out for simple shear, in which no axis has a driven stress.
+/// Panel of the lateral stress ratio K0 against the driven stress. The panel is left out for simple shear, in which no
+/// axis is driven by a stress.
 constexpr const char* kLateralPanel = R"(unset y2tics
 unset y2label
 set ytics mirror
@@ -83,7 +86,8 @@ Plot axial_test_plot(const CsvTable& path) {
     if (path.is_empty(i, columns.axis)) return -1;
     const std::int64_t axis = path.integer(i, columns.axis);
     if (axis < 1 || axis > dimension)
-      throw InputError(path.place(i), fmt::format("axis = {}, expected 1 to {}", axis, dimension));
+      throw InputError(path.place(i),
+                       fmt::format("axis = {}: expected the number of an axis, 1 to {}", axis, dimension));
     return static_cast<int>(axis) - 1;
   };
   const auto is_sheared = [&](int i) {
@@ -97,7 +101,7 @@ Plot axial_test_plot(const CsvTable& path) {
     test.push_back({strain, measured.deviator / measured.mean_stress, measured.volumetric_strain});
     lateral.push_back({path.number(row, columns.stress[axis]), measured.lateral_ratio});
   };
-  int first = 0;  // row from which the present test starts
+  int first = 0;  // row in which the present test starts
   for (int i = 1; i < path.n_rows(); ++i) {
     const int axis = axis_of(i);
     if (axis < 0) continue;
@@ -134,8 +138,8 @@ Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& s
   for (std::size_t k = 0; k < states.size(); ++k) {
     const ContactDirections& d = states[k].second;
     Rows rows;
-    // Directions n and -n are equal: the bins from 0 to 180 degrees are drawn twice. A bin is an arc between its edges,
-    // and the first point, repeated, closes the rose.
+    // Contacts with directions n and -n are equal, so the bins from 0 to 180 degrees are drawn twice. A bin is an arc
+    // between its two edges. The first point is repeated at the end, which closes the curve.
     for (int turn = 0; turn < 2; ++turn)
       for (int b = 0; b < d.n_bins; ++b)
         for (const int edge : {b, b + 1})
@@ -157,7 +161,7 @@ unset xtics
 unset ytics
 set rtics format '%.2f'
 set key outside bottom center horizontal
-set title 'directions of contacts (density; dashed: strong ones; isotropic: {:.3f})'
+set title 'directions of contacts (density; dashed: strong contacts; isotropic: {:.3f})'
 plot {}
 )",
                             1.0 / std::numbers::pi, drawn);

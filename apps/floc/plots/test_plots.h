@@ -10,13 +10,16 @@
 
 namespace floc {
 
-/// Plots the results of tests with a driven axis: q/p and volumetric strain against the axial strain since the test
-/// began, and K0 against the driven stress; for simple shear, tau/sigma against the shear strain. Every stage of the
-/// load path is a line of its own.
-/// @param path  table path.csv of floc run  @throws InputError if a column is missing, or no row belongs to such a test
+/// Plots results of the tests with a driven axis in a load path: the deviator over the mean stress, q/p, and the
+/// volumetric strain against the axial strain since the start of the test, and the lateral stress ratio K0 against the
+/// driven stress. For simple shear, it plots the ratio tau/sigma of shear to normal stress against the shear strain.
+/// Each stage of the load path is a separate line.
+/// @param path  table path.csv of a run
+/// @throws InputError if a column is missing, or if no row belongs to such a test
 Plot axial_test_plot(const CsvTable& path);
 
-/// Plots rose diagrams of the directions of contacts, one colour per state: of all contacts, and of the strong ones.
+/// Plots polar diagrams (roses) of the contact directions in one colour per state: all contacts as a full line, strong
+/// contacts dashed.
 Plot fabric_plot(const std::vector<std::pair<std::string, ContactDirections>>& states);
 
 }  // namespace floc

@@ -11,10 +11,11 @@
 namespace floc {
 namespace {
 
-/// Smallest error drawn: smaller ones are drawn at this value, because the axis is logarithmic.
+/// Smallest relative error that is drawn. Smaller errors are drawn at this value, because the axis is logarithmic.
 constexpr double kSmallest = 1e-10;
 
-/// A curve: the settings of one parameter, including that of the scene, in the order of their cost.
+/// A curve of the plot: the measured settings of one parameter, including its value in the scene, in the order of their
+/// processor time.
 struct ParameterCurve {
   std::string parameter;
   std::vector<const MeasuredSetting*> settings;
@@ -36,7 +37,7 @@ std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff) {
   return curves;
 }
 
-/// Adds one block per curve: cost, errors of Phi and B.
+/// Adds one block of data per curve, with rows of relative cost, error of Phi and error of B.
 Plot blocks_of(const std::vector<ParameterCurve>& curves) {
   const auto drawn = [](const MeasuredSetting& m, std::size_t k) {
     return std::max(single_state_error(m.errors[k]), kSmallest);
@@ -69,8 +70,8 @@ void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff) {
 set logscale xy
 set format y '%.0e'
 set yrange [{0}/2:*]
-set xlabel 'cost of a sample over that of the strict settings'
-set ylabel 'error of a state, relative (at least {0})'
+set xlabel 'processor time of a sample, relative to the strict settings'
+set ylabel 'relative error of a state (at least {0})'
 set title 'Phi'
 set key off
 {1}

@@ -6,9 +6,10 @@
 
 namespace floc {
 
-/// Draws error against cost for Phi and B, one curve per parameter: F.svg, with F.dat and F.gp beside it.
-/// @throws InputError if the name does not end in .svg; IoError if a file cannot be written or gnuplot fails or
-/// is missing
+/// Plots the error of a state against the processor time per sample for the solid fraction Phi and the bulk modulus B,
+/// with one curve per parameter. Writes the picture F.svg, its data F.dat and its gnuplot script F.gp.
+/// @throws InputError if the name does not end in .svg; IoError if a file cannot be written, or if gnuplot is missing
+/// or fails
 void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff);
 
 }  // namespace floc

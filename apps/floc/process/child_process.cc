@@ -23,7 +23,7 @@ void pass_on(int signal) {
   if (g_child > 0) ::kill(g_child, SIGTERM);
 }
 
-/// Redirects one of the standard streams to a file.
+/// Redirects the standard stream with file descriptor `stream` to a file; does nothing if `file` is empty.
 bool redirect(const std::string& file, int flags, int stream) {
   if (file.empty()) return true;
   const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | flags, 0666);
@@ -54,7 +54,8 @@ pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& 
   argv.push_back(nullptr);
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
-  if (child < 0) throw IoError("floc " + arguments.front(), "cannot start a process");
+  if (child < 0)
+    throw IoError("floc " + arguments.front(), "no child process could be started for this command");
   if (child == 0) become(argv, options, parent);
   return child;
 }
@@ -83,7 +84,7 @@ bool was_signalled() {
 int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options) {
   const pid_t child = start_floc(arguments, options);
   g_child = child;
-  // A signal may have arrived before the child was known to the handler.
+  // A signal that arrived before g_child was set has not been passed on by the handler.
   if (was_signalled()) ::kill(child, SIGTERM);
   const int code = wait_for(child);
   g_child = 0;

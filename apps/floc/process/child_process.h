@@ -9,38 +9,42 @@ namespace floc {
 
 /// Working directory and output files of a child process.
 struct ChildOptions {
-  std::string directory;  ///< its working directory; empty: that of this process
-  std::string output;     ///< file for its stdout, which is replaced; empty: stdout of this process
-  std::string log;        ///< file for its stderr; empty: stderr of this process
-  bool append = false;    ///< append to the log instead of replacing it
+  std::string directory;  ///< working directory of the child; empty: working directory of this process
+  /// File that receives the stdout of the child and is replaced; empty: stdout of this process.
+  std::string output;
+  std::string log;      ///< file that receives the stderr of the child; empty: stderr of this process
+  bool append = false;  ///< whether the child appends to the file `log` instead of replacing it
 };
 
-/// Starts this program in a child process. The child ends with this process: otherwise two processes would work on its
-/// files when the work is resumed. File names are relative to the directory of this process.
+/// Starts this program in a child process. The child is killed when this process ends: otherwise a resumed run could
+/// write the same files as a child that is still alive. The file names in `options` are relative to the working
+/// directory of this process.
 /// @param arguments  arguments after the name of the program
-/// @return identifier of its process
+/// @return process identifier of the child
 /// @throws IoError if no process can be started
 pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
 
-/// Converts the status of waitpid() to an exit code: that of the process, or 128 plus the number of the signal that
-/// ended it.
+/// Converts the status of waitpid() to an exit code: the exit code of the process or, if a signal ended it, 128 plus
+/// the number of the signal.
 int exit_code_of(int status);
 
-/// Waits for a child; signals do not end the waiting. @return exit code as by exit_code_of()
+/// Waits until a child process ends; a signal to this process does not end the waiting. @return exit code of the child,
+/// as exit_code_of() returns it
 int wait_for(pid_t child);
 
-/// Makes SIGINT and SIGTERM no longer end this process. If run_floc() waits for a child, the signal is sent to it as
-/// SIGTERM, on which a run writes its checkpoint.
+/// Installs signal handlers: SIGINT and SIGTERM no longer end this process. If run_floc() waits for a child at that
+/// moment, the child receives SIGTERM, at which a run writes its checkpoint and ends.
 void pass_signals_on();
 
-/// Returns whether such a signal has arrived.
+/// Returns whether SIGINT or SIGTERM has arrived since pass_signals_on().
 bool was_signalled();
 
-/// Starts this program in a child process and waits for it. @return exit code as by exit_code_of()
+/// Starts this program in a child process and waits for it. @return exit code of the child, as exit_code_of() returns
+/// it
 /// @throws IoError if no process can be started
 int run_floc(const std::vector<std::string>& arguments, const ChildOptions& options);
 
-/// Returns the path of this program.
+/// Returns the path of the executable of this program.
 std::string this_program();
 
 }  // namespace floc

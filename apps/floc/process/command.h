@@ -9,7 +9,7 @@ namespace floc {
 /// Exit codes of the program.
 enum ExitCode {
   kDone = 0,
-  kFailure = 1,             ///< the system or the program failed: disk full, file not writable
+  kFailure = 1,             ///< the system or the program failed, for example the disk is full
   kUsage = 2,               ///< the command line is not valid
   kNotConverged = 3,        ///< there is no result: not converged, or a quantity does not exist
   kBadInput = 4,            ///< an input file or a value is not valid

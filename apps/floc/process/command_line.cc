@@ -33,24 +33,24 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// Returns a message on the first argument of `app`, or of the command given to it, that names no option or command,
-/// with the most similar name; empty if all are known.
-/// @param called  name by which the user called `app`, "floc fit"
+/// Returns a message on the first argument that is not an option or a subcommand of `app`, or of the subcommand given
+/// to `app`. The message names the most similar option or command. Empty if all arguments are known.
+/// @param called  name by which the user called `app`, such as "floc fit"
 std::string unknown_name(const CLI::App& app, const std::string& called) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   for (const std::string& argument : app.remaining()) {
     const std::string name = argument.substr(0, argument.find('='));
     if (name.starts_with('-') && name.size() > 1)
       return called + " has no option " + name + "; the nearest is " + nearest_name(name, option_names(app));
-    // The name is unknown even if a valid command follows: "floc modli demo".
+    // The unknown name is reported even if a valid command follows it: "floc modli demo".
     if (const std::vector<std::string> commands = command_names(app); !commands.empty())
       return called + " has no command " + name + "; the nearest is " + nearest_name(name, commands) + " (" +
-             called + " --help lists them all)";
+             called + " --help lists all commands)";
   }
   return given.empty() ? "" : unknown_name(*given.back(), called + " " + given.back()->get_name());
 }
 
-/// Kind of an option or of each of its values.
+/// Type of the value of an option. For optional and for repeated options it is the type of a single value.
 template <class T>
 struct ValueOf {
   using Type = T;
@@ -60,8 +60,9 @@ struct ValueOf<std::optional<T>> : ValueOf<T> {};
 template <class T>
 struct ValueOf<std::vector<T>> : ValueOf<T> {};
 
-/// Checks the text of a number. CLI11 itself would read "nan" and "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the
-/// largest seed.
+/// Checks the text of a number, and writes whole numbers in plain decimal digits. CLI11 itself would read "nan" and
+/// "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the largest seed.
+/// @return error message; empty if the number is valid
 template <class Number>
 std::string read_number(std::string& given) {
   const auto value = parse_number<Number>(given);
@@ -82,8 +83,9 @@ std::string read_number(std::string& given) {
   }
 }
 
-/// Returns a validator of a range. The one of CLI11 names the largest double with three hundred digits in its messages.
-/// @param name  name of the kind of number, in the help
+/// Returns a validator that accepts the numbers within a range. The validator of CLI11 is not used: its messages print
+/// the largest double with three hundred digits.
+/// @param name  text that stands for the value of the option in the help
 template <class Number, class Range>
 CLI::Validator number_within(const std::string& name, const Range& range) {
   return {[range](const std::string& given) {
@@ -94,7 +96,7 @@ CLI::Validator number_within(const std::string& name, const Range& range) {
           name};
 }
 
-/// Returns the limits of a range as text for the help.
+/// Returns the type and the limits of a range as text for the help: "INT in [1 - 64]".
 template <class Range>
 std::string limits_of(const char* type, const Range& range) {
   return fmt::format("{} in [{} - {}]", type, range.least, range.most);
@@ -218,7 +220,7 @@ Option CommandLine::add_option(const std::string& name, T& value, const std::str
   if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<std::string>>)
     option->check(CLI::Validator(
         [](const std::string& given) {
-          return given.empty() ? std::string("expected a value, but it is empty") : std::string();
+          return given.empty() ? std::string("the value is empty; give a value") : std::string();
         },
         ""));
   else
@@ -256,7 +258,7 @@ std::optional<int> ProgramLine::parse(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // "floc modli --help" names a command that does not exist.
+    // CLI11 treats "floc modli --help" as a request for help, although there is no command modli.
     const bool fault = error.get_exit_code() != 0 || app_->get_subcommands().empty();
     if (const std::string unknown = unknown_name(*app_, app_->get_name()); fault && !unknown.empty()) {
       std::cerr << "floc: " << unknown << "\nRun with --help for more information.\n";

@@ -20,19 +20,20 @@ namespace floc {
 class Option {
  public:
   Option required();
-  /// Takes `count` values, or `least` to `most` values (-1: no limit).
+  /// Makes the option take `count` values, or `least` to `most` values (-1: no limit).
   Option expected(int count);
   Option expected(int least, int most);
-  /// Also accepts several values as one argument, separated by this character.
+  /// Makes the option also accept several values in one argument, separated by this character.
   Option delimiter(char between);
-  /// Joins the values of an option that is given several times to one value, separated by this character.
+  /// Joins the values of an option that is given several times into one text, separated by this character.
   Option joined(char between);
-  /// Takes one argument each time the option is given; the arguments after it are positional.
+  /// Makes the option take only one argument each time it is given; the arguments after it are positional.
   Option one_argument_each();
-  /// Shows the present value of the variable in the help, as the default.
+  /// Shows the present value of the variable of this option in the help, as the default.
   Option show_default();
 
-  /// Accepts numbers within a range. The ranges are those of the library, which rejects the same values.
+  /// Makes the option accept only numbers within a range. The range is defined in the library, which also refuses
+  /// numbers outside it.
   Option within(const NumberRange& range);
   Option within(const WholeRange& range);
   Option positive() { return within(kPositiveNumber); }
@@ -65,17 +66,18 @@ class CommandLine {
   void require_one_subcommand();
   /// Returns whether this subcommand was given.
   bool parsed() const;
-  /// Returns the name without that of the program: "fit elastic".
+  /// Returns the names of the parent commands and of this command, without the name of the program: "fit elastic".
   std::string full_name() const;
-  /// Calls `work` if this command was given, after the whole line has been parsed without a fault.
+  /// Sets a function that is called after the whole command line has been parsed without an error, if this command was
+  /// given.
   void after_parsing(const std::function<void()>& work);
   bool has_option(const std::string& name) const;
-  /// Sets the text below the help.
+  /// Sets the text that the help prints below the list of options.
   void footer(const std::string& text);
 
-  /// Adds an option ("-o,--output") or a positional argument ("STATE"), which is read into `value` when the line is
-  /// parsed. Numbers have to be decimal and finite, whole numbers have to fit the type of the variable.
-  /// Defined for the types that command_line.cc lists; a new type needs a line there.
+  /// Adds an option ("-o,--output") or a positional argument ("STATE"), which is read into `value` when the command
+  /// line is parsed. Numbers have to be decimal and finite, and whole numbers have to fit the type of the variable.
+  /// The template is instantiated in command_line.cc for each type of variable; a new type needs a line there.
   template <class T>
   Option add_option(const std::string& name, T& value, const std::string& text);
   Option add_flag(const std::string& name, bool& value, const std::string& text);
@@ -98,8 +100,8 @@ class ProgramLine {
   CommandLine top();
 
   /// Reads the arguments into the variables of the options.
-  /// @return nothing if a command is to be run. Otherwise help, version or a fault was printed, and the program has to
-  /// end with the exit code returned: 0, or kUsage for a fault
+  /// @return nothing if a command is to be run. Otherwise the help, the version or an error message was printed, and
+  /// the program has to end with the exit code returned: 0, or kUsage after an error
   std::optional<int> parse(int argc, char** argv);
 
  private:

@@ -9,7 +9,7 @@ Fault fault_of(const std::string& file, const std::function<int()>& work) {
   try {
     return {work(), ""};
   } catch (const InputError& error) {
-    const std::string message = error.what();  // errors found in a packing may not name its file
+    const std::string message = error.what();  // the message of an error in a packing may not name the file
     return {kBadInput, message.find(file) == std::string::npos ? file + ": " + message : message};
   } catch (const IoError& error) {
     return {kFailure, error.what()};

@@ -10,7 +10,8 @@ struct Fault {
   int code = 0;
   std::string message;
 };
-/// Runs `work` and catches its exceptions. @param file  file that the message names where the exception does not
+/// Runs `work` and catches its exceptions. @param file  name of the file that `work` processes; it is added to messages
+/// that do not contain it
 Fault fault_of(const std::string& file, const std::function<int()>& work);
 
 }  // namespace floc

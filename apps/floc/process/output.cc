@@ -28,7 +28,9 @@ void finish_output() {
 
 void write_csv(const std::string& path, const Table& table) {
   if (path == "-")
-    throw InputError(path, "is standard output, which has the table: expected the name of a file for this one");
+    throw InputError(
+        path,
+        "means standard output, which the first table of this command takes: expected the name of a file");
   std::ostringstream text;
   write_table(text, table, TableFormat::csv);
   write_bytes_atomically(path, text.str());
@@ -50,7 +52,9 @@ int worse(int a, int b) {
 }
 
 void add_states_argument(CommandLine app, std::vector<std::string>& files) {
-  app.add_option("STATE", files, "state files or directories of floc run, - for one state on stdin").required();
+  app.add_option("STATE", files,
+                 "state files, or directories that floc run wrote; - reads one state from stdin")
+      .required();
 }
 
 int for_each_file(const std::vector<std::string>& files,

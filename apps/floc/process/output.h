@@ -21,20 +21,20 @@ std::string duration_text(double seconds);
 /// kVerificationFailed, kDone.
 int worse(int a, int b);
 
-/// Adds the positional argument STATE..., one file or more.
+/// Adds the positional argument STATE..., which takes one or more files.
 void add_states_argument(CommandLine app, std::vector<std::string>& files);
 
-/// Calls `work`, which returns an exit code, for each file name. An exception is reported on stderr, and the other
-/// files are still processed. @return worst of the exit codes
+/// Calls `work`, which returns an exit code, with each file name. If it throws, the error is printed on stderr, and the
+/// other files are still processed. @return worst of the exit codes
 int for_each_file(const std::vector<std::string>& files,
                   const std::function<int(const std::string& file)>& work);
 
-/// A function that processes a state read from a file and returns an exit code. Its remarks are kept until the last
-/// state, and each is printed once.
+/// A function that processes a state read from a file and returns an exit code. The remarks that it makes are collected
+/// and printed after the last state, each once.
 using StateWork = std::function<int(const std::string& file, const AnyState& state, const Remarks& remarks)>;
 
-/// Reads each file and calls `work` for its state. A file that cannot be read, or for which `work` throws, is reported
-/// by name on stderr, and the others are still processed. @return worst of the exit codes
+/// Reads each file and calls `work` with its state. If a file cannot be read or `work` throws, the error and the name
+/// of the file are printed on stderr, and the other files are still processed. @return worst of the exit codes
 int for_each_state(const std::vector<std::string>& files, const StateWork& work);
 
 }  // namespace floc

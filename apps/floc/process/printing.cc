@@ -22,8 +22,9 @@ std::string pattern_of(const std::string& chosen) {
   return chosen == "all" ? "*" : chosen;
 }
 
-/// Returns the names of the columns that a command may print; some are patterns. A table such as "moduli --increments"
-/// is written to a file and does not count, unless the command has no other table, as `campaign collect --table runs`.
+/// Returns the names of the columns that a command can print, or patterns of these names. A table such as "moduli
+/// --increments" is written to a file, so its columns are not included, unless the command has no other table (as
+/// "campaign collect --table runs").
 std::vector<std::string> names_printed_by(const std::string& command) {
   std::vector<std::string> printed, with_option;
   for (const DescribedTable& table : described_tables()) {
@@ -34,7 +35,8 @@ std::vector<std::string> names_printed_by(const std::string& command) {
   return printed.empty() ? with_option : printed;
 }
 
-/// Checks a chosen name or pattern. @throws InputError if the command prints tables, but none with such a column
+/// Checks a chosen column name or pattern. @throws InputError if the command prints tables, but none of them has such a
+/// column
 void expect_column_of(const std::string& command, const std::string& chosen) {
   const std::vector<std::string> names = names_printed_by(command);
   const std::string pattern = pattern_of(chosen);
@@ -74,7 +76,7 @@ std::size_t printed_width(const Table& table) {
   return widest;
 }
 
-/// Returns as many of the wanted columns as fit the width of the terminal, but at least the first.
+/// Returns the first of the wanted columns: as many as fit the width of the terminal, but at least one.
 Table fitting(const Table& table, const std::vector<std::string>& wanted) {
   const auto room = static_cast<std::size_t>(terminal_width());
   std::vector<std::size_t> shown;
@@ -98,11 +100,12 @@ Table chosen_part(const Table& table, const std::vector<std::string>& columns) {
       found = true;
       if (std::ranges::find(indices, k) == indices.end()) indices.push_back(k);
     }
-    if (!found) std::cerr << fmt::format("floc: --columns {}: this table has no such column\n", chosen);
+    if (!found) std::cerr << fmt::format("floc: --columns {}: the table has no column of this name\n", chosen);
   }
   if (indices.empty())
-    throw InputError("--columns", fmt::format("none of them is in this table; the nearest to {} is {}",
-                                              columns.front(), nearest_name(columns.front(), table.columns)));
+    throw InputError("--columns",
+                     fmt::format("the table has none of the chosen columns; the column nearest to {} is {}",
+                                 columns.front(), nearest_name(columns.front(), table.columns)));
   return of_columns(table, indices);
 }
 
@@ -118,13 +121,13 @@ void add_printing_options(CommandLine app, Printing& printing) {
     printing.command = command;
     for (const std::string& chosen : printing.columns) expect_column_of(command, chosen);
   });
-  app.add_option("--format", printing.format, "table, csv or json [table on a terminal, csv otherwise]")
+  app.add_option("--format", printing.format,
+                 "format of the printed table: table, csv or json [table on a terminal, csv otherwise]")
       .one_of({"table", "csv", "json"});
   if (app.has_option("--columns")) return;
-  app.add_option(
-         "--columns", printing.columns,
-         "NAME,...: columns to print, names or patterns such as 'error_*', or all, in this order [all; on "
-         "a terminal those that fit; floc help columns says what they are]")
+  app.add_option("--columns", printing.columns,
+                 "NAME,...: columns to print, in this order: names, patterns such as 'error_*', or all; floc "
+                 "help columns describes the columns [all; on a terminal as many as fit its width]")
       .delimiter(',')
       .one_argument_each();
 }
@@ -150,8 +153,7 @@ Table with_chosen_columns(const Table& table, const Printing& printing, bool on_
   Table part = fitting(table, described->on_terminal);
   if (part.columns.size() < table.columns.size())
     std::cerr << fmt::format(
-        "{} of {} columns; --columns all prints the others, floc help columns {} says what "
-        "they are\n",
+        "{} of {} columns are shown; --columns all prints all of them, floc help columns {} describes them\n",
         part.columns.size(), table.columns.size(), described->name);
   return part;
 }

@@ -8,28 +8,32 @@
 
 namespace floc {
 
-/// Format and columns of the table that a command prints, as its options `--format` and `--columns` set them.
+/// Format and columns of the table that a command prints. The options `--format` and `--columns` set them.
 struct Printing {
-  std::string format;                ///< "table", "csv", "json"; empty: a table on a terminal, csv otherwise
-  std::vector<std::string> columns;  ///< names and patterns of the columns chosen; empty: all columns
-  std::string command;               ///< command whose columns may be chosen: "moduli", "fit elastic"
+  std::string format;  ///< "table", "csv" or "json"; empty: "table" on a terminal, "csv" otherwise
+  std::vector<std::string> columns;  ///< names of the chosen columns, or patterns of names; empty: all columns
+  std::string command;               ///< command that prints the table, such as "moduli" or "fit elastic"
 
-  /// Adds a column to the choice. @throws InputError if no table of the command has it, naming the most similar column
+  /// Adds a column, or the columns that match a pattern, to `columns`. @throws InputError if no table of the command
+  /// has such a column; the message names the most similar column
   void choose(const std::string& pattern);
 };
 
-/// Adds `--format table|csv|json`, and `--columns NAME,...` unless the command has another option of that name. A
-/// column that the command does not print ends the program before any work.
+/// Adds the option `--format table|csv|json` and, unless the command already has an option of that name, `--columns
+/// NAME,...`. If no table of the command has a chosen column, the program ends with an error before the command starts
+/// its work.
 void add_printing_options(CommandLine app, Printing& printing);
 
-/// Returns the format that `--format` names. If it is empty: a table on a terminal, csv otherwise.
+/// Converts a value of `--format` to a table format. If it is empty, the format is "table" on a terminal and "csv"
+/// otherwise.
 TableFormat chosen_format(const std::string& format);
 
-/// Returns the chosen columns of a table, in the order of the choice. Without a choice these are all columns; on a
-/// terminal those that docs/columns.md names for it, as many as fit its width, with a note on stderr. Chosen columns
-/// that only tables of another dimension have are left out, with a note on stderr.
-/// @param on_terminal  whether the table is aligned for a terminal
-/// @throws InputError if no column is left
+/// Returns the chosen columns of a table, in the order in which they were chosen. If no columns are chosen, returns all
+/// columns; on a terminal, returns the columns that docs/columns.md lists for terminals, as many as fit its width, with
+/// a note on stderr. Chosen columns that this table does not have, such as a column of 3D states in a table of 2D
+/// states, are left out with a note on stderr.
+/// @param on_terminal  whether the table is printed with aligned columns on a terminal
+/// @throws InputError if the table has none of the chosen columns
 Table with_chosen_columns(const Table& table, const Printing& printing, bool on_terminal);
 
 /// Prints a table on stdout. @throws IoError if stdout cannot be written (disk full)

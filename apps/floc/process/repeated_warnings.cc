@@ -28,7 +28,9 @@ RepeatedWarnings::~RepeatedWarnings() {
   for (const Warning& w : kept_)
     std::cerr << fmt::format(
         "floc: {}: {}{}\n", w.file, w.text,
-        w.n_states == 1 ? "" : fmt::format(" ({} states have this warning; this is the worst)", w.n_states));
+        w.n_states == 1
+            ? ""
+            : fmt::format(" ({} states have this warning; this one is for the worst state)", w.n_states));
 }
 
 Remarks RepeatedWarnings::remarks() {

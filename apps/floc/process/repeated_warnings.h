@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Collects the remarks on many states and prints each once, when it is destroyed: with the text of the worst state and
-/// the number of states. Texts that differ only in their numbers are one remark.
+/// Collects the remarks on many states. Its destructor prints each remark once, with the text for the worst state and
+/// the number of states. Texts that differ only in their numbers count as one remark.
 class RepeatedWarnings {
  public:
   RepeatedWarnings() = default;
@@ -16,12 +16,12 @@ class RepeatedWarnings {
   RepeatedWarnings(const RepeatedWarnings&) = delete;
   RepeatedWarnings& operator=(const RepeatedWarnings&) = delete;
 
-  /// Returns remarks that this object receives; it has to outlive them.
+  /// Returns a Remarks object that passes its remarks to this collector, which has to exist longer.
   Remarks remarks();
 
  private:
   struct Warning {
-    std::string kind;  ///< text without its numbers
+    std::string kind;  ///< text of the remark without its numbers
     std::string file, text;
     double severity = 0.0;
     int n_states = 1;
@@ -32,7 +32,7 @@ class RepeatedWarnings {
   std::vector<Warning> kept_;
 };
 
-/// Returns remarks that are printed on stderr immediately: "floc: FILE: TEXT".
+/// Returns a Remarks that prints its texts on stderr immediately, as "floc: FILE: TEXT".
 Remarks printed_remarks();
 
 }  // namespace floc

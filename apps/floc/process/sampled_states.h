@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Returns the state files in the directory of a run, in order. For the directory of an ensemble these are the states
-/// of all samples DIR/seed-N, one sample after the other.
-/// @throws InputError if there are none
+/// Returns the names of the state files in the directory of a run, in order. If the directory holds several samples of
+/// a scene, returns the states of all samples DIR/seed-N, one sample after the other.
+/// @throws InputError if there are no state files
 std::vector<std::string> states_of_directory(const std::string& directory);
 
 }  // namespace floc

@@ -14,8 +14,9 @@
 namespace floc {
 namespace {
 
-/// Does a piece of work on every process. An error is printed by the first of the processes on which it occurred.
-/// @return exit code of that process, on all processes
+/// Calls `work` on every process of a solver. If errors occur, only the first process on which one occurred prints its
+/// error.
+/// @return exit code of that process, the same on all processes
 int together(ParallelSolver& solver, const std::string& file, const std::function<int()>& work) {
   const Fault fault = fault_of(file, work);
   double first = fault.code == kDone ? 0.0 : solver.size() - solver.rank();
@@ -35,7 +36,7 @@ std::vector<std::string> files_of(const std::string& argument) {
 
 void require_file(const std::string& file, const ParallelSolver& solver) {
   if (file == "-" && solver.size() > 1)
-    throw InputError(file, "is stdin, which only one process reads: expected a file");
+    throw InputError(file, "means stdin, which only one process can read: expected the name of a file");
 }
 
 }  // namespace
@@ -63,8 +64,8 @@ int for_each_state_together(const std::vector<std::string>& files, ParallelSolve
     if (code != kDone) return code;
     const Fault fault = fault_of(file, [&] { return work(file, state, remarks), int{kDone}; });
     if (fault.code == kDone) return kDone;
-    // All processes find that there are no moduli, so the first reports it. Another error may occur on some processes
-    // alone, for which the others would wait forever: it ends all of them.
+    // If the network has no moduli, all processes find this, and the first process reports it. Any other error may
+    // occur on some processes only, and the others would wait for them forever, so it ends all processes.
     if (speaks || fault.code != kNotConverged) std::cerr << "floc: " << fault.message << '\n';
     if (fault.code != kNotConverged && solver.size() > 1) solver.abort(fault.code);
     return fault.code;

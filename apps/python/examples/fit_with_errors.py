@@ -13,7 +13,7 @@ import numpy as np
 
 import floc
 
-# A curve with a logarithmic regime, and a scatter of 0.3 %.
+# A consolidation curve with a logarithmic regime, and random errors of 0.3 %.
 pressure = np.geomspace(0.02, 2.0, 20)
 noise = 1.0 + 0.003 * np.random.default_rng(1).standard_normal(pressure.size)
 solid_fraction = noise / (2.6 - 0.2 * np.log(pressure / 0.02))

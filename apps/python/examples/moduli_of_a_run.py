@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Assembles a small cohesive powder, consolidates it, and prints the bulk modulus of each state between its bounds.
+"""Assembles a small cohesive powder, consolidates it, and prints the bulk modulus of each state and its bounds.
 
     moduli_of_a_run.py [DIRECTORY]
 
-Expects data/scenes/demo.toml of floc in the current directory.
+Run it in a directory that contains data/scenes/demo.toml of floc.
 """
 import sys
 

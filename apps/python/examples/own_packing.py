@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Moduli of a packing that is nothing but arrays: a triangular lattice of disks, beside its closed form."""
+"""Computes moduli of a packing given as arrays, a triangular lattice of disks, and compares them with closed forms."""
 import numpy as np
 
 import floc
@@ -16,7 +16,7 @@ moduli = floc.moduli(packing, strains="full")
 print(f"{packing.n_contacts} contacts, B = {moduli.B:.6g}, closed form {np.sqrt(3) / 2 * K_N:.6g}")
 print(f"G = {moduli.G:.6g}, closed form {np.sqrt(3) / 4 * (K_N + K_T):.6g}")
 
-# Contacts of another program: who touches whom, and with what force.
+# A list of contacts, as another program may give it: the two grains of each contact and its normal force.
 contacts = packing.contacts
 columns = {name: contacts[name] for name in ("id1", "id2", "image", "normal_force")}
 again = floc.Packing.from_arrays(position, np.full(n * n, 0.5), cell, law, contacts=columns)

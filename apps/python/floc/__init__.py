@@ -6,8 +6,8 @@
     >>> floc.moduli(state).B
     >>> floc.fit.consolidation("demo")["lambda"].interval
 
-Numbers are those of the commands, bit for bit. docs/python.md is the manual; ``floc.columns("moduli")`` says what the
-columns of a table mean.
+Results are equal to those of the floc commands, bit for bit. docs/python.md is the manual;
+``floc.columns("moduli")`` describes the columns of a table.
 """
 try:
     import numpy as _numpy

@@ -1,4 +1,4 @@
-"""Moduli, networks, structure, comparisons, chains."""
+"""Functions for moduli, contact networks, structure, comparisons of states, and chains of disks."""
 import numpy as np
 
 from . import _core
@@ -23,11 +23,11 @@ class Structure(Record):
 
 @with_columns("compare")
 class Comparison(Record):
-    """What changed between two states: a row of ``floc compare``."""
+    """The changes between two states: a row of ``floc compare``."""
 
 
 class Compliance(Record):
-    """A compliance of a chain: formula, solved and error_bound."""
+    """A compliance of a chain: formula (closed form), solved (of the network) and error_bound (of solved)."""
 
 
 class Chain(Record):
@@ -36,29 +36,34 @@ class Chain(Record):
 
 def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method="factor", accuracy=None,
            force_tolerance=None, rolling_stiffness=None, tables=(), force=False):
-    """Elastic moduli, bounds and stability, as ``floc moduli`` prints them.
+    """Computes elastic moduli, bounds and stability, as ``floc moduli`` prints them.
 
     Parameters
     ----------
     state : State, path-like, or a sequence of them
     strains : {"diagonal", "full"}
-        With "diagonal" shear strains are clamped; "full" takes every component, which adds the shear moduli.
+        "diagonal": shear strains are zero; "full": all components of the strain, which adds the shear moduli.
     prestress : bool
-        Adds the geometric terms of the forces (except those of F_T); the stress is the Cauchy stress.
+        Adds the geometric terms of the contact forces to the stiffness matrix (except the terms of the tangential
+        forces); the stress of the moduli is then the Cauchy stress.
     tolerance : float, optional
-        Relative error wanted of B and G [1e-10].
+        Largest relative error of B and G [1e-10].
     method : {"factor", "single-factor", "iterative", "bounds"}
-        The last three are approximate and come with errors.
+        Method of solution. The last three are approximate, and the row has the errors of their results.
     accuracy : float or dict, optional
-        Relative errors of B and G that are good enough, ``1e-3`` or ``{"B": 1e-3}``; takes the cheapest method that keeps them.
+        Relative errors of B and G that are acceptable, such as ``1e-3`` or ``{"B": 1e-3}``. The cheapest method with
+        smaller errors is chosen.
     force_tolerance : float, optional
-        Cohesionless packings: a contact below this force, in units of max(F0, P a^(d-1)), carries nothing [1e-5].
+        For packings without cohesion: a contact with a smaller force counts as open, in units of
+        max(F0, P a^(d-1)) [1e-5].
     rolling_stiffness : float or sequence of float, optional
-        K_R of every touching contact in place of its own (force length). One row per value of a sequence.
+        Rolling stiffness K_R of every touching contact instead of the value in the state (force length). A sequence
+        gives one row per value.
     tables : sequence of str
-        "increments": for each contact what a unit of isotropic and of deviatoric stress changes in it.
+        Further tables. "increments": for each contact, its changes under a unit of isotropic and of deviatoric
+        stress.
     force : bool
-        Accepts states that are not in equilibrium, which are refused otherwise.
+        Whether to accept states that are not in equilibrium, with a warning.
 
     Returns
     -------
@@ -69,12 +74,13 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     EquilibriumError
         If the state is not in equilibrium, unless `force`.
     NumericalError
-        If there are no moduli, or none as accurate as asked.
+        If the packing has no moduli, or if they cannot be computed with the requested accuracy.
     InputError
 
     Notes
     -----
-    docs/physics.md, "Elastic moduli" and "Bounds"; the columns ``*_printed`` are the forms of [GRC2008].
+    docs/physics.md, "Elastic moduli" and "Bounds"; the columns ``*_printed`` follow the formulas as
+    printed in [GRC2008].
     """
     states, single = states_of(state)
     several = rolling_stiffness is not None and np.ndim(rolling_stiffness) > 0
@@ -87,27 +93,29 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
 
 def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_width=0.1, groups=(), near_zero=0.02,
             shuffles=20, pressure_bin_width=0.1, without=(), tables=()):
-    """Coordination, forces, particle pressures and what carries the load, as ``floc network`` prints them.
+    """Computes coordination, forces, particle pressures and what carries the load, as ``floc network`` prints them.
 
     Parameters
     ----------
     state : State, path-like, or a sequence of them
     zero_force : float, optional
-        Normal forces below this count as zero, in units of max(F0, P a^(d-1)) [the force tolerance of the state].
+        Normal force below which a force counts as zero, in units of max(F0, P a^(d-1)) [the force tolerance of the
+        state].
     least_contacts : int, optional
-        Fewest contacts above that force for a grain of the force-carrying structure [2 where a contact carries a
-        tangential force, else d + 1].
+        Smallest number of contacts with a larger force that a grain of the force-carrying structure has [2 if some
+        contact carries a tangential force, otherwise d + 1].
     unit : {"mean", "F0", "P"}, bin_width : float
-        Unit and bin width of the table "pdf".
+        Unit of force and width of the bins in the table "pdf" ("mean": the mean force).
     groups : sequence of {"bonds", "phases"}
-        Further columns.
+        Groups of further columns.
     near_zero : float, shuffles : int, pressure_bin_width : float
-        As ``--near-zero``, ``--shuffles`` and ``--pressure-bin-width``.
+        As the options ``--near-zero``, ``--shuffles`` and ``--pressure-bin-width``.
     without : sequence of {"mechanics"}
-        Columns left as None: what needs the moduli, which takes most of the time in a large packing. They are None
-        for a state with walls.
+        Groups of columns that are not computed but None. "mechanics": the columns that need the moduli, which take
+        most of the time for a large packing; they are None for a state with walls in any case.
     tables : sequence of str
-        "pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours", "clusters".
+        Further tables: "pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours",
+        "clusters".
 
     Returns
     -------
@@ -123,19 +131,20 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
 
 def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cells_per_wave=None, reach=5.0,
               map_size=(32, 32), probes=40, profile_axis=None, slices=20, tables=()):
-    """Scattering with xi and dF, pores, local solid fractions, as ``floc structure`` prints them.
+    """Computes scattering, pores and local solid fractions of packings, as ``floc structure`` prints them.
 
     Parameters
     ----------
     state : State, path-like, or a sequence of them
     average : bool
-        Adds a last row for all states together, as samples of one ensemble.
+        Whether to add a last row for all states together, as samples of one ensemble.
     fit_range : (float, float)
-        Wave numbers fitted, in 2 pi over the largest diameter.
+        Lowest and highest wave number of the fit, in units of 2 pi over the largest diameter.
     largest_k, cells_per_wave, reach, map_size, probes, profile_axis, slices
-        As the options of the command.
+        As the options of these names of ``floc structure``.
     tables : sequence of str
-        "intensity", "pair_correlation", "gaps", "pores", "map", "prediction", "porosity", "profile".
+        Further tables: "intensity", "pair_correlation", "gaps", "pores", "map", "prediction",
+        "porosity", "profile".
 
     Returns
     -------
@@ -144,7 +153,7 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
     Raises
     ------
     InputError
-        If the state has walls, and tables other than "pair_correlation", "porosity" and "profile" are asked for.
+        If the state has walls and other tables than "pair_correlation", "porosity" and "profile" are requested.
     """
     states, single = states_of(state)
     table, further = _core.structure(
@@ -155,16 +164,17 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
 
 
 def compare(before, after, *, rigid_tolerance=0.01, tables=()):
-    """What changed between two states of the same grains, as ``floc compare`` prints it.
+    """Computes the changes between two states of the same grains, as ``floc compare`` prints them.
 
     Parameters
     ----------
     before, after : State or path-like
     rigid_tolerance : float
-        Tolerance of a contact that moves as rigid: how far its two contact points may part, in largest diameters, and
-        how much the rotations of its grains may differ, in radians.
+        Tolerance for contacts that move as a rigid body: largest distance between the two contact points after the
+        change, in largest diameters, and largest difference of the rotations of the two grains, in radians.
     tables : sequence of str
-        "displacements" (one row per grain) and "contacts" (one row per contact: kept, lost or gained).
+        Further tables: "displacements" (one row per grain) and "contacts" (one row per contact: kept,
+        lost or gained).
 
     Returns
     -------
@@ -182,7 +192,7 @@ def compare(before, after, *, rigid_tolerance=0.01, tables=()):
 
 
 def chain(n, R, kn, kt, kr, bend=0.0):
-    """Compliances of a chain of equal disks, closed forms and the solved network, as ``floc chain`` prints them.
+    """Computes compliances of a chain of equal disks, by closed form and by solution, as ``floc chain`` prints them.
 
     Parameters
     ----------
@@ -191,19 +201,19 @@ def chain(n, R, kn, kt, kr, bend=0.0):
     R : float
         Radius of the disks (length).
     kn, kt, kr : float
-        K_N and K_T (force/length) and K_R (force length).
+        Stiffnesses K_N and K_T (force/length) and K_R (force length).
     bend : float
-        Degrees by which each branch is turned against the one before; a bent chain has no closed form.
+        Angle between successive branches (degrees); a bent chain has no closed form.
 
     Returns
     -------
     Chain
-        Of axial, transverse, rolling and end_disk_deflection, each with formula, solved and error_bound: in
-        length/force, rolling in 1/(force length).
+        The compliances axial, transverse, rolling and end_disk_deflection, each with formula, solved and error_bound:
+        in length/force, and rolling in 1/(force length).
 
     Notes
     -----
-    docs/physics.md, "Chains of disks"; end_disk_deflection is Eq. 16 of [GRC2008] as it is printed.
+    docs/physics.md, "Chains of disks"; end_disk_deflection is Eq. 16 of [GRC2008] as printed there.
     """
     names, rows = _core.chain(n, R, kn, kt, kr, bend)
     which = names.index("compliance")

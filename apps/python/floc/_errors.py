@@ -1,8 +1,8 @@
-"""What floc raises and warns of, in the words of the program."""
+"""Exceptions and warnings of floc, with the messages of the floc program."""
 
 
 class Error(Exception):
-    """Whatever floc raises is one of these."""
+    """Base class of all exceptions of floc."""
 
 
 class InputError(Error, ValueError):
@@ -14,12 +14,12 @@ class FileError(Error, OSError):
 
 
 class NumericalError(Error, ArithmeticError):
-    """There is no result: a step that does not converge, moduli that a packing does not have."""
+    """A computation has no result: a step does not converge, or a packing does not have moduli."""
 
 
 class EquilibriumError(NumericalError):
-    """A state that should be in equilibrium is not."""
+    """A state is not in equilibrium, but the computation requires an equilibrium."""
 
 
 class FlocWarning(UserWarning):
-    """What the program prints as a warning."""
+    """A warning that the floc program prints."""

@@ -8,7 +8,7 @@ _REFERENCE = _core.column_reference()
 
 
 def columns(table):
-    """Columns of a table of the program: name, unit and meaning of each, as ``floc help columns`` prints them.
+    """Returns the columns of a table of the program: name, unit and meaning, as ``floc help columns`` prints them.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def columns(table):
 
 
 def with_columns(table):
-    """Ends the docstring of a class with the columns of its table."""
+    """Returns a decorator that adds the columns of a table to the docstring of a class."""
     def decorated(cls):
         lines = [f"    {name}{f' ({unit})' if unit else ''}: {meaning}" for name, unit, meaning in columns(table)]
         cls.__doc__ += "\n\n    Columns: name (unit): meaning.\n\n" + "\n".join(lines) + "\n"
@@ -40,8 +40,8 @@ def with_columns(table):
 class Record(collections.abc.Mapping):
     """A row of a table: each column is an attribute and a key; None where a value is not defined.
 
-    ``tables`` holds further tables that were asked for, each a dict of arrays by column (``pandas.DataFrame(table)``
-    makes a data frame of one).
+    ``tables`` holds the further tables that the caller requested. Each is a dict with one array per column, from which
+    ``pandas.DataFrame(table)`` makes a data frame.
     """
 
     def __init__(self, names, values, tables=None):
@@ -69,7 +69,7 @@ class Record(collections.abc.Mapping):
         return [*super().__dir__(), *(name for name in self._values if name.isidentifier())]
 
     def to_dict(self):
-        """All columns and their values, in the order of the command."""
+        """Returns a dict of all columns and their values, in the order in which the command prints them."""
         return dict(self._values)
 
     def __repr__(self):
@@ -79,19 +79,19 @@ class Record(collections.abc.Mapping):
 
 
 class Records(list):
-    """Rows of several states. ``tables`` holds further tables of all of them."""
+    """A list of rows, one or more per state. ``tables`` holds the further tables of all states."""
 
     def __init__(self, rows, tables=None):
         super().__init__(rows)
         self.tables = tables if tables is not None else {}
 
     def to_dict(self):
-        """A list of values for each column: ``pandas.DataFrame(rows.to_dict())``."""
+        """Returns a dict with a list of values per column, for ``pandas.DataFrame(rows.to_dict())``."""
         return {name: [row[name] for row in self] for name in (self[0] if self else ())}
 
 
 def records(cls, table, further, single):
-    """The row of one state, or the rows of several, of what the compiled part returns."""
+    """Converts a table of the compiled module to a row, or to a list of rows if there are several states."""
     names, rows = table
     made = [cls(names, row, further) for row in rows]
     return made[0] if single and len(made) == 1 else Records(made, further)

@@ -14,34 +14,34 @@ from ._state import read
 
 @dataclasses.dataclass(frozen=True)
 class Progress:
-    """How far a run has come."""
+    """Progress of a run."""
 
-    step: int  #: number of the equilibrium that is being made, or was just saved
-    n_steps: int  #: equilibria of the whole run
-    branch: str  #: of the load path
-    pressure: float  #: that the step goes to
+    step: int  #: number of the equilibrium that is being computed, or was just saved
+    n_steps: int  #: number of equilibria of the whole run
+    branch: str  #: branch of the load path
+    pressure: float  #: pressure that is imposed in this step
     solid_fraction: float
-    time: float  #: simulated since the beginning
-    equilibrium: bool  #: whether this is an equilibrium that was just saved
+    time: float  #: simulated time since the beginning of the run
+    equilibrium: bool  #: whether an equilibrium was just saved
 
 
 class Run:
-    """The directory of a run, a sequence of its states: ``run[0]`` is the first, ``run[-1]`` the last."""
+    """The directory of a run, as a sequence of its states: ``run[0]`` is the first state, ``run[-1]`` the last."""
 
     def __init__(self, directory):
         self.directory = pathlib.Path(directory)
         if not self.directory.is_dir():
-            raise InputError(f"{directory}: is not a directory: expected a directory of floc run")
+            raise InputError(f"{directory}: is not a directory: expected a directory that floc run wrote")
 
     @property
     def states(self):
-        """Paths of the state files, in their order."""
+        """Paths of the state files, in the order of their numbers."""
         found = (path for path in self.directory.iterdir() if re.fullmatch(r"state-\d+\.h5", path.name))
         return sorted(found, key=lambda path: int(path.stem.split("-")[1]))
 
     @property
     def path(self):
-        """path.csv as a dict of arrays by column: numbers where all are, NaN where a place is empty."""
+        """The table path.csv as a dict with one array per column. Columns of numbers have NaN in empty cells."""
         with open(self.directory / "path.csv", newline="", encoding="utf-8") as file:
             names, *rows = csv.reader(file)
         return {name: _column([row[k] for row in rows]) for k, name in enumerate(names)}
@@ -60,34 +60,35 @@ class Run:
 
 def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=None, threads=None, until=None,
         track_contacts=None, track_energy=False, resume=False, overwrite=False, timing=True):
-    """Assembles a packing, brings it to equilibrium and loads it as a scene says, as ``floc run`` does.
+    """Runs a scene: assembles a packing, brings it to equilibrium and loads it, as ``floc run`` does.
 
     Ctrl-C, or an exception that `on_progress` raises, stops the run at a checkpoint; ``resume=True`` continues from
-    there, bit for bit. Other threads keep running meanwhile. Only the main thread of Python receives signals.
+    there with bit-identical results. Other Python threads continue during the run. Only the main thread of Python
+    receives signals.
 
     Parameters
     ----------
     scene : path-like
         Scene file.
     directory : path-like
-        For states, path.csv and checkpoints.
+        Directory for states, path.csv and checkpoints.
     on_progress : callable, optional
-        Called with a `Progress` at each equilibrium, and inside a step now and then.
+        Function that is called with a `Progress` at each equilibrium and, every `interval` seconds, inside a step.
     interval : float
-        Seconds between two calls inside a step.
+        Wall time between two calls of `on_progress` inside a step (s).
     changes : dict, optional
-        Keys of the scene to change, ``{"run.seed": 2, "load.0.to": 10.0}``.
+        Keys of the scene to change and their values, such as ``{"run.seed": 2, "load.0.to": 10.0}``.
     seed, threads, until : int, optional
-        As ``--seed``, ``--threads`` and ``--until`` (the last equilibrium to make). A warning says where so few grains
-        leave threads unused.
+        Seed, number of threads, and number of the last equilibrium to compute, as the options ``--seed``,
+        ``--threads`` and ``--until``. A warning is issued if there are too few grains for this number of threads.
     track_contacts : float, optional
-        Records in contacts.csv which contacts open and close, checking at this interval of simulated time.
+        Interval of simulated time at which contacts.csv records which contacts have opened and closed.
     track_energy : bool
-        Records the energy account in energy.csv.
+        Whether energy.csv records the energy balance of the run.
     resume, overwrite : bool
-        Continues the run in the directory (harmless on a first one), or replaces it.
+        Whether to continue the run in the directory, if there is one, or to replace it.
     timing : bool
-        Whether path.csv says how long each step took; without it, equal runs are equal files.
+        Whether path.csv has the duration of each step. Without it, equal runs write equal files.
 
     Returns
     -------
@@ -96,11 +97,11 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
     Raises
     ------
     InputError
-        If the scene cannot be run (the message names file, line and key) or the directory holds a run already.
+        If the scene cannot be run (the message names file, line and key), or if the directory already has a run.
     NumericalError
         If a step does not converge; the run can be resumed.
     KeyboardInterrupt
-        After Ctrl-C, once a checkpoint is written.
+        After Ctrl-C, as soon as a checkpoint is written.
     """
     told = None
     if on_progress is not None:

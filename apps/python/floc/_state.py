@@ -14,62 +14,70 @@ def _documented(name, words):
 
 
 class State(_core.State):
-    """One packing with its contacts, as a state file holds it. It cannot be changed.
+    """A packing with its contacts, with the content of a state file. It cannot be changed.
 
-    Arrays are views of the memory of the state: they cost nothing, cannot be written to, and keep the state alive
-    for as long as they are there. Lengths, forces and masses are in the units of the state (``units``). Forces and
-    stresses are positive in compression. In what follows n is the number of grains, d the dimension.
+    Arrays are views of the memory of the state: they are not copies, cannot be written to, and keep the state alive
+    as long as they exist. Lengths, forces and masses are in the units of the state (``units``). Forces and
+    stresses are positive in compression. Below, n is the number of grains and d the dimension.
     """
 
     position = _documented("position", "(n, d) centres of the grains, inside the cell (length).")
-    position_low = _documented("position_low", "(n, d) offsets of the centres from ``position``, less than half a unit "
-                               "in its last place (length); None where there are none.")
-    velocity = _documented("velocity", "(n, d) velocities without the affine part of the cell (length/time).")
-    radius = _documented("radius", "(n,) radii (length).")
-    ids = _documented("ids", "(n,) numbers by which messages and tables name the grains: those of the program a packing came "
-                      "from, otherwise the indices. ``contacts`` refers to indices.")
-    mass = _documented("mass", "(n,) masses.")
-    orientation = _documented("orientation", "(n,) angles in radians; in 3D (n, 4) quaternions x, y, z, w, as SciPy "
-                              "orders them.")
+    position_low = _documented("position_low", "(n, d) further digits of the centres, to be added to ``position`` "
+                                               "(length); less than half a unit of its last digit. None if the state "
+                                               "has none.")
+    velocity = _documented("velocity", "(n, d) velocities of the grains without the affine motion of the cell "
+                                       "(length/time).")
+    radius = _documented("radius", "(n,) radii of the grains (length).")
+    ids = _documented("ids", "(n,) identifiers of the grains in messages and tables: those of the program that made "
+                             "the packing, otherwise the indices. ``contacts`` refers to indices.")
+    mass = _documented("mass", "(n,) masses of the grains (mass).")
+    orientation = _documented("orientation", "(n,) angles (radians); in 3D (n, 4) quaternions in the order x, y, z, "
+                                             "w of SciPy.")
     angular_velocity = _documented("angular_velocity", "(n,) or, in 3D, (n, 3) angular velocities (1/time).")
-    contacts = _documented("contacts", "Contacts as a structured array, with the names of a state file: id1, id2 (index of the "
-                           "grains; id2 >= n is wall id2 - n), image (branch = position[id2] + image @ cell - position[id1]), key, "
-                           "gap (negative: overlap), normal (from id1 to id2), normal_force, elastic_force, shear_force and "
-                           "rolling_moment (on id1), twisting_moment, kn, kt, kr, ktw, sliding, rolling_yield, twisting_yield, "
-                           "distant (acts across a gap), and what contacts remember under the law. "
-                           "``contacts[\"normal_force\"]`` is one column, a view too.")
-    cell = _documented("cell", "(d, d) lattice vectors, one a row (length). Between walls, the sides of the box.")
-    stress = _documented("stress", "(d, d) static stress of the contacts when the state was saved (force/length^(d-1)).")
-    target_stress = _documented("target_stress", "(d,) diagonal stress imposed; what the contacts carried on an axis with a "
-                                "length imposed (force/length^(d-1)).")
+    contacts = _documented("contacts", 'Contacts as a structured array, with the names of a state file: id1, id2 '
+                                       '(indices of the two grains; id2 >= n is wall id2 - n), image (branch = '
+                                       'position[id2] + image @ cell - position[id1]), key, gap (negative: overlap), '
+                                       'normal (from id1 to id2), normal_force, elastic_force, shear_force and '
+                                       'rolling_moment (on id1), twisting_moment, stiffnesses kn, kt, kr, ktw, '
+                                       'sliding, rolling_yield, twisting_yield, distant (acts across a gap), and the '
+                                       'history that the law defines. ``contacts["normal_force"]`` is one of these '
+                                       'fields, also a view.')
+    cell = _documented("cell", "(d, d) lattice vectors, one per row (length). Between walls, the sides of the box.")
+    stress = _documented("stress", "(d, d) static stress of the contacts when the state was saved "
+                                   "(force/length^(d-1)).")
+    target_stress = _documented("target_stress", "(d,) imposed normal stresses; on an axis with imposed length, the "
+                                                 "stress of the contacts (force/length^(d-1)).")
     dimension = _documented("dimension", "2 or 3.")
     n_grains = _documented("n_grains", "Number of grains.")
-    n_contacts = _documented("n_contacts", "Number of interactions, distant ones included.")
-    pressure = _documented("pressure", "Mean of the diagonal of the static stress, the column P of ``floc moduli`` "
-                           "(force/length^(d-1)).")
-    reduced_pressure = _documented("reduced_pressure", "P*: pressure in units of the contact law, a^(d-1) P/F0; without "
-                                   "adhesion a^(d-2) P/K_N, of elastic spheres P/E~.")
-    solid_fraction = _documented("solid_fraction", "Area (3D: volume) of the grains over that of the cell.")
-    residuals = _documented("residuals", "Distance from equilibrium: force, moment, stress and energy, in units of "
-                            "F1 = max(F0, P a^(d-1)) and a (docs/physics.md, \"Equilibrium\").")
-    tolerance = _documented("tolerance", "What the residuals were asked to be below.")
-    equilibrium_faults = _documented("equilibrium_faults", "By how much the state misses its equilibrium, in words; empty "
-                                     "if it is one.")
-    name = _documented("name", "The file it was read from; what messages call it.")
-    units = _documented("units", '"reduced" or "SI".')
-    law = _documented("law", "The contact law in one line, as ``floc convert --law`` and ``Packing.from_arrays`` take it.")
-    walls = _documented("walls", "Walls of a box: dicts of axis, side, position, velocity, mass; empty in a periodic cell.")
-    path = _documented("path", "Where the state stands on its load path: step, branch, time, n_steps, ending.")
-    scene = _documented("scene", "Text of the scene, empty for a packing of another program.")
-    provenance = _documented("provenance", "Origin of the state: program, commit, compiler, seed, parent_sha256, source.")
+    n_contacts = _documented("n_contacts", "Number of interactions, including distant ones (across a gap).")
+    pressure = _documented("pressure", "Mean of the diagonal of the static stress; the column P of ``floc moduli`` "
+                                       "(force/length^(d-1)).")
+    reduced_pressure = _documented("reduced_pressure", "P*, the pressure in units of the contact law: a^(d-1) P/F0; "
+                                                       "without adhesion a^(d-2) P/K_N; for elastic spheres P/E~.")
+    solid_fraction = _documented("solid_fraction", "Area (3D: volume) of the grains divided by that of the cell.")
+    residuals = _documented("residuals", 'Distance from equilibrium: force, moment, stress and energy, in units of '
+                                         'F1 = max(F0, P a^(d-1)) and a (docs/physics.md, "Equilibrium").')
+    tolerance = _documented("tolerance", "Largest residuals that count as equilibrium, as imposed in the run.")
+    equilibrium_faults = _documented("equilibrium_faults", "Text with the residuals that exceed their tolerance; "
+                                                           "empty if the state is in equilibrium.")
+    name = _documented("name", "Name of the state in messages: the file from which it was read.")
+    units = _documented("units", "\"reduced\" or \"SI\".")
+    law = _documented("law", "The contact law in one line, as ``floc convert --law`` and ``Packing.from_arrays`` "
+                             "read it.")
+    walls = _documented("walls", "Walls of a box: dicts of axis, side, position, velocity, mass; empty in a periodic "
+                                 "cell.")
+    path = _documented("path", "Position of the state on its load path: step, branch, time, n_steps, ending.")
+    scene = _documented("scene", "Text of the scene; empty for a packing of another program.")
+    provenance = _documented("provenance", "Origin of the state: program, commit, compiler, seed, parent_sha256, "
+                                           "source.")
 
     @property
     def void_ratio(self):
-        """1/solid_fraction - 1."""
+        """Void ratio, 1/solid_fraction - 1."""
         return 1.0 / self.solid_fraction - 1.0
 
     def write(self, path):
-        """Writes a state file, whole or not at all.
+        """Writes a state file. If this fails, no incomplete file remains.
 
         Parameters
         ----------
@@ -78,11 +86,11 @@ class State(_core.State):
         Raises
         ------
         FileError
-            If it cannot be written.
+            If the file cannot be written.
         """
         super().write(os.fspath(path))
 
-    # Nothing can change a state, so that copies may share its memory.
+    # A state never changes, so copies can share its memory.
     def __copy__(self):
         return type(self)(self)
 
@@ -101,44 +109,46 @@ class State(_core.State):
 
 
 class Packing(State):
-    """A packing put together from arrays."""
+    """A packing made from arrays."""
 
     @classmethod
     def from_arrays(cls, position, radius, cell, law, contacts=None, *, mass=None, stress=None, tolerance=None,
                     units="reduced", drop_tensile=False, ids=None):
-        """Makes a packing from arrays of any program, for moduli and all else, as ``floc convert`` makes one from files.
+        """Makes a packing from arrays of any program, as ``floc convert`` makes a packing from files.
 
-        What contacts do not say follows from the law: forces that are given are kept to the last digit, and springs are
-        stretched to them. Without `contacts`, the pairs that interact by the law are taken.
+        Quantities that `contacts` does not give follow from the contact law. Forces that are given are kept to the last
+        digit, and the springs of the contacts are stretched accordingly. Without `contacts`, the contacts are the pairs
+        that interact under the law.
 
         Parameters
         ----------
         position : array_like, (n, d)
-            Centres, inside the cell or not (length).
+            Centres of the grains, inside or outside the cell (length).
         radius : array_like, (n,)
-            Radii (length).
+            Radii of the grains (length).
         cell : array_like, (d, d) or (d,)
-            Lattice vectors of the periodic cell, one a row, or the sides of a right-angled one (length). d is 2 or 3.
+            Lattice vectors of the periodic cell, one per row, or the sides of a rectangular cell (length). d is 2 or 3.
         law : str or dict
-            Contact law by the keys of a scene below ``contact``:
+            Contact law, given by the keys of a scene below ``contact``:
             ``{"normal.stiffness": 1e5, "friction": {"coefficient": 0.5, "stiffness": 1e5}}`` or in one line,
             ``"normal.stiffness=1e5, friction.coefficient=0.5, friction.stiffness=1e5"``.
         contacts : dict of arrays, structured array or DataFrame, optional
-            id1 and id2, the two grains by their `ids`, without these by their indices from 0, and of what is known: image
-            (m, d), normal_force (m,), positive in compression, shear_force (m, d) on id1, or force (m, d), all of the force on id1; rolling_moment (m,) or, in
-            3D, (m, 3), twisting_moment (m,), kn, kt, kr, ktw (m,), bridge_volume (m,) of a law with liquid.
+            id1 and id2: the `ids` of the two grains or, without `ids`, their indices from 0. Optional are image (m, d);
+            normal_force (m,), positive in compression, and shear_force (m, d) on id1, or instead force (m, d), the
+            whole force on id1; rolling_moment (m,), in 3D (m, 3); twisting_moment (m,); kn, kt, kr, ktw (m,); and
+            bridge_volume (m,) for a law with liquid. m is the number of contacts.
         mass : array_like, (n,), optional
-            Masses; without them unit mass at unit diameter.
+            Masses of the grains; by default, a grain with unit diameter has unit mass.
         stress : array_like, (d,), optional
-            Diagonal stress imposed, positive in compression; without it, what the contacts carry.
+            Imposed normal stresses, positive in compression; by default, the stresses of the contacts.
         tolerance : float, optional
-            How far from equilibrium the packing may be: net force over F1, net moment over F1 a, stress over
-            F1/a^(d-1). 1e-3 unless it is given.
+            Largest residuals in equilibrium: net force in units of F1, net moment in units of F1 a, error of the
+            stress in units of F1/a^(d-1), with F1 = max(F0, P a^(d-1)) [1e-3].
         units : {"reduced", "SI"}
         drop_tensile : bool
-            Leaves out contacts that pull under a law without adhesion, which are an error otherwise.
+            Whether to leave out tensile contacts under a law without adhesion, which otherwise are an error.
         ids : array_like of int, (n,), optional
-            Numbers by which contacts, messages and tables name the grains; without them their indices.
+            Identifiers of the grains in contacts, messages and tables; by default their indices.
 
         Returns
         -------
@@ -152,7 +162,7 @@ class Packing(State):
         Warns
         -----
         FlocWarning
-            Where list, geometry, forces, law and equilibrium disagree.
+            If contacts, geometry, forces, law and equilibrium disagree.
         """
         cell = _numbers("cell", cell)
         if cell.ndim == 1:
@@ -185,7 +195,7 @@ def read(path):
 
 
 def _restored(cls, name, content):
-    """The state of a pickle: a state file, and the name that the state had."""
+    """Returns the state of a pickle, which holds the content of a state file and the name of the state."""
     with tempfile.TemporaryDirectory(prefix="floc-") as directory:
         path = pathlib.Path(directory) / "state.h5"
         path.write_bytes(content)
@@ -193,7 +203,7 @@ def _restored(cls, name, content):
 
 
 def states_of(state):
-    """(list of states, whether it is that of one) of a state, a path, or several of them."""
+    """Returns a list of states, and whether the argument is a single state or path, not a sequence."""
     if isinstance(state, (_core.State, str, os.PathLike)):
         return [_one(state)], True
     return [_one(one) for one in state], False
@@ -208,7 +218,7 @@ def _one(state):
 
 
 def unmasked(name, values):
-    """The values, of which none may be masked: a mask says that a value is none, and there is nothing in its place."""
+    """Returns the values, unless some are masked: a masked entry has no value, so this raises InputError."""
     parts = [((k,), one) for k, one in enumerate(values)] if isinstance(values, (list, tuple)) else [((), values)]
     for at, part in parts:
         if isinstance(part, np.ma.MaskedArray) and np.ma.getmaskarray(part).any():
@@ -218,7 +228,7 @@ def unmasked(name, values):
 
 
 def number(name, value):
-    """A float of what is one, however Python has it."""
+    """Converts any number of Python to a float."""
     try:
         return float(value)
     except (TypeError, ValueError, OverflowError):
@@ -233,15 +243,15 @@ def _numbers(name, values):
         raise InputError(f"{name}: expected an array of numbers: {error}") from None
 
 
-# What a list of contacts may say; a structured array or data frame may have more.
+# Names of the arrays that may describe contacts; a structured array or data frame may have further fields.
 _CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr",
                     "ktw", "bridge_volume")
-# The contacts of a state have zeros of these where the law knows no such thing.
+# Fields that are zero in the contacts of a state if its law has no such moments.
 _MOMENTS = ("rolling_moment", "twisting_moment")
 
 
 def _integers(name, array):
-    """Integers, also where they are written as real numbers, as in a table of numpy.loadtxt."""
+    """Converts an array to integers. They may be given as real numbers, as in a table that numpy.loadtxt has read."""
     if np.issubdtype(array.dtype, np.integer):
         return array
     whole = np.issubdtype(array.dtype, np.floating) and (np.abs(array) <= 2.0**53) & (array == np.floor(array))
@@ -277,7 +287,7 @@ def _law_text(law):
     if isinstance(law, str):
         return law
     if not isinstance(law, dict):
-        raise InputError(f"law = {law!r}: expected a dict or a string of keys, as Packing.from_arrays has them")
+        raise InputError(f"law = {law!r}: expected a dict or a string with the keys of Packing.from_arrays")
     parts = []
 
     def add(prefix, table):

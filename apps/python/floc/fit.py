@@ -1,8 +1,8 @@
 """Laws fitted to arrays or tables, as ``floc fit`` fits them.
 
-Curves are given as arrays, as columns of a data frame, or as the name of a table or of a directory of ``floc run``,
-which is read as the command reads it. A fit that the data do not allow is an answer, not an exception: ``refusal`` then
-says why.
+Curves are given as arrays, as columns of a data frame, or as the name of a table or of a directory that ``floc run``
+wrote, which is read as the command reads it. If the data do not allow a fit, there is no exception: the attribute
+``refusal`` of the result has the reason.
 """
 import os
 
@@ -20,27 +20,27 @@ __all__ = ["Fit", "Parameter", "consolidation", "cycle", "dynamic_compaction", "
 class Parameter(Record):
     """A fitted parameter: value, stderr, low95, high95 and identified.
 
-    low95 and high95 bound the interval that holds it with 95 %. Of a parameter that the data do not identify the value
-    is None, and the bounds are what is known of it.
+    low95 and high95 are the ends of the interval that contains the parameter with a probability of 95 %. If the data do
+    not determine the parameter, its value is None, but a known bound is given.
     """
 
     @property
     def interval(self):
-        """(low95, high95)"""
+        """95 % confidence interval, (low95, high95)."""
         return self.low95, self.high95
 
 
 class Fit:
-    """A fit: what ``floc fit ... --format json`` prints, as attributes.
+    """A fit. Its attributes are the entries that ``floc fit ... --format json`` prints.
 
     Attributes
     ----------
     parameters : dict of Parameter
-        By name; ``fit["lambda"]`` is short for ``fit.parameters["lambda"]``.
+        Parameters by name; ``fit["lambda"]`` is short for ``fit.parameters["lambda"]``.
     refusal : str or None
-        Why there is no fit.
+        Reason why there is no fit; None if there is one.
     warnings : list of str
-        What to know before using the fit; not every law gives them.
+        Warnings about the quality of the fit; not every law gives them.
     """
 
     def __init__(self, values):
@@ -65,7 +65,7 @@ class Fit:
         return [*super().__dir__(), *self._values]
 
     def to_dict(self):
-        """Everything, as the command prints it in json."""
+        """Returns a dict of all entries, as the command prints them in json."""
         return self._values
 
     def __repr__(self):
@@ -79,46 +79,49 @@ class Fit:
 def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="full", window=None, P0=None,
                   protocol=None, loading="first", weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
                   columns=None):
-    """Plasticity index lambda and the other parameters of consolidation.
+    """Fits the consolidation law: the plasticity index lambda and its other parameters.
 
     Parameters
     ----------
     pressure : array_like, (n,), or a sequence of arrays, or path-like
-        Pressures P*; several arrays are several samples. Or a table, or a directory of ``floc run``.
+        Reduced pressures P*; several arrays are several samples. Or the name of a table, or of a directory that
+        ``floc run`` wrote.
     solid_fraction : array_like, (n,), or a sequence of arrays
+        Solid fractions.
     void_ratio : array_like, optional
-        In place of `solid_fraction`.
+        Void ratios, instead of `solid_fraction`.
     branch : sequence of str, (n,), optional
-        Name of the branch of each row, as in ``path.csv``; without it, branches follow from the pressures.
+        Name of the branch of the load path for each point, as in ``path.csv``; by default, branches are found from
+        the pressures.
     law : {"full", "log", "power"}
-        Regime II is "log", regime III "power", both "full".
+        "log": law of regime II; "power": law of regime III; "full": both.
     window : (float, float), optional
         Lowest and highest pressure to fit [found from the data].
     P0 : float, optional
-        Fit from the pressure nearest to this one to the last [found from the data].
+        The fit begins at the pressure nearest to this one and ends at the last pressure [found from the data].
     protocol : {"published"}, optional
-        Holds P0* at a pressure of the curve and fits the mean of the samples.
+        Keeps P0* fixed at a pressure of the curve and fits the mean of the samples.
     loading : {"first", "virgin"}
-        "first": the first loading; "virgin": also later loadings beyond the largest pressure before.
+        "first": the first loading; "virgin": also later loadings where they exceed the largest earlier pressure.
     weights : {"uniform", "relative", "scatter"}, optional
     loss : {"squared", "huber", "cauchy"}
     bootstrap : int
-        Number of resampled fits, which give errors of their own [none].
+        Number of resampled fits, from which further errors are computed; 0 for none.
     seed : int
         Seed of the resampling.
     stress : {"driven", "mean"}, columns : dict
-        For tables only: the stress from which P* of an oedometric test is computed; columns by the names P_star, phi,
-        void_ratio, branch.
+        For tables only: the stress from which P* of an oedometric test is computed, and the names of the columns for
+        the keys P_star, phi, void_ratio, branch.
 
     Returns
     -------
-    Fit, or a list of them for several samples, the last of their mean
-        Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max as far as the law has them.
+    Fit, or for several samples a list of fits, of which the last is that of the mean
+        Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max, if the law has them.
 
     Raises
     ------
     InputError
-        If the input is not a path; the message names array, index and value.
+        If the arrays are not a valid curve; the message names the array, the index and the value.
 
     Notes
     -----
@@ -132,7 +135,7 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
 
 
 def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
-    """Preconsolidation pressure of overconsolidated samples, from reloading branches.
+    """Determines the preconsolidation pressure of overconsolidated samples from their reloading branches.
 
     Parameters
     ----------
@@ -149,17 +152,17 @@ def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=N
 
 
 def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, state=None, columns=None):
-    """Moduli from unloading branches, ln Phi = ln Phi_unloaded + P/B.
+    """Fits elastic moduli to unloading branches, by ln Phi = ln Phi_unloaded + P/B.
 
-    In an oedometer B is that of the mean stress, and M that of the driven one.
+    In an oedometer, B is the modulus for the mean stress and M the modulus for the driven stress.
 
     Parameters
     ----------
     pressure, solid_fraction, void_ratio, branch, columns
         As in `consolidation`; the pressures are P.
     state : path-like, optional
-        State file whose computed modulus is given beside the fit [for tables, that of the branch, if it lies beside
-        them].
+        State file; its modulus, computed from the contact network, is given in addition to the fit [for tables, the
+        state at the start of the branch, if its file is in the directory of the table].
 
     Returns
     -------
@@ -172,7 +175,7 @@ def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, stat
 
 
 def cycle(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
-    """What pressure cycles leave behind: the change of Phi, and their work.
+    """Computes the permanent changes of Phi after pressure cycles, and the work of the cycles.
 
     Parameters
     ----------
@@ -188,12 +191,13 @@ def cycle(pressure, solid_fraction=None, *, void_ratio=None, branch=None, column
 
 
 def dynamic_compaction(e, p, sc, se, *, p_D=None, eta_m=None, plateau="p", p_0=None):
-    """Void ratio of dynamically compacted samples against pressure and cohesion.
+    """Fits the void ratio of dynamically compacted samples as a function of pressure and cohesion.
 
     Parameters
     ----------
     e, p, sc, se : array_like, (n,)
-        Void ratio, pressure, f_c/d^2 and k_n/d, the last three in one unit.
+        Void ratio, pressure, f_c/d^2 (cohesive force f_c, diameter d) and k_n/d (stiffness k_n) of each sample; the
+        last three in equal units.
     p_D : float, optional
         Pressure at which the plateau is e_min + De [0.01].
     eta_m : float, optional
@@ -216,24 +220,24 @@ def dynamic_compaction(e, p, sc, se, *, p_D=None, eta_m=None, plateau="p", p_0=N
 
 
 def force_distribution(forces, *, form="all", threshold=None, draws=None, seed=None):
-    """Distributions of normal forces, by maximum likelihood, with goodness of fit.
+    """Fits distributions of normal forces by maximum likelihood, with the goodness of the fit.
 
     Parameters
     ----------
     forces : array_like, (n,), or State or path-like
-        Normal forces, positive in compression; or those of a state.
+        Normal forces, positive in compression, or a state whose contact forces are used.
     form : {"all", "tails", "power-exponential", "quadratic-exponential"}
     threshold : float, optional
-        Magnitude of the force at which the tails begin [the mean of the forces of that sign].
+        Magnitude of the force at which the tails begin [the mean of the forces of each sign].
     draws : int, optional
-        Samples drawn from the fit for its p-value [200].
+        Number of random samples of the fitted law, from which the p-value is computed [200].
     seed : int, optional
-        Seed of these draws [1].
+        Seed of these random samples [1].
 
     Returns
     -------
     list of Fit
-        One per form.
+        One fit per form of the distribution.
     """
     if isinstance(forces, (str, os.PathLike)):
         forces = read(forces)
@@ -260,16 +264,17 @@ def _flat(name, values):
 
 
 def _samples(pressure, solid_fraction, void_ratio, branch):
-    """What the compiled part takes: a path, or (name, pressures, densities, whether void ratios, branches) a sample."""
+    """Returns the samples for the compiled module: a file name, or one tuple (name, pressures, densities, whether the
+    densities are void ratios, branches) per sample."""
     if isinstance(pressure, (str, os.PathLike)):
         return [os.fspath(pressure)]
     if (solid_fraction is None) == (void_ratio is None):
-        raise InputError("expected solid_fraction or void_ratio beside pressure, one of them")
+        raise InputError("expected either solid_fraction or void_ratio, in addition to pressure")
     density = solid_fraction if void_ratio is None else void_ratio
     what = "solid_fraction" if void_ratio is None else "void_ratio"
     if isinstance(pressure, (list, tuple)) and len(pressure) > 0 and np.ndim(pressure[0]) > 0:
         if len(density) != len(pressure):
-            raise InputError(f"{what}: has {len(density)} samples, and pressure has {len(pressure)}")
+            raise InputError(f"{what}: has {len(density)} samples, but pressure has {len(pressure)}")
         branches = branch if branch is not None else [None] * len(pressure)
         return [_sample(f"arrays {k}", *one, what, void_ratio is not None)
                 for k, one in enumerate(zip(pressure, density, branches))]

@@ -1,4 +1,4 @@
-"""Pictures of packings with matplotlib, in your own axes."""
+"""Pictures of packings with matplotlib."""
 import numpy as np
 
 from ._errors import InputError
@@ -12,29 +12,29 @@ _GRAIN, _OUTLINE = "#EFEFEF", "#A6A6A6"
 
 
 def forces(state, ax=None, *, width=2.0, grains=True, plane=(0, 1), zero=1e-5):
-    """Draws the force network of a state: one line per contact, as wide as the force is large.
+    """Draws the force network of a state: one line per contact, whose width is proportional to the normal force.
 
-    Blue is compression, orange tension, green an attraction across a gap, thin and grey a contact without force. A
+    Compression is blue, tension orange, attraction across a gap green; contacts without force are thin and grey. A
     contact across the periodic boundary is drawn at both of its ends.
 
     Parameters
     ----------
     state : State or path-like
     ax : matplotlib.axes.Axes, optional
-        Axes to draw in [new ones].
+        Axes in which the picture is drawn [new axes].
     width : float
-        Width of the root mean square of the forces, in points.
+        Line width of the root mean square force (points).
     grains : bool
         Whether grains are drawn below the lines.
     plane : (int, int)
-        Axes of space drawn across and up; a packing of spheres is seen along the third.
+        Axes of space that are drawn horizontally and vertically; a packing of spheres is seen along the third axis.
     zero : float
-        Forces below this part of the root mean square are drawn like a contact without force.
+        Fraction of the root mean square force below which a contact is drawn as a contact without force.
 
     Returns
     -------
     matplotlib.collections.LineCollection
-        The lines, in the order of the contacts, those across the boundary twice.
+        The lines, in the order of the contacts, followed by the second lines of contacts across the boundary.
 
     Raises
     ------
@@ -79,8 +79,8 @@ def forces(state, ax=None, *, width=2.0, grains=True, plane=(0, 1), zero=1e-5):
 
 
 def _segments(state):
-    """Ends, normal force and whether distant of each line: contacts, then those across the boundary from their other
-    grain."""
+    """Returns the ends of all lines, their normal forces, and whether they act across a gap: one line per contact, and
+    then the lines from the second grain of contacts across the boundary."""
     contacts, x, radius = state.contacts, state.position, state.radius
     wall = contacts["id2"] >= state.n_grains
     reach = radius[contacts["id1"]] + contacts["gap"] + np.where(wall, 0.0, radius[np.where(wall, 0, contacts["id2"])])
@@ -95,7 +95,7 @@ def _segments(state):
 
 
 def _frame(ax, state, plane):
-    """Limits around the cell, one scale, and its outline."""
+    """Draws the outline of the cell, and sets the limits of the axes around it with equal scales."""
     cell = state.cell[plane][:, plane]
     corner = np.zeros(2)
     if state.walls:

@@ -11,13 +11,15 @@
 namespace floc {
 namespace {
 
-/// Smallest number of steps in which the fastest grain crosses the tail of a grain at rest (`v dt << D0`).
+/// Smallest number of time steps dt in which the fastest grain, of speed v, may cross the range D0 of the
+/// adhesion of a grain at rest (v dt << D0).
 constexpr double kStepsAcrossTail = 3.0;
-/// Distance of clusters beyond the range of the law at which a flight ends and they are moved in time steps
-/// again, in largest diameters.
+/// Distance between two clusters, in addition to the range of the contact law, at which their flight ends and
+/// they are again moved in time steps (in largest diameters).
 constexpr double kFlightClearance = 1e-3;
 
-/// Time step of the options, shortened where the fastest grain would jump over the tail of the adhesion.
+/// Returns the time step of the options, shortened if the fastest grain would otherwise jump over the range of
+/// the adhesion.
 template <int Dim>
 double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const double step = time_step_of(packing, options.time_step);
@@ -58,8 +60,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Skips the time in which clusters at rest within themselves only drift towards each other, which may be most
-/// of it.
+/// Skips the time in which clusters only drift towards each other without inner motion. This may be most of the
+/// time.
 /// @return time skipped
 template <int Dim>
 double Aggregation<Dim>::fly() {

@@ -8,30 +8,31 @@
 
 namespace floc {
 
-/// Number of clusters of grains joined by contacts or by distant attractions (docs/physics.md, "Assembly and
-/// loading"): connected components of the interactions. A grain without interactions counts as a cluster.
+/// Returns the number of clusters of a packing: sets of grains joined by contacts or by attractions across a
+/// gap (docs/physics.md, "Assembly and loading"). A grain without interactions counts as a cluster.
 template <int Dim>
 int count_clusters(const Packing<Dim>& packing);
 
-/// Aggregation, the second stage of the type 2 assembly: agitated grains in a fixed cell collide and stick
-/// until they form one cluster. It advances in chunks of time steps, like Relaxer.
+/// Aggregation, the second stage of the assembly of type 2: moving grains in a fixed cell collide and stick
+/// together until they form one cluster. Like Relaxer, it advances in chunks of time steps.
 template <int Dim>
 class Aggregation {
  public:
-  /// @param skin  first guess of the Verlet skin (length), 0 for none
+  /// @param skin  first guess of the skin of the Verlet lists of neighbours (length); 0 if there is no guess
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// Advances by one chunk, after a flight (ClusterFlight) where clusters only drift.
+  /// Advances by one chunk of time steps. Before it, time in which clusters only drift is skipped
+  /// (ClusterFlight).
   /// @return true when all grains form one cluster
   bool advance();
-  /// Sets the observer of the packing as it moves.
+  /// Sets the observer that follows the motion of the packing.
   void set_observer(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
 
   const Packing<Dim>& packing() const& { return packing_; }
   Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
-  /// Simulated time of the last chunk, flight included (time).
+  /// Returns the simulated time of the last chunk, including the flight of clusters before it (time).
   double chunk_time() const;
 
  private:
@@ -40,7 +41,7 @@ class Aggregation {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   double time_step_ = 0.0;    ///< time step of the last chunk
-  double flight_time_ = 0.0;  ///< time flown before the last chunk
+  double flight_time_ = 0.0;  ///< duration of the flight of clusters before the last chunk
   double skin_;
   int n_clusters_;
   MotionObserver<Dim> observer_;

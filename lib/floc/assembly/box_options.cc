@@ -12,7 +12,7 @@ Law wall_law(const Law& grains, const BoxOptions& box) {
   LawParameters law = grains;
   if (box.adhesion == 0.0)
     law.adhesion.reset();
-  else if (!law.adhesion || law.adhesion.holds<CapillaryAdhesion>())  // a wall is dry
+  else if (!law.adhesion || law.adhesion.holds<CapillaryAdhesion>())  // no liquid bridges to walls
     law.adhesion = ConstantAdhesion{box.adhesion};
   if (box.friction == 0.0) {
     law.friction.reset();

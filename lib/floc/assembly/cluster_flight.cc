@@ -12,23 +12,24 @@
 namespace floc {
 namespace {
 
-/// Distance up to which close surfaces of two clusters are searched for, in largest diameters. Surfaces not
-/// found are at least this far apart.
+/// Distance up to which pairs of close surfaces of two clusters are searched (in largest diameters). Surfaces
+/// that the search does not find are at least this far apart.
 constexpr double kSearchDistance = 0.1;
-/// Largest number of flights in a row, each as long as the lower bound of the time to the next meeting.
+/// Largest number of flights in a row. Each flight lasts as long as the lower bound of the time to the next
+/// meeting.
 constexpr int kMaxFlights = 1000;
 
-/// Upper bound of the rotation of a tumbling body in one step (radians).
+/// Upper bound of the rotation of a tumbling cluster in one integration step (radians).
 constexpr double kTumblingStep = 0.02;
 
-/// Grain that touches another grain, with the image in which it does.
+/// Grain that interacts with another grain, with the periodic image in which it does.
 template <int Dim>
 struct Neighbor {
   int grain;
   Vec<Dim, int> image;
 };
 
-/// Moment of inertia of a point of mass 1 at the end of an arm from the centre.
+/// Returns the moment of inertia of a point of mass 1 at the end of an arm from the centre.
 Mat<1> point_inertia(const Vec<2>& arm) {
   return Mat<1>(arm.squaredNorm());
 }
@@ -43,7 +44,8 @@ RotationVector<3> spin_of(const Mat<3>& inertia, const RotationVector<3>& angula
   return inertia.ldlt().solve(angular_momentum);
 }
 
-/// Upper bound of the spin of a free body with the rotational energy of its present spin.
+/// Returns an upper bound of the magnitude of the spin of a free body that has the rotational energy of its
+/// present spin.
 double fastest_spin(const Mat<1>&, const RotationVector<2>& spin) {
   return std::abs(spin[0]);
 }
@@ -52,7 +54,7 @@ double fastest_spin(const Mat<3>& inertia, const RotationVector<3>& spin) {
   return std::sqrt(spin.dot(inertia * spin) / least);
 }
 
-/// Orientation and spin of a free body in flight.
+/// Orientation and spin of a cluster in free flight.
 template <int Dim>
 struct Attitude;
 template <>
@@ -72,11 +74,11 @@ struct Attitude<3> {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   RotationVector<3> spin;
 
-  /// Integrates Euler's equations by the Runge-Kutta method of fourth order. The angular momentum is constant,
-  /// and the moment of inertia turns with the body.
+  /// Integrates Euler's equations of rotation by the Runge-Kutta method of fourth order. The angular momentum
+  /// is constant, and the moment of inertia turns with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
     if (spin_at_start.isZero(0.0))
-      return;  // also for clusters that wind around the cell, which have no inertia
+      return;  // also holds for clusters that wind around the cell, which have no moment of inertia
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
     const auto spin_at = [&](const Eigen::Quaterniond& q) {
@@ -103,8 +105,8 @@ struct Attitude<3> {
   void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
 
-/// Turns the tangential history of every contact with its cluster. Normals are not turned: nothing reads them
-/// before contacts are found anew.
+/// Turns the tangential history of every contact with its cluster. Normals are not turned, because they are not
+/// read before contacts are searched again.
 template <class Turned>
 void turn_history(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
@@ -122,8 +124,8 @@ ClusterFlight<Dim>::ClusterFlight(const Packing<Dim>& packing) {
   find_motions(packing);
 }
 
-/// Finds the clusters and the unwrapped places of their grains, by a search along contacts from the first grain
-/// of each cluster.
+/// Finds the clusters and the unwrapped positions of their grains, by a search along contacts from the first
+/// grain of each cluster.
 template <int Dim>
 void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -143,8 +145,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
     std::vector<int> reached{first};
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
-      // A grain belongs to the cluster in the image in which it was first reached, so that the places of its
-      // grains form one connected body, wherever the faces of the cell cut it.
+      // A grain is placed in the periodic image in which the search first reached it. The positions of the
+      // grains of a cluster then form one connected body, even if the faces of the cell cut the cluster.
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
       for (const Neighbor<Dim>& neighbor : neighbors[i]) {
         const int j = neighbor.grain;
@@ -154,7 +156,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
           image[j] = there;
           reached.push_back(j);
         } else if (image[j] != there) {
-          // Contacts join a grain to its own image: the cluster has neither a centre nor a moment of inertia.
+          // Contacts connect a grain to its own image. Such a cluster has neither a centre nor a moment of
+          // inertia.
           cluster.winds = true;
         }
       }
@@ -180,7 +183,7 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
     if (cluster.winds) continue;
     const Vec<Dim> arm = place_[i] - cluster.centre;
     cluster.inertia += g.inertia(i) * Mat<kRotations<Dim>>::Identity() + g.mass[i] * point_inertia(arm);
-    // Sum of the angular momentum, from which the spin is computed below.
+    // Angular momentum of the cluster, from which its spin is computed below.
     cluster.spin += g.inertia(i) * g.angular_velocity[i] +
                     moment<double>(arm, Vec<Dim>(g.mass[i] * (g.velocity[i] - cluster.velocity)));
     cluster.reach = std::max(cluster.reach, arm.norm());
@@ -200,8 +203,8 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
-/// Lower bound of the time until two clusters are within `nearest`: two surfaces approach no faster than by the
-/// velocities of their clusters plus spin times reach.
+/// Returns a lower bound of the time until two clusters are within the distance `nearest`. Two surfaces
+/// approach no faster than the sum of the speeds of their clusters plus spin times reach of each cluster.
 template <int Dim>
 double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
@@ -248,7 +251,7 @@ double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double lon
     const Attitude<Dim>& now = attitude[cluster_of_[i]];
     g.velocity[i] = cluster.velocity + now.turned(Vec<Dim>(g.velocity[i] - cluster.velocity));
     if constexpr (Dim == 3) {
-      // The part of the spin that turning the initial spin with the body does not give; zero unless the body
+      // Difference between the spin and the initial spin turned with the body; it is zero unless the body
       // tumbles.
       const RotationVector<Dim> change = now.spin - now.turned(cluster.spin);
       g.velocity[i] += cross<double>(change, now.turned(Vec<Dim>(place_[i] - cluster.centre)));

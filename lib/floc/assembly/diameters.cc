@@ -8,25 +8,26 @@
 namespace floc {
 namespace {
 
-/// (d^s - min^s)/(max^s - min^s) = share with s = 1 - exponent, solved for d from the end of the range that
-/// does not overflow.
+/// Solves (d^s - min^s)/(max^s - min^s) = share for the diameter d, with s = 1 - exponent. It is solved from
+/// the end of the range of diameters at which no term overflows.
 double power_law_quantile(const DiameterDistribution& d, double share) {
   const double s = 1.0 - d.exponent, range = std::log(d.max / d.min);
-  // Below this bound d^s is linear in ln d, up to rounding.
+  // For such small s, d^s is linear in ln d up to rounding.
   if (std::abs(s * range) < 1e-9) return d.min * std::exp(share * range);
   if (s > 0.0) return d.max * std::exp(std::log1p((1.0 - share) * std::expm1(-s * range)) / s);
   return d.min * std::exp(std::log1p(share * std::expm1(s * range)) / s);
 }
 
-/// Probability of a standard normal variable between x and y, x <= y, computed in the tail in which no digits
-/// cancel.
+/// Returns the probability that a standard normal variable lies between x and y, x <= y. It is computed in the
+/// tail in which no digits cancel.
 double normal_share(double x, double y) {
   if (x > 0.0) return normal_share(-y, -x);
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); };
   return below(y) - below(x);
 }
 
-/// Value y at which normal_share(low, y) is `share` times normal_share(low, high), by bisection to rounding.
+/// Returns the value y at which normal_share(low, y) is `share` times normal_share(low, high), by bisection to
+/// rounding.
 double normal_quantile(double low, double high, double share) {
   const double all = normal_share(low, high);
   double inside = low, outside = high;

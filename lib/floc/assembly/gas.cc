@@ -13,16 +13,17 @@
 namespace floc {
 namespace {
 
-/// Largest solid fraction at which grains are placed one by one without long searches.
+/// Largest solid fraction at which grains can be placed one by one at random without long searches.
 template <int Dim>
 constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
-constexpr int kShuffleSweeps =
-    200;  ///< moves per grain: several mean free paths, so that the start has no effect
-constexpr int kMaxSweeps = 20000;  ///< sweeps after which the growth has failed
-constexpr double kGrowth = 1.01;   ///< factor of all diameters, applied whenever no grains overlap
-constexpr double kParted =
-    1.001;  ///< distance over contact distance to which overlapping grains are pushed apart
-constexpr int kMaxPartings = 1000;  ///< sweeps after which pushing apart has failed
+/// Number of Monte Carlo moves per grain after the grains have their final diameters. Grains then move by
+/// several mean free paths, so that their first positions have no effect.
+constexpr int kShuffleSweeps = 200;
+constexpr int kMaxSweeps = 20000;  ///< number of sweeps after which growing the grains has failed
+constexpr double kGrowth = 1.01;   ///< factor by which all diameters grow whenever no grains overlap
+/// Distance to which overlapping grains are pushed apart, divided by the contact distance.
+constexpr double kParted = 1.001;
+constexpr int kMaxPartings = 1000;  ///< number of sweeps after which pushing grains apart has failed
 
 template <int Dim>
 double solid_volume(const std::vector<double>& diameter) {
@@ -32,15 +33,16 @@ double solid_volume(const std::vector<double>& diameter) {
   return sum;
 }
 
-/// Region in which grains are placed: periodic along some axes, between walls along the others.
+/// Region in which grains are placed. It is periodic along some axes and lies between walls along the others.
 template <int Dim>
 struct Room {
   Vec<Dim> side;
   std::array<bool, Dim> walled = {};
 };
 
-/// Hard grains in a rectangular room. Those of similar size share a grid of bins no finer than the largest of
-/// them: one grid for all unless sizes differ much, otherwise one for each factor of two.
+/// Hard grains in a rectangular region, sorted into grids of bins. If sizes are similar, there is one grid for
+/// all grains, otherwise one for each factor of two of the diameters. The bins of a grid are not smaller than
+/// its largest grain.
 template <int Dim>
 class HardGrains {
  public:
@@ -60,11 +62,12 @@ class HardGrains {
 
   const Room<Dim>& room() const { return room_; }
 
-  /// Whether grain i at x overlaps no other placed grain, with all diameters times `scale`.
+  /// Returns whether grain i at x overlaps no other placed grain, with all diameters multiplied by `scale`.
   bool free_at(int i, const Vec<Dim>& x, double scale) const { return clearance(i, x, scale) >= 1.0; }
 
-  /// Smallest ratio of distance to contact distance around grain i at x, with diameters times `scale` <= 1. A
-  /// result above 1 only says that no grain overlaps.
+  /// Returns the smallest ratio of distance to contact distance between grain i at x and any other grain, with
+  /// all diameters multiplied by `scale` <= 1. A result above 1 may be inexact and means only that no grain
+  /// overlaps.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -73,8 +76,8 @@ class HardGrains {
     return least;
   }
 
-  /// Calls visit(j, r) for all grains j that grain i at x may touch, and other close ones, with r the vector
-  /// from x to j.
+  /// Calls visit(j, r) for all grains j that grain i at x may touch, and for other close grains, where r is the
+  /// vector from x to the centre of j.
   template <typename Visit>
   void visit_near(int i, const Vec<Dim>& x, Visit&& visit) const {
     for (const Grid& grid : grids_) {
@@ -82,7 +85,7 @@ class HardGrains {
       const double reach = 0.5 * (diameter_[i] + grid.largest);
       const Vec<Dim, int> centre = bin_of(x, grid);
       Vec<Dim, int> most;
-      // Visit the whole grid if the reach is half the room or more.
+      // All bins of the grid are visited if the reach is half the region or more.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
       Vec<Dim, int> offset = -most;
@@ -116,14 +119,14 @@ class HardGrains {
 
  private:
   struct Grid {
-    double largest = 0.0;  ///< diameter
+    double largest = 0.0;  ///< largest diameter of the grains of this grid
     int n_grains = 0;
-    Vec<Dim, int> bins;  ///< along each side
+    Vec<Dim, int> bins;  ///< number of bins along each side of the region
     std::vector<std::vector<int>> members;
   };
 
   void divide(Grid& grid) const {
-    // Bins much finer than the grains would use memory without saving time.
+    // Bins much smaller than the mean volume per grain would use memory without saving time.
     const double most_bins = 2.0 * std::pow(static_cast<double>(grid.n_grains), 1.0 / Dim) + 1.0;
     std::size_t n_bins = 1;
     for (int a = 0; a < Dim; ++a) {
@@ -158,7 +161,7 @@ class HardGrains {
   std::vector<Vec<Dim>> position_;
 };
 
-/// Random point for a grain, at least its radius away from walls.
+/// Returns a random point for the centre of a grain, at least its radius away from walls.
 template <int Dim>
 Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& random) {
   Vec<Dim> x;
@@ -169,7 +172,7 @@ Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& rand
   return x;
 }
 
-/// Places the grains one by one, the largest first, with diameters times `scale`.
+/// Places the grains one by one, the largest first, with all diameters multiplied by `scale`.
 template <int Dim>
 void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale,
                      RandomStream& random) {
@@ -181,20 +184,22 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
     int tries = 0;
     Vec<Dim> x = random_point(grains.room(), diameter[i], random);
     while (!grains.free_at(i, x, scale)) {
-      if (++tries > kMaxTries) throw InputError("assembly", "solid_fraction: no room left to place the grains");
+      if (++tries > kMaxTries)
+        throw InputError("assembly",
+                         "solid_fraction is too large: no space is left in which to place the grains");
       x = random_point(grains.room(), diameter[i], random);
     }
     grains.place(i, x);
   }
 }
 
-/// Coordinate wrapped into [0, side) of a periodic axis.
+/// Returns a coordinate wrapped into [0, side) along a periodic axis.
 double wrapped(double x, double side) {
   x -= side * std::floor(x / side);
   return x < side ? x : 0.0;
 }
 
-/// One Monte Carlo sweep: a trial move of every grain.
+/// Performs one Monte Carlo sweep: as many trial moves of random grains as there are grains.
 template <int Dim>
 void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale, double reach,
              RandomStream& random) {
@@ -215,12 +220,12 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
     }
     if (!inside) continue;
     const double clearance = grains.clearance(i, x, scale);
-    // A grain that still overlaps after growing may move wherever it overlaps less.
+    // A grain that overlaps after growing may also move to any place where it overlaps less.
     if (clearance >= 1.0 || clearance > grains.clearance(i, grains.position()[i], scale)) grains.move(i, x);
   }
 }
 
-/// Whether no two grains overlap, with diameters times `scale`.
+/// Returns whether no two grains overlap, with all diameters multiplied by `scale`.
 template <int Dim>
 bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
   for (int i = 0; i < n; ++i)
@@ -239,8 +244,8 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 
 namespace {
 
-/// Grows the grains to their size during Monte Carlo moves, then shuffles them until their first places have no
-/// effect.
+/// Grows the grains to their final diameters during Monte Carlo moves, then shuffles them until their first
+/// positions have no effect.
 template <int Dim>
 void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, double scale,
                  RandomStream& random) {
@@ -250,8 +255,9 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
     if (sweep > kMaxSweeps)
       throw InputError(
           "assembly",
-          fmt::format("solid_fraction: grains could be grown without overlap only to {:.3f} of their size",
-                      scale));
+          fmt::format(
+              "solid_fraction is too large: grains could be grown without overlap only to {:.3f} of their size",
+              scale));
     shuffle(hard, diameter, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
     const bool grown = at_size > 0 || all_free(hard, static_cast<int>(diameter.size()), scale);
     at_size += grown && scale == 1.0;
@@ -259,7 +265,7 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
   }
 }
 
-/// Point in the room for a grain that is moved to x: wrapped along periodic axes, clamped between walls.
+/// Returns the position of a grain that is moved to x: wrapped along periodic axes, clamped between walls.
 template <int Dim>
 Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
   for (int a = 0; a < Dim; ++a) {
@@ -269,7 +275,7 @@ Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
   return x;
 }
 
-/// Pushes apart, pair by pair, grains that overlap.
+/// Pushes overlapping grains apart, pair by pair.
 template <int Dim>
 void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
   std::vector<int> overlapping;
@@ -294,12 +300,14 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
     }
     if (!any) return;
   }
-  throw InputError("assembly",
-                   "solid_fraction: grains added one by one could not be pushed apart where they overlap");
+  throw InputError(
+      "assembly",
+      "solid_fraction is too large: grains that were added one by one overlap and could not be pushed apart");
 }
 
-/// Random positions of hard grains of these diameters in a room.
-/// @param solid_fraction  of the part of the room that is open to centres
+/// Returns random positions of hard grains of these diameters in a region.
+/// @param solid_fraction  volume of the grains divided by the volume of the part of the region in which centres
+/// may lie
 template <int Dim>
 std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
                                         GasKind kind, double solid_fraction, RandomStream& random) {
@@ -313,7 +321,7 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
   return hard.position();
 }
 
-/// Grains of these diameters at rest, before they are placed.
+/// Returns grains of these diameters at rest, before they are placed.
 template <int Dim>
 Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::vector<double>& diameter) {
   Packing<Dim> gas;
@@ -328,8 +336,8 @@ Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::v
   return gas;
 }
 
-/// Sets velocities of one magnitude in random directions, subtracts the mean velocity and scales them to the
-/// kinetic pressure.
+/// Sets velocities of one magnitude in random directions, subtracts the mean velocity and scales the velocities
+/// to the given kinetic pressure.
 template <int Dim>
 void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& random) {
   Grains<Dim>& g = packing.grains;
@@ -400,8 +408,8 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    // Maxwell's distribution: every grain has the same mean energy. The ratio of masses keeps the result
-    // independent of the unit of mass.
+    // By Maxwell's distribution, every grain has the same mean energy. Dividing by the largest mass makes the
+    // result independent of the unit of mass.
     for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];

@@ -14,7 +14,7 @@ namespace floc {
 
 namespace {
 
-/// 1 for each number that is in the history of both laws, else 0.
+/// Returns 1 for each number that is in the history of contacts under both laws, 0 for the other numbers.
 template <int Dim>
 ContactHistory<Dim> common_history(const Law& before, const Law& after) {
   ContactHistory<Dim> common = ContactHistory<Dim>::Zero();
@@ -37,7 +37,8 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
-  // Surfaces that have met may hold together across a gap that the search does not cover.
+  // Surfaces that have touched before may stick together across a gap that the search for contacts does not
+  // cover.
   std::vector<Contact<Dim>> held;
   auto found = saved.contacts.begin();
   for (const Contact<Dim>& old : before) {

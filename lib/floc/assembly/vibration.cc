@@ -17,11 +17,12 @@
 namespace floc {
 namespace {
 
-/// Distance of surfaces up to which collisions are predicted, in largest diameters.
+/// Largest distance between the surfaces of two grains whose collision is predicted (in largest diameters).
 constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Hard grains in flight. The position of each grain is stored for the time of its own last event.
+/// Hard grains in free flight between collisions. The position of each grain is stored for the time of the last
+/// event of this grain.
 template <int Dim>
 class HardFlight {
  public:
@@ -38,7 +39,7 @@ class HardFlight {
     for (std::int64_t done = 0; done < n_collisions && !events_.empty();) {
       const Event next = events_.top();
       events_.pop();
-      if (n_events_of_[next.i] != next.n_i) continue;  // i has been predicted anew since
+      if (n_events_of_[next.i] != next.n_i) continue;  // grain i has had another event since
       if (n_events_of_[next.j] != next.n_j) {
         predict(next.i);
         continue;
@@ -59,14 +60,14 @@ class HardFlight {
  private:
   struct Neighbour {
     int grain;
-    Vec<Dim> shift;  ///< displacement of the close image
+    Vec<Dim> shift;  ///< displacement of the periodic image of the grain that is close
   };
   struct Event {
     double time;
     int i, j;
-    int n_i, n_j;  ///< events that each had seen when this was predicted
+    int n_i, n_j;  ///< numbers of events of grains i and j when this event was predicted
     Vec<Dim> shift;
-    bool operator<(const Event& other) const { return time > other.time; }  // the soonest on top
+    bool operator<(const Event& other) const { return time > other.time; }  // the earliest event comes first
   };
 
   Vec<Dim> place(int i) const { return grains_.position[i] + (now_ - time_of_[i]) * grains_.velocity[i]; }
@@ -94,7 +95,8 @@ class HardFlight {
 
   bool has_gone_far(int i) const { return (grains_.position[i] - start_[i]).norm() > 0.25 * search_distance_; }
 
-  /// Time until two grains meet, with the distance vector r and the relative velocity v.
+  /// Returns the time until two grains meet, from the vector r between their centres and their relative
+  /// velocity v.
   static double time_to_meet(const Vec<Dim>& r, const Vec<Dim>& v, double contact_distance) {
     const double approach = -r.dot(v);
     if (!(approach > 0.0)) return kNever;
@@ -103,7 +105,7 @@ class HardFlight {
     return squared < 0.0 ? kNever : std::max(0.0, beyond / (approach + std::sqrt(squared)));
   }
 
-  /// Predicts the next collision of a grain.
+  /// Predicts the next collision of grain i.
   void predict(int i) {
     Event next{kNever, i, i, n_events_of_[i], 0, {}};
     const Vec<Dim> x = place(i);
@@ -157,8 +159,9 @@ void vibrate(Packing<Dim>& packing, const Vibration& vibration, RandomStream& ra
   if (const std::size_t overlaps = find_pairs(packing.cell, g, 0.0).size(); overlaps > 0)
     throw InputError(
         "assembly.vibration",
-        fmt::format("dilation = {}: {} pairs of grains still overlap, expected a dilation that separates all",
-                    vibration.dilation, overlaps));
+        fmt::format(
+            "dilation = {}: {} pairs of grains still overlap; expected a dilation that separates all grains",
+            vibration.dilation, overlaps));
   agitate(packing, 1.0, random);
   collide(packing, vibration.collisions);
   for (int i = 0; i < g.size(); ++i) {

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Bytes of a cache line, and of the widest vector register.
+/// Size of a cache line, and of the widest vector register (bytes).
 inline constexpr std::size_t kCacheLine = 64;
 
 template <class T>
@@ -28,8 +28,9 @@ struct CacheLineAllocator {
   }
 };
 
-/// A vector that begins on a cache line, so that no load of a whole register from it crosses into the next
-/// line. Without it, loops differed in speed by a tenth, depending on which arrays happened to begin so.
+/// A vector whose elements begin on a cache line, so that loading a full vector register from it never touches two
+/// cache lines. With a plain std::vector, the speed of loops differed by a tenth, depending on which arrays happened to
+/// begin on a cache line.
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 

@@ -9,9 +9,9 @@
 namespace floc {
 namespace {
 
-constexpr int kDigitsOfDouble = 17;  ///< that distinguish any two doubles
-constexpr int kDigitsKept = 34;      ///< more than a double-double holds
-constexpr int kExactPower = 22;      ///< 10^22 is the largest power of ten that is a double
+constexpr int kDigitsOfDouble = 17;  ///< number of significant digits that distinguish any two doubles
+constexpr int kDigitsKept = 34;      ///< number of significant digits read; a double-double number holds fewer
+constexpr int kExactPower = 22;      ///< exponent of the largest power of ten, 10^22, that is exactly a double
 
 DoubleDouble times_power_of_ten(DoubleDouble x, int exponent) {
   for (; exponent != 0; exponent -= std::clamp(exponent, -kExactPower, kExactPower)) {
@@ -45,7 +45,7 @@ DoubleDouble decimal(std::string_view text, double nearest) {
   if (n_digits <= kDigitsOfDouble) return {nearest, 0.0};
   if (text.starts_with('-')) digits = -digits;
   const double left = (times_power_of_ten(digits, exponent) - DoubleDouble{nearest, 0.0}).rounded();
-  // Beyond the range of doubles the powers overflow or vanish; nothing is known then.
+  // The powers overflow or vanish beyond the range of doubles. The remainder is unknown there and is set to zero.
   const bool plausible = std::abs(left) <= std::numeric_limits<double>::epsilon() * std::abs(nearest);
   return {nearest, plausible ? left : 0.0};
 }

@@ -6,12 +6,12 @@
 
 namespace floc {
 
-/// Returns the number that a decimal text represents, for use where a double is not precise enough: the nearest
-/// double and the remainder. Texts of up to 17 significant digits are taken as doubles that a program has
-/// printed, so that their remainder is zero.
+/// Returns the number that a decimal text represents as a double-double number: the nearest double and the remainder.
+/// It serves where a double is not precise enough. A text of up to 17 significant digits is taken as a double that a
+/// program has printed, so its remainder is zero.
 ///
-/// @param text     a decimal number that parse_number<double>() reads
-/// @param nearest  the double that parse_number() returned for it
+/// @param text  a decimal number that parse_number<double>() can read
+/// @param nearest  the double that parse_number<double>() returned for `text`
 DoubleDouble decimal(std::string_view text, double nearest);
 
 }  // namespace floc

@@ -4,42 +4,45 @@
 
 namespace floc {
 
-/// Decompositions of small dense matrices by Eigen, compiled here once because each takes seconds to compile
-/// wherever it is instantiated.
+/// Decompositions of small dense matrices by the library Eigen. They are compiled in one source file, because every
+/// file that instantiates one takes seconds longer to compile.
 
-/// Eigenvalues, ascending, and the eigenvectors that belong to them, in columns.
+/// Eigenvalues in ascending order, and the matrix whose columns are the corresponding eigenvectors.
 struct SymmetricEigen {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
 };
 
-/// Returns the eigenvalues and eigenvectors of a symmetric matrix. @param matrix  its lower triangle is read
+/// Returns the eigenvalues and eigenvectors of a symmetric matrix.
+/// @param matrix  the matrix, of which only the lower triangle is read
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& matrix);
-/// Returns the eigenvalues of a symmetric matrix alone, ascending. @param matrix  its lower triangle is read
+/// Returns the eigenvalues of a symmetric matrix in ascending order, without its eigenvectors.
+/// @param matrix  the matrix, of which only the lower triangle is read
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
-/// Returns the eigenvalues of a symmetric tridiagonal matrix, ascending.
-/// @param beside  the off-diagonal, one entry shorter than the diagonal
+/// Returns the eigenvalues of a symmetric tridiagonal matrix, in ascending order.
+/// @param beside  the off-diagonal entries, one fewer than there are diagonal entries
 Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
 
-/// Solves a symmetric system, definite or not.
+/// Returns the solution of a linear system with a symmetric matrix, which need not be definite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// Returns the x that minimises |columns x - y|, and of several such x the one of least norm.
+/// Returns the x that minimises |columns x - y|, and if there are several, the one with the smallest norm.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// Returns the first `count` columns of an orthonormal basis of the whole space, whose leading columns span the
-/// given ones.
+/// Returns the first `count` columns of an orthonormal basis of the whole space. The first of these columns span the
+/// same space as the given columns.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
-/// Solution R^-1 Q^T y of a system with A = Q R, by Householder reflections, and R^-1. @pre the columns are
-/// independent
+/// Least-squares solution R^-1 Q^T y of the system A x = y, and the matrix R^-1. The factors of A = Q R are computed by
+/// Householder reflections. @pre the columns of A are independent
 struct LinearSystemByQr {
   Eigen::VectorXd solution;
   Eigen::MatrixXd inverse_of_r;
 };
 LinearSystemByQr solve_by_qr(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// Thin singular value decomposition: singular values, descending, and right singular vectors in columns.
+/// Thin singular value decomposition: the singular values in descending order, and the matrix whose columns are the
+/// right singular vectors.
 struct SingularValues {
   Eigen::VectorXd values;
   Eigen::MatrixXd right;

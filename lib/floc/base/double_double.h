@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// A double-double number: the unevaluated sum of two doubles with |low| <= half a unit in the last place of
-/// `high`, which gives about 106 bits. Used for differences that cancel, where a double is not precise enough
-/// (Dekker 1971; Hida, Li and Bailey 2001, "sloppy" forms).
+/// A double-double number: the unevaluated sum high + low of two doubles, where |low| is at most half a unit in the
+/// last place of `high`. It has a precision of about 106 bits. It is used for differences of nearly equal numbers,
+/// where a double is not precise enough (Dekker 1971; Hida, Li and Bailey 2001, "sloppy" forms).
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;

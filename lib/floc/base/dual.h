@@ -6,17 +6,18 @@
 
 namespace floc {
 
-/// A number with its derivatives by N variables: evaluating a formula on duals also evaluates its derivatives
-/// (forward mode). Comparisons compare the values alone, so that branches are taken as for plain numbers.
+/// A dual number: a value with its derivatives by N variables. Evaluating a formula on dual numbers also evaluates its
+/// derivatives (forward-mode automatic differentiation). Comparisons use the values alone, so that branches are taken
+/// as for plain numbers.
 template <int N>
 struct Dual {
   double value = 0.0;
   std::array<double, N> derivative{};
 
   constexpr Dual() = default;
-  /// A constant.
-  constexpr Dual(double constant) : value(constant) {}  // NOLINT: as a double stands for a number anywhere else
-  /// The variable with this number, at this value.
+  /// Constructs a constant, whose derivatives are zero.
+  constexpr Dual(double constant) : value(constant) {}  // NOLINT: implicit conversion is intended
+  /// Constructs the variable number `variable`, counted from 0, with the value `at`. Its derivative by itself is 1.
   constexpr Dual(double at, int variable) : value(at) { derivative[variable] = 1.0; }
 
   constexpr Dual& operator+=(const Dual& q) { return *this = *this + q; }
@@ -63,7 +64,8 @@ struct Dual {
   }
 
  private:
-  /// A function value with its derivatives, by the chain rule from those of its arguments.
+  /// Returns a function value with its derivatives, which follow by the chain rule from the derivatives of the
+  /// arguments p and q and the partial derivatives `by_p` and `by_q` of the function.
   static constexpr Dual chain(double value, const Dual& p, double by_p) {
     Dual out(value);
     for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k];
@@ -78,7 +80,7 @@ struct Dual {
 
 }  // namespace floc
 
-/// Traits that let Eigen use duals as matrix elements.
+/// Traits that let Eigen use dual numbers as matrix elements.
 template <int N>
 struct Eigen::NumTraits<floc::Dual<N>> : Eigen::NumTraits<double> {
   using Real = floc::Dual<N>;

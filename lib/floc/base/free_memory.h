@@ -2,9 +2,9 @@
 
 namespace floc {
 
-/// Returns the number of bytes that this process can still allocate: the least of the memory free on the
-/// machine and of the remainders of the limits of the process (ulimit -v) and of its control group. Infinite
-/// where none is known.
+/// Returns the number of bytes that this process can still allocate: the smallest of the memory that is free on the
+/// machine, the memory left below the limit of the process (ulimit -v), and the memory left below the limit of its
+/// control group. Returns infinity if none of these is known.
 double free_memory();
 
 }  // namespace floc

@@ -9,7 +9,8 @@ namespace floc {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{1} << 21;
-/// Below some pages the alignment would waste more than it saves.
+/// Size of the smallest block for which huge pages are requested (bytes). Aligning smaller blocks to huge pages costs
+/// more than it saves.
 constexpr std::size_t kSmallest = 4 * kHugePage;
 
 }  // namespace
@@ -21,7 +22,7 @@ void prefer_huge_pages(void* block, std::size_t bytes) {
   const std::uintptr_t first = (start + kHugePage - 1) / kHugePage * kHugePage;
   const std::uintptr_t end = (start + bytes) / kHugePage * kHugePage;
   if (end <= first) return;
-  // Advice only: nothing depends on whether it is taken.
+  // The request is advice to the operating system. The program works whether or not the system follows it.
   static_cast<void>(madvise(static_cast<char*>(block) + (first - start), end - first, MADV_HUGEPAGE));
 #else
   static_cast<void>(block), static_cast<void>(bytes);

@@ -4,9 +4,10 @@
 
 namespace floc {
 
-/// Asks the system to back a large block with huge pages before it is first written: a block of a gigabyte is
-/// then handed over in steps of 2 MB instead of 4 kB, which for a large matrix cost as much time as the
-/// arithmetic on it. Small blocks are left alone; a system without huge pages ignores the request.
+/// Asks the operating system to use huge pages for a large block of memory before the block is first written. The
+/// system then provides the block in pages of 2 MB instead of 4 kB. For a matrix of a gigabyte, providing pages of 4 kB
+/// takes as much time as the arithmetic on the matrix. Blocks of less than four huge pages are left unchanged, and a
+/// system without huge pages ignores the request.
 void prefer_huge_pages(void* block, std::size_t bytes);
 
 /// Allocates memory by malloc() and requests huge pages for it.

@@ -4,11 +4,11 @@
 
 namespace floc {
 
-/// Listener that long work of this thread calls now and then, as long as the listener exists, to learn whether
-/// to go on.
+/// Function that long computations of this thread call now and then, as long as this object exists, to learn whether
+/// they should go on.
 class InterruptionListener {
  public:
-  /// @param asked  function that returns if the work may go on, and otherwise throws the exception that ends it
+  /// @param asked  function that returns if the computation may go on, and otherwise throws the exception that ends it
   explicit InterruptionListener(std::function<void()> asked);
   ~InterruptionListener();
   InterruptionListener(const InterruptionListener&) = delete;
@@ -18,9 +18,10 @@ class InterruptionListener {
   std::function<void()> before_;
 };
 
-/// Calls the listener of this thread, if there is one, at most every 50 ms. Long work calls this function
-/// between its parts, outside of parallel regions, where an exception leaves nothing half done.
-/// @throws any exception of the listener
+/// Calls the function of the InterruptionListener of this thread, if there is one, but not more often than every 50 ms.
+/// Long computations call this function between their parts and outside of parallel regions, where an exception leaves
+/// no data half changed.
+/// @throws any exception of the listener's function
 void check_interruption();
 
 }  // namespace floc

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <type_traits>
 
-/// The few operations that a contact law uses beyond arithmetic, for every number type that it is evaluated on:
-/// `double`, a dual number (like Ceres' Jet), or a pack of doubles, whose comparisons give masks with a `blend`
-/// of their own.
+/// Operations beyond arithmetic that a contact law uses. They work for every number type on which a law is evaluated:
+/// `double`, a dual number (a number with its derivatives, like Ceres' Jet), or a pack of several doubles (SIMD lanes).
+/// Comparing two packs gives a mask, and a function blend() selects between packs by this mask.
 namespace floc::lanes {
 
-/// `when ? a : b`, lane by lane where the number type has lanes.
+/// Returns `when ? a : b`; for packs of doubles, the choice is made separately for each lane.
 template <class Mask, class T>
 inline T select(const Mask& when, const T& a, const T& b) {
   if constexpr (std::is_same_v<Mask, bool>) {
@@ -31,30 +31,32 @@ inline T max(const T& a, const T& b) {
   return select(a < b, b, a);
 }
 
-/// `value` limited to [-bound, bound], bound >= 0.
+/// Returns `value` limited to the interval [-bound, bound]. @pre bound >= 0
 template <class T>
 inline T clamp_magnitude(const T& value, const T& bound) {
   return max(min(value, bound), T(-bound));
 }
 
-/// p 2^n, where `shifted` is the whole number n plus 1.5 * 2^52. @pre neither p nor the result is subnormal
+/// Returns p * 2^n. @param shifted the whole number n plus 1.5 * 2^52 @pre neither p nor the result is subnormal
 inline double times_power_of_two(double p, double shifted) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(p) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
 
-/// exp(x) for x <= 0 to two units in the last place, the same on every processor: a power of two times a series
-/// for exp(r), |r| <= ln(2)/2. Below x = -690 it stays at exp(-690).
+/// Returns exp(x) for x <= 0 with an error of at most two units in the last place, and with identical results on every
+/// processor. It is computed as a power of two times a power series for exp(r) with |r| <= ln(2)/2. For x below -690 it
+/// returns exp(-690).
 template <class T>
 inline T exp_of_negative(const T& x) {
   if constexpr (std::is_same_v<T, double> || requires { T::kWidth; }) {
-    constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52
+    // The shift 1.5 * 2^52: adding it to a number rounds the number to a whole one.
+    constexpr double kShift = 6755399441055744.0;
     const T in_range = max(x, T(-690.0));
     const T shifted = in_range * T(1.4426950408889634) + T(kShift);
     const T n = shifted - T(kShift);
-    // ln 2 in two parts, the first of so few digits that its product with n is exact.
+    // The constant ln 2 is split into two parts. The first part has so few digits that its product with n is exact.
     const T r = (in_range - n * T(6.93147180369123816490e-01)) - n * T(1.90821492927058770002e-10);
     const T q = r * r;
-    // Even and odd terms of the series, to r^13/13!.
+    // Sums of the even and of the odd terms of the power series of exp(r), up to r^13/13!.
     const T even =
         T(1) +
         q * (T(1.0 / 2) +

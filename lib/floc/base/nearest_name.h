@@ -6,8 +6,9 @@
 
 namespace floc {
 
-/// Returns the candidate at the least Levenshtein distance from `name` (letters inserted, removed or replaced),
-/// the first of several; empty without candidates. Used in messages about unknown names.
+/// Returns the candidate that is most similar to `name`, for messages about unknown names. Similarity is measured by
+/// the Levenshtein distance: the number of letters to insert, remove or replace. Returns the first of several equally
+/// similar candidates, and an empty text if there are no candidates.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace floc

@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// A list of strings kept one after the other in one piece of memory: a table may have millions of cells.
+/// A list of strings that are stored one after the other in a single block of memory. It saves memory for tables with
+/// millions of cells.
 class PackedStrings {
  public:
   std::size_t size() const { return ends_.size(); }
@@ -17,7 +18,7 @@ class PackedStrings {
     ends_.push_back(characters_.size());
   }
 
-  /// Valid until the next push_back().
+  /// Returns string number k. The returned view is valid until the next push_back().
   std::string_view operator[](std::size_t k) const {
     const std::size_t begin = k == 0 ? 0 : ends_[k - 1];
     return std::string_view(characters_).substr(begin, ends_[k] - begin);

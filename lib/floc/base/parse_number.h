@@ -18,8 +18,8 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-/// Returns the number that `text` represents, apart from white space around it, independent of the locale;
-/// nothing if the text is not a number, or is a real number that is not finite.
+/// Returns the number that `text` represents, independent of the locale; white space around the number is ignored.
+/// Returns std::nullopt if the text is not a number, or if it is an infinite or undefined real number.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   text = trimmed(text);
@@ -33,7 +33,8 @@ std::optional<T> parse_number(std::string_view text) {
   return value;
 }
 
-/// Returns the integer that equals a real number; nothing if the number has a fraction or does not fit.
+/// Returns the integer that equals a real number, or std::nullopt if the number has a fraction or does not fit into 64
+/// bits.
 inline std::optional<std::int64_t> whole_number(double value) {
   constexpr double kBeyond = 9223372036854775808.0;  // 2^63
   if (!(value >= -kBeyond && value < kBeyond) || value != std::floor(value)) return std::nullopt;

@@ -6,12 +6,13 @@
 
 namespace floc {
 
-/// Seeded stream of random numbers whose whole state is one 64-bit integer, so that it fits in a saved state.
-/// Generator: SplitMix64 (Steele, Lea, Flood, OOPSLA 2014); conversions are written out because those of the
-/// standard library differ between implementations and results have to be reproducible.
+/// Seeded stream of random numbers whose whole state is one 64-bit integer, so that it fits in a saved state of a
+/// packing. The generator is SplitMix64 (Steele, Lea, Flood, OOPSLA 2014). Conversions to real numbers are written out
+/// here, because the conversions of the standard library differ between implementations and results have to be
+/// reproducible.
 class RandomStream {
  public:
-  /// Streams of one seed with different purposes are independent.
+  /// Starts a stream of random numbers. Streams of one seed with different values of `purpose` are independent.
   RandomStream(std::uint64_t seed, std::uint64_t purpose) : state_(seed) {
     state_ = next() ^ (purpose * 0xd1342543de82ef95ULL);
     next();
@@ -27,18 +28,19 @@ class RandomStream {
     return z ^ (z >> 31);
   }
 
-  /// Uniform in [0, 1), 53 random bits.
+  /// Returns a uniformly distributed random number in [0, 1) with 53 random bits.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1.0p-53; }
 
-  /// Uniform in [low, high).
+  /// Returns a uniformly distributed random number in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// Uniform integer in [0, n), n > 0; the bias for n < 2^32 is below 2^-32.
+  /// Returns a uniformly distributed random integer in [0, n). The bias is below 2^-32 for n < 2^32. @pre n > 0
   std::uint64_t below(std::uint64_t n) {
     return static_cast<std::uint64_t>(uniform() * static_cast<double>(n));
   }
 
-  /// Standard normal deviate (Box-Muller, one of the pair).
+  /// Returns a normally distributed random number with mean 0 and standard deviation 1 (the first number of a
+  /// Box-Muller pair).
   double normal() {
     const double u = 1.0 - uniform();
     const double v = uniform();

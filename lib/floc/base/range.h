@@ -7,14 +7,14 @@
 
 namespace floc {
 
-/// Range of the numbers that an argument accepts. Infinities and NaN are in no range.
+/// Range of the real numbers that an argument accepts. Infinities and NaN are outside of every range.
 struct NumberRange {
   double least = -std::numeric_limits<double>::max();
   double most = std::numeric_limits<double>::max();
-  bool without_least = false;  ///< `least` itself is too small
+  bool without_least = false;  ///< whether `least` itself is outside of the range
 
   bool holds(double x) const { return (without_least ? x > least : x >= least) && x <= most; }
-  /// "a positive number", "a number from 4 to 1000"
+  /// Returns the range in words, for example "a positive number" or "a number from 4 to 1000".
   std::string words() const;
 };
 
@@ -28,22 +28,24 @@ struct WholeRange {
   std::int64_t most;
 
   bool holds(std::int64_t x) const { return x >= least && x <= most; }
-  /// "a whole number from 2 to 100"
+  /// Returns the range in words, for example "a whole number from 2 to 100".
   std::string words() const;
 };
 
 inline constexpr WholeRange kPositiveWhole{.least = 1, .most = std::numeric_limits<std::int64_t>::max()};
 inline constexpr WholeRange kNotNegativeWhole{.least = 0, .most = std::numeric_limits<std::int64_t>::max()};
 
-/// Returns "NAME = VALUE: expected ...", or an empty string for a value in its range.
+/// Returns the message "NAME = VALUE: expected RANGE" for a value outside of its range, otherwise an empty string.
 std::string range_fault(const std::string& name, double value, const NumberRange& range);
 std::string range_fault(const std::string& name, std::int64_t value, const WholeRange& range);
 
-/// Checks that a value is in its range. @throws InputError with the fault, where there is one
+/// Checks that a value is in its range.
+/// @throws InputError with the message of range_fault() if it is not
 void require_in_range(const std::string& name, double value, const NumberRange& range);
 void require_in_range(const std::string& name, std::int64_t value, const WholeRange& range);
-/// Checks that options have no faults. @param faults  faults as listed by the validate() of the options
-/// @throws InputError with all faults, if there are any
+/// Checks that options have no faults.
+/// @param faults  messages about the faults, as returned by the function validate() of the options
+/// @throws InputError with all messages, if there are any
 void refuse_faults(const std::vector<std::string>& faults);
 
 }  // namespace floc

@@ -16,9 +16,10 @@ constexpr std::size_t kPiece = 1 << 16;
 void read_all(const std::string& place, std::FILE* file, const std::function<void(std::string_view)>& take) {
   std::vector<char> buffer(kPiece);
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) take({buffer.data(), n});
-  // A directory opens, and fails only when it is read.
+  // Opening a directory succeeds; only reading it fails.
   if (std::ferror(file))
-    throw InputError(place, errno == EISDIR ? "is a directory, expected a file" : std::strerror(errno));
+    throw InputError(place,
+                     errno == EISDIR ? "this is a directory, but a file is expected" : std::strerror(errno));
 }
 
 }  // namespace

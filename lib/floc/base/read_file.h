@@ -6,12 +6,13 @@
 
 namespace floc {
 
-/// Returns the whole content of a file, or of stdin for "-".
-/// @throws InputError with the message of the system if it is missing or cannot be read
+/// Returns the whole content of a file, or of the standard input if the path is "-".
+/// @throws InputError with the error message of the operating system if the file is missing or cannot be read
 std::string read_file(const std::string& path);
 
-/// Passes the content of a file to `take` piece by piece, for content that is not needed in memory as a whole.
-/// @throws InputError as read_file()
+/// Passes the content of a file to `take` piece by piece, so that the file need not fit into memory.
+/// @param path  the file, or "-" for the standard input
+/// @throws InputError if the file is missing or cannot be read
 void read_pieces(const std::string& path, const std::function<void(std::string_view)>& take);
 
 }  // namespace floc

@@ -5,22 +5,23 @@
 
 namespace floc {
 
-/// Returns the text of a file in UTF-8, or of stdin for "-", without the byte order mark that some editors put
-/// before it.
-/// @throws InputError if the file cannot be read, or as require_text()
+/// Returns the text of a file in UTF-8, or of the standard input if the path is "-". The byte order mark that some
+/// editors put at the beginning of a file is removed.
+/// @throws InputError if the file cannot be read, or if require_text() rejects its encoding or its line ends
 std::string read_text(const std::string& path);
 
-/// Checks the encoding and the ends of lines of a text, for readers that take a file piece by piece.
+/// Checks the encoding and the line ends of a text, for functions that read a file piece by piece.
 ///
-/// @param beginning  of the text, its first line at least
-/// @throws InputError if it is in UTF-16 or UTF-32, or its lines end in carriage returns alone
+/// @param place  name of the file, for messages
+/// @param beginning  the beginning of the text, with at least its first line
+/// @throws InputError if the text is in UTF-16 or UTF-32, or if its lines end in carriage returns alone
 void require_text(const std::string& place, std::string_view beginning);
 
-/// Returns `text` without the byte order mark of UTF-8.
+/// Returns `text` without the byte order mark of UTF-8 at its beginning, if it has one.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// Returns advice for a message about `text`, which is not a number: the change to make if the reason is a
-/// decimal comma, otherwise an empty string.
+/// Returns advice for a message about a text that is not a number. If its only fault is a comma in place of the decimal
+/// point, the advice says so; otherwise it is an empty string.
 std::string decimal_comma_hint(std::string_view text);
 
 }  // namespace floc

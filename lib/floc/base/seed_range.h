@@ -8,13 +8,14 @@
 
 namespace floc {
 
-/// Seeds of the samples of an ensemble, both ends included.
+/// Range of the seeds of the samples of an ensemble. Both ends are included.
 struct SeedRange {
   std::uint64_t first;
   std::uint64_t last;
 };
 
-/// Returns the range written as "A..B", two whole numbers with A <= B; nothing for any other text.
+/// Returns the range that a text "A..B" describes, where A and B are whole numbers with A <= B. Returns std::nullopt
+/// for any other text.
 inline std::optional<SeedRange> seed_range_of(std::string_view text) {
   const auto dots = text.find("..");
   if (dots == std::string_view::npos) return std::nullopt;

@@ -11,7 +11,8 @@ namespace {
 
 using Words = std::array<std::uint32_t, 8>;
 
-/// First 32 bits of the fractional parts of the cube roots of the first 64 primes (FIPS 180-4, 4.2.2).
+/// Round constants of SHA-256: the first 32 bits of the fractional parts of the cube roots of the first 64 primes (FIPS
+/// 180-4, section 4.2.2).
 constexpr std::array<std::uint32_t, 64> kRound = {
     0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
     0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
@@ -22,7 +23,7 @@ constexpr std::array<std::uint32_t, 64> kRound = {
     0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
     0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
-/// One block of 64 bytes (6.2.2).
+/// Updates the hash value with one block of 64 bytes (FIPS 180-4, section 6.2.2).
 void absorb(Words& hash, const unsigned char* block) {
   std::array<std::uint32_t, 64> w;
   for (int t = 0; t < 16; ++t)
@@ -47,7 +48,8 @@ void absorb(Words& hash, const unsigned char* block) {
 
 }  // namespace
 
-/// The first value is 5.3.3's: 32 bits of the fractional parts of the square roots of the first 8 primes.
+/// Adds bytes to the text whose hash is computed. The initial hash value is that of FIPS 180-4, section 5.3.3: the
+/// first 32 bits of the fractional parts of the square roots of the first 8 primes.
 void Sha256::update(std::string_view bytes) {
   std::size_t held = n_bytes_ % rest_.size();
   n_bytes_ += bytes.size();
@@ -65,7 +67,8 @@ void Sha256::update(std::string_view bytes) {
   }
 }
 
-/// A one bit, zeros, and the length in bits complete the last block (5.1.1).
+/// Completes the last block and returns the digest. The block is completed by a one bit, zeros, and the length of the
+/// message in bits (FIPS 180-4, section 5.1.1).
 std::string Sha256::digits() {
   const std::uint64_t n_bits = n_bytes_ * 8;
   std::string padding(1, '\x80');

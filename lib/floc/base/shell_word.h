@@ -4,10 +4,11 @@
 
 namespace floc {
 
-/// Returns a text as one argument of a shell, in single quotes.
+/// Returns a text in single quotes, so that a shell reads it as one argument.
 std::string shell_quoted(const std::string& text);
 
-/// Returns a text as one argument of a shell, quoted only if the shell would not take it as it is.
+/// Returns a text in the form in which a shell reads it as one argument. It is put in single quotes only if it contains
+/// characters that the shell would interpret.
 std::string shell_word(const std::string& text);
 
 }  // namespace floc

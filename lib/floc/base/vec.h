@@ -12,15 +12,15 @@ using Vec = Eigen::Matrix<T, Dim, 1>;
 template <int Dim, class T = double>
 using Mat = Eigen::Matrix<T, Dim, Dim>;
 
-/// Number of independent rotations: 1 in 2D (about the normal of the plane), 3 in 3D.
+/// Number of independent rotations of a grain: 1 in 2D (about the normal of the plane), 3 in 3D.
 template <int Dim>
 inline constexpr int kRotations = Dim*(Dim - 1) / 2;
 
-/// Degrees of freedom of one grain: translations, then rotations.
+/// Number of degrees of freedom of one grain. They are ordered as translations, then rotations.
 template <int Dim>
 inline constexpr int kDofs = Dim + kRotations<Dim>;
 
-/// Components of an angular velocity, of a moment or of a small rotation.
+/// Vector of the components of an angular velocity, of a moment or of a small rotation.
 template <int Dim, class T = double>
 using RotationVector = Eigen::Matrix<T, kRotations<Dim>, 1>;
 

@@ -7,10 +7,10 @@ namespace floc {
 /// Returns the version of the program, "major.minor.patch".
 std::string version();
 
-/// Returns the git commit that the program was built from, or "unknown" outside a checkout.
+/// Returns the git commit from which the program was built, or "unknown" if it was built outside of a git checkout.
 std::string commit();
 
-/// Returns the compiler and its version, as written into the provenance of every state.
+/// Returns the name and version of the compiler that built the program. They are written into every state file.
 std::string compiler();
 
 }  // namespace floc

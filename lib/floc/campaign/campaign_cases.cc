@@ -10,11 +10,11 @@
 namespace floc {
 namespace {
 
-/// Label of a case without changes of the scene.
+/// Label of a case that does not change the scene.
 constexpr const char* kNoChange = "base";
 
-/// Converts a text to a part of the name of a directory: any character other than letters, digits and "+-._" becomes
-/// a hyphen.
+/// Converts a text to a part of the name of a directory: characters other than letters, digits and "+-._" become
+/// hyphens.
 std::string as_name(const std::string& text) {
   std::string name;
   for (const char c : text) {
@@ -29,7 +29,8 @@ std::string as_name(const std::string& text) {
   return name;
 }
 
-/// Returns the last parts of a key, as many as distinguish it from the other keys of the campaign.
+/// Returns the last components of a key, such as `coefficient` of `contact.friction.coefficient`: as many as
+/// distinguish it from the other keys of the campaign.
 std::string short_key(const std::string& key, const std::vector<std::string>& keys) {
   for (std::size_t dot = key.rfind('.'); dot != std::string::npos && dot > 0; dot = key.rfind('.', dot - 1)) {
     const std::string end = key.substr(dot);

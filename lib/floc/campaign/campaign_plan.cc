@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Relative difference up to which a given pressure selects one of a path; it may be rounded to two digits.
+/// Largest relative difference between a pressure that the campaign file selects and the pressure of a state. Pressures
+/// in the file may thus be rounded to two digits.
 constexpr double kSamePressure = 0.01;
 
 std::vector<std::string> overrides_of(const CampaignCase& one) {
@@ -31,14 +32,15 @@ std::vector<std::string> overrides_of(const CampaignCase& one) {
   return texts;
 }
 
-/// Returns the line that a fault of a scene refers to: that of the change that it names, otherwise that of the case.
+/// Returns the place in the campaign file that an error of a scene refers to: the place of the change that the message
+/// names or, if it names no change, the place of the case.
 std::string blamed_place(const CampaignCase& one, const std::string& fault) {
   for (const SceneChange& change : one.changes)
     if (fault.find("--set " + change.text()) != std::string::npos) return change.place;
   return one.place;
 }
 
-/// Returns the reduced pressure of a packing with the law of an equilibrium.
+/// Returns the reduced pressure of a planned equilibrium, for the contact law and the largest grain of the scene.
 template <int Dim>
 double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibrium) {
   Packing<Dim> largest;
@@ -72,7 +74,7 @@ bool same_value(const std::string& a, const std::string& b) {
   return x && y ? *x == *y : a == b;
 }
 
-/// Returns the number of the state with a pressure.
+/// Returns the number of the state of a case with a given reduced pressure.
 int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   int best = -1;
   double smallest = kSamePressure;
@@ -90,7 +92,7 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
   const std::string where = choice.branch.empty() ? "" : fmt::format(" of branch {}", choice.branch);
   throw InputError(choice.place,
                    there.empty()
-                       ? fmt::format("branch = {}: case {} has no state{} with a pressure on all axes",
+                       ? fmt::format("branch = {}: case {} has no state{} with equal pressures on all axes",
                                      choice.branch, one.label, where)
                        : fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}",
                                      P_star, one.label, where, fmt::join(there, ", ")));
@@ -133,19 +135,20 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
   for (const CampaignCase& one : campaign.cases) {
     const Scene scene = scene_of(campaign, one);
     if (!scene.is_random() && campaign.seeds.size() > 1)
-      throw InputError(one.place,
-                       fmt::format("case {}: all samples would be the same: the scene starts from a state at "
-                                   "rest; expected assembly.agitation, or one seed",
-                                   one.label));
+      throw InputError(
+          one.place,
+          fmt::format("case {}: all seeds would give the same sample, because the scene starts from a state at "
+                      "rest: expected the key assembly.agitation in the scene, or a single seed",
+                      one.label));
     CasePlan& plan = plans.emplace_back();
     plan.states = states_of(scene);
     plan.threads = useful_threads(scene.grains.count, scene.dimension, scene.relaxation.threads);
     plan.cost = expected_cost(scene);
-    // Choosing the states here reports a missing one before any run begins.
+    // The states are chosen here, so that a missing state is reported before any run begins.
     for (const Collection& c : campaign.collections) {
       (void)chosen_states(c.states, one, plan);
       if (c.table == "compare" && chosen_states(c.before, one, plan).size() != 1)
-        throw InputError(c.before.place, "before: expected one state");
+        throw InputError(c.before.place, "before: expected a choice of one state");
     }
   }
   for (const Reference& r : campaign.references) {
@@ -154,10 +157,12 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
       if (!is_meant(r, campaign.cases[k])) continue;
       meant = true;
       if (r.fit.empty() && chosen_states(r.state, campaign.cases[k], plans[k]).size() != 1)
-        throw InputError(r.state.place, "state: expected one state");
+        throw InputError(r.state.place, "state: expected a choice of one state");
     }
-    // A reference that applies to no case is an error: it would never be compared.
-    if (!meant) throw InputError(r.place, "when: expected values that a case of this campaign has");
+    // A reference that applies to no case is an error, because nothing would be compared with it.
+    if (!meant)
+      throw InputError(
+          r.place, "when: no case of this campaign has these values: expected the values of at least one case");
   }
   return plans;
 }

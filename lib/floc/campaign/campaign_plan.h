@@ -9,42 +9,46 @@
 
 namespace floc {
 
-/// One equilibrium that a run of a case makes.
+/// A state of equilibrium that each run of a case will make.
 struct PlannedState {
   std::string branch;
-  std::optional<double> P_star;  ///< reduced pressure; none if axes are loaded differently
+  std::optional<double> P_star;  ///< reduced pressure; absent unless all axes have equal pressures
 };
 
-/// Plan of the runs of one case: their states, threads and cost.
+/// Plan of the runs of one case: their states, number of threads and cost.
 struct CasePlan {
   std::vector<PlannedState> states;
   int threads = 1;
-  double cost = 0.0;  ///< expected cost of a run: seconds on one core, to a factor of two
+  double cost = 0.0;  ///< expected processor time of a run (s, on one core), to within a factor of two
 };
 
-/// One run: a case with a seed.
+/// A run of a campaign: a case with a seed.
 struct CampaignRun {
-  int case_number = 0;  ///< from 0
+  int case_number = 0;  ///< number of the case, counted from 0
   std::uint64_t seed = 0;
-  std::string directory;  ///< below the directory of the campaign: runs/LABEL/seed-N
+  /// Directory of the run, relative to the directory of the campaign: runs/LABEL/seed-N.
+  std::string directory;
 };
 
-/// Plans each case of a campaign, and checks that it reaches the states that are collected and compared.
-/// @throws InputError naming the line of the campaign for a case that is not a valid scene, for several seeds if all
-/// of them make the same sample, or for states that a case does not have
+/// Plans the runs of each case of a campaign, and checks that each case has the states that the campaign collects and
+/// compares.
+/// @throws InputError naming the line of the campaign file, if a case is not a valid scene, if there are several seeds
+/// but all of them make equal samples, or if a case does not have a state that is collected or compared
 std::vector<CasePlan> plan_cases(const Campaign& campaign);
 
-/// Returns all runs, case by case; the seed changes first.
+/// Returns all runs of a campaign, ordered by case and then by seed.
 std::vector<CampaignRun> runs_of(const Campaign& campaign);
 
-/// Returns the numbers of the chosen states, ascending.
-/// @throws InputError naming the line of the campaign and the existing states if a chosen one does not exist
+/// Returns the numbers of the states of a case that `choice` selects, in ascending order.
+/// @throws InputError naming the line of the campaign file and the states of the case, if a selected state does not
+/// exist
 std::vector<int> chosen_states(const StateChoice& choice, const CampaignCase& one, const CasePlan& plan);
 
-/// Whether a reference applies to this case: whether the keys of the reference have the values of the case.
+/// Returns whether a reference applies to a case: all keys in `when` of the reference have the same values in the case.
 bool is_meant(const Reference& reference, const CampaignCase& one);
 
-/// Returns the text of the scene for use in another directory: paths relative to its file are replaced by full paths.
+/// Returns the text of the scene of a campaign, for use in another directory: file names relative to the scene file are
+/// replaced by absolute names.
 std::string portable_scene(const Campaign& campaign);
 
 }  // namespace floc

@@ -10,57 +10,60 @@
 
 namespace floc {
 
-/// Outcome of a run of a campaign.
+/// Outcome of a run of a campaign: the command that failed, if any, and the time to make tables.
 struct RunOutcome {
   int exit_code = 0;
-  std::string command;   ///< command that failed; empty: none
-  std::string words;     ///< message of that command
-  double seconds = 0.0;  ///< processor time of the commands after the run
+  std::string command;   ///< floc command that failed; empty if none failed
+  std::string words;     ///< error message of that command
+  double seconds = 0.0;  ///< processor time of the commands that made tables after the run (s)
 };
 
-/// Names of the files in the directory of a run that hold its outcome: of the last attempt, and of a failed run that
-/// is to be repeated.
+/// Names of the files in the directory of a run that hold its outcome. kOutcomeFile has the outcome of the last
+/// attempt. kFailureFile has the outcome of a run that failed and is to be repeated.
 inline constexpr const char* kOutcomeFile = "outcome.csv";
 inline constexpr const char* kFailureFile = "failed.csv";
 
 Table table_of(const RunOutcome& outcome);
 
-/// Returns the outcome of the last run of a directory; none if it has not ended.
-/// @throws InputError if a file does not hold an outcome
+/// Returns the outcome of the last attempt of the run in a directory; absent if that run has not ended.
+/// @throws InputError if a file with an outcome is not valid
 std::optional<RunOutcome> outcome_of(const std::string& directory);
 
-/// Whether a run ended without failure.
+/// Returns whether a run has ended without failure.
 bool is_done(const std::optional<RunOutcome>& outcome);
 
-/// Returns "done", "failed", or "missing" for a run that has not ended.
+/// Returns "done" or "failed", or "missing" if the run has not ended.
 const char* word_of(const std::optional<RunOutcome>& outcome);
 
-/// Returns one row per run and collected state, for the runs that succeeded: case, the keys in which cases differ,
-/// seed, step, branch, P_star, and the collected columns, empty if a column is not collected at that state.
+/// Returns a table with one row per run and collected state, of the runs that succeeded. Its columns are case, the keys
+/// in which the cases differ, seed, step, branch, P_star, and the collected columns. A cell is empty if its column is
+/// not collected at that state.
 /// @param directory  directory of the campaign
-/// @throws InputError naming a file and what it lacks
+/// @throws InputError if a file of a run is missing or does not fit the campaign; the message names it
 Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plans,
                      const std::string& directory);
 
-/// Returns one row per case, state and column of numbers: number n of samples, mean, standard error, standard
-/// deviation, lowest and highest value; then the reference, if any, and whether the means agree. They agree if they
-/// differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref), as means of the same quantity do in 99 of 100
-/// cases.
-/// @param runs  table of collected_runs()
+/// Returns a table with one row per case, state and collected column that has numbers: number n of samples, mean,
+/// standard error, standard deviation, lowest and highest value. If the campaign has a reference for this column, the
+/// row also has the reference, and whether both means agree: whether they differ by at most `allowed` = 2.6 sqrt(s^2/n
+/// + s_ref^2/n_ref). Two means of the same quantity agree in 99 of 100 cases.
+/// @param runs  table that collected_runs() returns
 Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const CsvTable& runs);
 
-/// Returns the table of fits with its columns, without rows.
+/// Returns the table of fits, with its columns but without rows.
 Table empty_fits(const Campaign& campaign);
 
-/// Adds the output of `floc fit LAW --format csv` for a case: a row per sample, and one row for all of them, which is
-/// the pooled fit if the law has one, and otherwise the mean over samples. This last row is compared with references.
+/// Adds the table that `floc fit LAW --format csv` printed for a case: one row per sample, and one row for all samples.
+/// The last row is the pooled fit if the law has one, and otherwise the mean over the samples; it is compared with the
+/// references.
 void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFit& fit, const CsvTable& printed,
              Table& table);
 
-/// Returns one row per run: its outcome and its cost (processor time of its analyses, wall time of its states; s).
+/// Returns a table with one row per run: how it ended, the wall time of its states and the processor time of its tables
+/// (s).
 Table outcomes_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const std::string& directory);
 
-/// Returns the sum of a column; cells without a number are left out.
+/// Returns the sum of the numbers in a column; cells without a number are left out.
 double sum_of(const CsvTable& table, const std::string& column);
 
 }  // namespace floc

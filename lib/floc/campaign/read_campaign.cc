@@ -20,20 +20,20 @@ namespace {
 namespace fs = std::filesystem;
 using Need = TableReader::Need;
 
-/// Largest number of samples of a case and of runs of a campaign; a larger number is probably a mistake.
+/// Largest number of samples of a case, and of runs of a campaign. A larger number is probably a mistake.
 constexpr std::uint64_t kMaxSeeds = 10'000;
 constexpr std::size_t kMaxRuns = 100'000;
 
 constexpr NumberRule kAnyNumber{[](double) { return true; }, "a finite number"};
 constexpr NumberRule kNotNegative{[](double x) { return x >= 0.0; }, "a number >= 0"};
 constexpr NumberRule kPressures{[](double x) { return x >= 0.0; },
-                                "a reduced pressure >= 0, or a list of such"};
+                                "a reduced pressure >= 0, or a list of reduced pressures"};
 constexpr NumberRule kSteps{[](double x) { return x >= 0.0 && x == std::floor(x) && x < 1e6; },
-                            "the number of a state, from 0, or a list of such"};
+                            "the number of a state, counted from 0, or a list of such numbers"};
 constexpr const char* kStates =
     "\"all\", \"last\", {step = [0, 5]} or {branch = \"load\", P_star = [0.1, 1.0]}";
 
-/// One table of the file and its reader.
+/// A table of the campaign file, with the reader of its keys.
 struct Part {
   TableReader reader;
   const toml::table& table;
@@ -53,13 +53,14 @@ bool is_list(const toml::node& node) {
   return array != nullptr && !array->empty() && std::all_of(array->begin(), array->end(), is_scalar);
 }
 
-/// A key below a table and its value; tables inside it are flattened to dotted keys.
+/// A value in a table of the campaign file. Its key is relative to that table; keys of tables inside it are joined by
+/// dots.
 struct Leaf {
   std::string key;
   const toml::node* node;
 };
 
-/// Returns the leaves of a table in the order of the file.
+/// Returns the values in a table and in the tables inside it, in the order of the file.
 std::vector<Leaf> leaves_of(const toml::table& table, const std::string& path = "") {
   std::vector<Leaf> leaves;
   for (const auto& [name, node] : table) {
@@ -83,10 +84,11 @@ void refuse(SceneSource& source, const std::string& key, const toml::node& node,
   source.fault(key, &node, fmt::format("{} = {}: expected {}", key, as_written(node), expected));
 }
 
-/// Reads changes of a scene from a table of the file.
+/// Reads the changes of a scene from a table of keys and values.
 std::vector<SceneChange> read_changes(Part& part, const std::string& key, Need need) {
   std::vector<SceneChange> changes;
-  constexpr const char* kExpected = "a table of keys of the scene, e.g. {contact.friction.coefficient = 0.3}";
+  constexpr const char* kExpected =
+      "a table of keys of the scene with their values, such as {contact.friction.coefficient = 0.3}";
   if (!part.reader.table(key, kExpected, need)) return changes;
   for (const Leaf& leaf : leaves_of(*part.get(key)->as_table())) {
     if (is_scalar(*leaf.node) || is_list(*leaf.node))
@@ -94,7 +96,7 @@ std::vector<SceneChange> read_changes(Part& part, const std::string& key, Need n
                          part.source.place_of(part.reader.path_of(key + "." + leaf.key), leaf.node)});
     else
       refuse(part.source, part.reader.path_of(key + "." + leaf.key), *leaf.node,
-             "a number, a string, true, false, or a list of such");
+             "a number, a string, true, false, or a list of such values");
   }
   return changes;
 }
@@ -105,8 +107,7 @@ std::vector<GridAxis> read_grid(TableReader& root, SceneSource& source) {
     return axes;
   for (const Leaf& leaf : leaves_of(*source.root().get("grid")->as_table())) {
     if (!is_list(*leaf.node)) {
-      refuse(source, "grid." + leaf.key, *leaf.node,
-             "a list of values of this key of the scene, numbers or strings, at least one");
+      refuse(source, "grid." + leaf.key, *leaf.node, "a list of one or more values of this key of the scene");
       continue;
     }
     GridAxis& axis = axes.emplace_back(GridAxis{leaf.key, {}, source.place_of("grid." + leaf.key, leaf.node)});
@@ -131,7 +132,7 @@ std::vector<std::uint64_t> read_seeds(Part& part) {
       for (std::uint64_t n = 0; n <= range->last - range->first; ++n) seeds.push_back(range->first + n);
     else
       refuse(part.source, part.reader.path_of("seeds"), *node,
-             fmt::format("A..B, two whole numbers, A at most B, at most {} seeds", kMaxSeeds));
+             fmt::format("A..B with two whole numbers, A not larger than B, and at most {} seeds", kMaxSeeds));
     return seeds;
   }
   constexpr NumberRule kSeed{[](double x) { return x >= 0.0 && x == std::floor(x) && x < 9e15; },
@@ -147,7 +148,7 @@ std::vector<std::uint64_t> read_seeds(Part& part) {
   return seeds;
 }
 
-/// Reads a number or a list of numbers.
+/// Reads the value of a key that is a number or a list of numbers.
 std::vector<double> one_or_more(TableReader& reader, const toml::table& table, const std::string& key,
                                 NumberRule rule) {
   const toml::node* node = table.get(key);
@@ -156,7 +157,7 @@ std::vector<double> one_or_more(TableReader& reader, const toml::table& table, c
   return value ? std::vector<double>{*value} : std::vector<double>{};
 }
 
-/// Reads a choice of states. @param otherwise  choice if the key is missing
+/// Reads a choice of states. @param otherwise  the choice that is returned if the key is missing
 StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind otherwise) {
   StateChoice choice;
   choice.kind = otherwise;
@@ -173,7 +174,7 @@ StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind ot
   TableReader states = part.reader.table(key, kStates, Need::optional);
   if (!states) return choice;
   const toml::table& table = *node->as_table();
-  // States are chosen by step or by pressure; both or neither would be ambiguous.
+  // States are chosen either by step or by pressure. A table with both keys, or with neither, is an error.
   if (table.contains("step") == table.contains("P_star")) {
     part.reader.fault(key, fmt::format("{}: expected {}", part.reader.path_of(key), kStates));
     return choice;
@@ -193,18 +194,17 @@ Collection read_collection(Part& part) {
   collection.place = part.place();
   const std::vector<std::string> tables = {"path", "moduli", "network", "structure", "compare"};
   if (const auto which = part.reader.choice("table", tables)) collection.table = tables[*which];
-  collection.columns =
-      part.reader.texts("columns", "a list of columns of that table, such as [\"phi\", \"z\"]");
+  collection.columns = part.reader.texts("columns", "a list of columns of the table, such as [\"phi\", \"z\"]");
   if (!part.reader.has("columns"))
-    part.reader.fault("columns", fmt::format("{} is missing: expected a list of columns of that table",
+    part.reader.fault("columns", fmt::format("{} is missing: expected a list of columns of the table",
                                              part.reader.path_of("columns")));
   if (collection.table == "path")
     part.reader.refuse("options",
                        part.reader.path_of("options") +
-                           " is not allowed here: floc run writes path.csv, and no options apply to it");
+                           " is not allowed with table = \"path\": floc run writes path.csv without options");
   else
-    collection.options = part.reader.texts("options", "a list of words of the command line");
-  // A comparison needs one earlier state, and by default compares the last state of the run with it.
+    collection.options = part.reader.texts("options", "a list of options and their values, each a string");
+  // A comparison needs one earlier state. By default, the last state of the run is compared with it.
   const bool compares = collection.table == "compare";
   collection.states = read_states(part, "states", compares ? StateChoice::last : StateChoice::all);
   if (compares) {
@@ -214,7 +214,7 @@ Collection read_collection(Part& part) {
                         fmt::format("{}: expected the one state to compare with, such as {{step = 1}}",
                                     part.reader.path_of("before")));
   } else {
-    part.reader.refuse("before", part.reader.path_of("before") + ": expected only with table = \"compare\"");
+    part.reader.refuse("before", part.reader.path_of("before") + " is only allowed with table = \"compare\"");
   }
   return collection;
 }
@@ -223,7 +223,7 @@ CampaignFit read_fit(Part& part) {
   CampaignFit fit;
   const std::vector<std::string> laws = {"consolidation", "elastic", "preconsolidation"};
   if (const auto which = part.reader.choice("law", laws)) fit.law = laws[*which];
-  fit.options = part.reader.texts("options", "a list of words of the command line");
+  fit.options = part.reader.texts("options", "a list of options and their values, each a string");
   return fit;
 }
 
@@ -237,18 +237,21 @@ Reference read_reference(Part& part) {
   reference.state = read_states(part, "state", StateChoice::all);
   if (reference.fit.empty() && !t.has("state"))
     t.fault("state", t.path_of("state") +
-                         " is missing: expected one state, such as \"last\" or {branch = "
-                         "\"load\", P_star = 0.1}, or fit = the law of a [[fit]]");
-  if (!reference.fit.empty()) t.refuse("state", t.path_of("state") + ": expected for a column, not for a fit");
+                         " is missing: expected one state, such as \"last\" or {branch = \"load\", P_star = "
+                         "0.1}, or instead the key fit with the law of a [[fit]]");
+  if (!reference.fit.empty())
+    t.refuse("state", t.path_of("state") + " is only allowed for a column, not for a parameter of a fit");
   reference.value = t.number("value", kAnyNumber).value_or(0.0);
   reference.deviation = t.number("error", kNotNegative, Need::optional).value_or(0.0);
-  constexpr IntegerRule kSamples{1, 1'000'000, "the number of samples that error is the standard deviation of"};
+  constexpr IntegerRule kSamples{
+      1, 1'000'000,
+      "a whole number >= 1: the number of samples of the reference, whose standard deviation is the key error"};
   reference.n_samples = static_cast<int>(t.integer("samples", kSamples, Need::optional).value_or(1));
-  reference.source = t.text("source", "where the value comes from").value_or("");
+  reference.source = t.text("source", "the source of the value, such as a publication").value_or("");
   return reference;
 }
 
-/// Reads every table of an array of tables.
+/// Reads every table of an array of tables in the campaign file.
 template <class Read>
 auto read_all(TableReader& root, SceneSource& source, const std::string& key, const char* expectation,
               Read read) {
@@ -262,7 +265,7 @@ auto read_all(TableReader& root, SceneSource& source, const std::string& key, co
   return all;
 }
 
-/// Records faults of references that name a fit, a column or a key that the campaign does not have.
+/// Records an error for each reference that names a fit, a column or a key that the campaign does not have.
 void check_references(const Campaign& campaign, SceneSource& source) {
   for (const Reference& r : campaign.references) {
     const bool is_fitted = std::any_of(campaign.fits.begin(), campaign.fits.end(),
@@ -283,7 +286,7 @@ void check_references(const Campaign& campaign, SceneSource& source) {
   }
 }
 
-/// Records a fault if a column is collected from two tables, or from one with different options.
+/// Records an error for each column that is collected from two tables, or twice from one table with different options.
 void check_collections(const Campaign& campaign, SceneSource& source) {
   for (std::size_t k = 0; k < campaign.collections.size(); ++k)
     for (std::size_t before = 0; before < k; ++before) {
@@ -291,9 +294,10 @@ void check_collections(const Campaign& campaign, SceneSource& source) {
       if (one.table == other.table && one.options == other.options && one.table != "compare") continue;
       for (const std::string& column : other.columns)
         if (std::count(one.columns.begin(), one.columns.end(), column) > 0)
-          source.fault_at(other.place, fmt::format("columns has {}, which is already collected from {} ({}): "
-                                                   "expected each column from one table, with the same options",
-                                                   column, one.table, one.place));
+          source.fault_at(other.place,
+                          fmt::format("columns has {}, which is already collected from {} ({}): expected each "
+                                      "column from one table, and always with the same options",
+                                      column, one.table, one.place));
     }
 }
 
@@ -305,15 +309,16 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
   const std::vector<std::string> overrides =
       scene.empty() ? std::vector<std::string>{} : std::vector{fmt::format("campaign.scene=\"{}\"", scene)};
   SceneSource source(read_text(path), path, overrides);
-  // Faults are collected in `source` and thrown together at the end, so that one attempt shows all of them.
+  // Errors are collected in `source` and thrown together at the end, so that the user sees all of them at once.
   TableReader root(source);
   Campaign campaign;
-  TableReader head = root.table("campaign", "a table with scene and seeds");
+  TableReader head = root.table("campaign", "a table with the keys scene and seeds");
   if (head) {
     Part part{head, *source.root().get("campaign")->as_table(), source};
     campaign.name =
         part.reader.text("name", "a string", Need::optional).value_or(fs::path(path).stem().string());
-    if (const auto name = part.reader.text("scene", "the scene file of all runs, beside this one"))
+    if (const auto name =
+            part.reader.text("scene", "the name of the scene file, relative to the campaign file"))
       campaign.scene_file = (fs::path(path).parent_path() / *name).string();
     campaign.seeds = read_seeds(part);
     if (!campaign.scene_file.empty() && !fs::is_regular_file(campaign.scene_file))
@@ -321,19 +326,20 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
     part.reader.refuse_other_keys();
   }
   const std::vector<GridAxis> grid = read_grid(root, source);
-  const auto listed = read_all(root, source, "case", "tables [[case]] with set", [](Part& part) {
-    CampaignCase one;
-    one.place = part.place();
-    one.label = part.reader.text("name", "a string", Need::optional).value_or("");
-    one.changes = read_changes(part, "set", Need::required);
-    return one;
-  });
+  const auto listed =
+      read_all(root, source, "case", "tables [[case]], each with a key named set", [](Part& part) {
+        CampaignCase one;
+        one.place = part.place();
+        one.label = part.reader.text("name", "a string", Need::optional).value_or("");
+        one.changes = read_changes(part, "set", Need::required);
+        return one;
+      });
   campaign.collections = read_all(root, source, "collect", "tables [[collect]]", read_collection);
   campaign.fits = read_all(root, source, "fit", "tables [[fit]]", read_fit);
   campaign.references = read_all(root, source, "reference", "tables [[reference]]", read_reference);
   root.refuse_other_keys();
   if (campaign.collections.empty() && campaign.fits.empty())
-    source.fault_at(path, "collects nothing: expected a [[collect]] or a [[fit]]");
+    source.fault_at(path, "collects no results: expected a [[collect]] or a [[fit]]");
   set_cases(grid, listed, path, campaign);
   check_collections(campaign, source);
   check_references(campaign, source);
@@ -341,7 +347,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
     source.fault_at(path, fmt::format("has {} cases with {} seeds: expected at most {} runs",
                                       campaign.cases.size(), campaign.seeds.size(), kMaxRuns));
   source.throw_faults();
-  // The scene itself is checked case by case, with the changes of each case, by plan_cases().
+  // plan_cases() checks the scene itself, once for each case with the changes of that case.
   campaign.scene = read_text(campaign.scene_file);
   return campaign;
 }

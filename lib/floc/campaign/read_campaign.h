@@ -6,9 +6,10 @@
 
 namespace floc {
 
-/// Reads a campaign file (TOML; keys in docs/commands/campaign.md) and the text of its scene, found beside it.
-/// @param scene  file beside it that replaces the scene that the campaign names; empty: none
-/// @throws InputError naming every fault, one line each, as "file:line: key = value: expectation"
+/// Reads a campaign file (TOML; docs/commands/campaign.md describes its keys) and the text of its scene file.
+/// @param scene  name of a scene file, relative to the campaign file, that is read instead of the file that the
+/// campaign names; empty: no replacement
+/// @throws InputError naming all errors, in lines such as "file:line: key = value: expectation"
 Campaign read_campaign(const std::string& path, const std::string& scene = "");
 
 }  // namespace floc

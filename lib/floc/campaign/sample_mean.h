@@ -9,30 +9,32 @@ namespace floc {
 struct SampleMean {
   int n = 0;
   double mean = 0.0;
-  std::optional<double> deviation;  ///< standard deviation (n - 1 in the denominator); none for one sample
-  double low = 0.0, high = 0.0;     ///< smallest and largest value
+  std::optional<double> deviation;  ///< standard deviation (n - 1 in the denominator); absent for one sample
+  double low = 0.0, high = 0.0;     ///< smallest and largest value of the samples
 
-  /// Returns deviation/sqrt(n); none without a deviation.
+  /// Returns the standard error of the mean, deviation/sqrt(n); absent for one sample.
   std::optional<double> standard_error() const;
 };
 
 SampleMean mean_of_samples(const std::vector<double>& values);
 
-/// A reference mean that another mean is compared with.
+/// A mean from another source, used as the reference of a comparison.
 struct ReferenceMean {
   int n = 1;
   double mean = 0.0;
-  double deviation = 0.0;  ///< standard deviation of its samples; for n = 1 the standard error
+  double deviation = 0.0;  ///< standard deviation of the reference samples; for n = 1 its standard error
 };
 
-/// Two means side by side.
+/// Result of the comparison of a mean with its reference.
 struct Difference {
-  double value = 0.0;             ///< mean - reference
-  std::optional<double> allowed;  ///< 2.6 sqrt(s^2/n + s_ref^2/n_ref); absent without a deviation s
-  bool agrees = false;            ///< abs(value) <= allowed
+  double value = 0.0;  ///< mean minus reference
+  /// Largest difference at which the means agree, 2.6 sqrt(s^2/n + s_ref^2/n_ref); absent without a deviation s.
+  std::optional<double> allowed;
+  bool agrees = false;  ///< whether abs(value) <= allowed
 };
 
-/// Compares two means. Normal errors exceed 2.6 standard errors in one of a hundred comparisons.
+/// Compares a mean with its reference. The difference of two means with normal errors exceeds 2.6 standard errors in
+/// one of a hundred comparisons.
 Difference difference_of(const SampleMean& mean, const ReferenceMean& reference);
 
 }  // namespace floc

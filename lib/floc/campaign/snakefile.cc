@@ -23,7 +23,8 @@ std::string python_quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Returns a text of a command, in which snakemake replaces words in braces.
+/// Returns a text as a string literal of Python for a shell command of a Snakefile. Braces are doubled, because
+/// snakemake replaces words in single braces.
 std::string command_quoted(const std::string& text) {
   std::string doubled;
   for (const char c : text) {
@@ -34,10 +35,10 @@ std::string command_quoted(const std::string& text) {
 }
 
 constexpr const char* kHead =
-    R"(# Runs of the campaign {}, written by floc campaign plan: plan again after a change of the campaign.
+    R"(# Runs of the campaign {}, written by floc campaign plan. Run that command again if the campaign changes.
 #
-#   snakemake --cores 4      makes tables and index.html, and goes on where it was stopped
-#   snakemake --unlock       after snakemake itself was killed; then with --rerun-incomplete
+#   snakemake --cores 4      makes the tables and index.html; after an interruption, continues the runs
+#   snakemake --unlock       is needed after snakemake itself was killed; then run snakemake --rerun-incomplete
 
 FLOC = config.get("floc", {})
 OUTCOMES = [
@@ -45,7 +46,7 @@ OUTCOMES = [
 
 localrules: all, page, table_runs, table_means, table_fits, table_outcomes
 
-# Lists the runs that failed, if any, and fails then; the next snakemake makes them again.
+# Lists the runs that failed. If there are any, this rule fails, and the next call of snakemake repeats these runs.
 rule all:
     input: "index.html", OUTCOMES
     output: "complete"
@@ -77,7 +78,7 @@ rule table_outcomes:
     shell: "{{FLOC}} campaign collect . --table outcomes --format csv > {{output}}"
 )";
 
-/// Returns the command that makes the table of a collection, in the directory of a run.
+/// Returns the floc command that prints the table of a collection. The command is run in the directory of a run.
 std::string command_of(const Collection& collection, const CampaignCase& one, const CasePlan& plan) {
   const auto file = [](int step) { return fmt::format(" state-{:04}.h5", step); };
   std::string command = collection.table;
@@ -87,8 +88,9 @@ std::string command_of(const Collection& collection, const CampaignCase& one, co
   return command;
 }
 
-/// Returns the commands after a run, such as "1-moduli.csv: moduli state-0003.h5". For compare, which takes two
-/// states, there is one command per state.
+/// Returns the values of the option `--table` of `floc campaign run` for a collection, such as "1-moduli.csv: moduli
+/// state-0003.h5": the file of a table and the floc command that prints it. For the table compare, there is one value
+/// per state, because floc compare reads two states.
 std::vector<std::string> commands_of(const Campaign& campaign, int number, const CampaignCase& one,
                                      const CasePlan& plan) {
   Collection collection = campaign.collections[static_cast<std::size_t>(number)];

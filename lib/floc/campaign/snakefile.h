@@ -7,14 +7,14 @@
 
 namespace floc {
 
-/// Returns the Snakefile of a campaign: a rule per run, one per derived table, and one for the page. It calls only
-/// `program`.
-/// @param program  path of floc; `snakemake --config floc=PATH` replaces it
+/// Returns the Snakefile of a campaign: one rule per run, one rule per table of results, and one rule for the html
+/// page. All rules call only `program`.
+/// @param program  path of the floc executable; the option `--config floc=PATH` of snakemake replaces it
 std::string snakefile_of(const Campaign& campaign, const std::vector<CasePlan>& plans,
                          const std::string& program);
 
-/// Returns the name of the table that a collection makes in the directory of a run, such as "1-moduli.csv". @param
-/// number  number of the collection, from 0
+/// Returns the name of the file with the table of a collection, in the directory of a run, such as "1-moduli.csv".
+/// @param number  number of the collection, counted from 0
 std::string collected_file(const Campaign& campaign, int number);
 
 }  // namespace floc

@@ -5,57 +5,59 @@
 namespace floc {
 namespace {
 
-/// Doubled braces are those of TOML.
+/// Text of a campaign file, with {0} for its name and {1} for its scene file. It is a format string, so the braces of
+/// TOML are doubled.
 constexpr const char* kText =
-    R"TOML(# A campaign to change: `floc campaign check` lists every fault, the runs and what they cost. Then
+    R"TOML(# A campaign to start from. `floc campaign check` lists errors, runs and expected cost. The commands
 #
 #   floc campaign plan {0}.toml -o {0}
 #   cd {0} && snakemake --cores 4
 #
-# makes tables (runs.csv, means.csv, fits.csv, outcomes.csv) and a page (index.html).
+# make its runs, tables (runs.csv, means.csv, fits.csv, outcomes.csv) and an html page (index.html).
 
 [campaign]
 name = "{0}"
-scene = "{1}"                       # of all runs; keys below are changed in it as by floc run --set
-seeds = "1..3"                      # samples of every case; or a list, [1, 2, 5]
+scene = "{1}"                       # scene file of all runs; each case below changes keys of it
+seeds = "1..3"                      # seeds, each of which gives a sample of every case; or a list, [1, 2, 5]
 
-[grid]                              # every combination of these values is a case
+[grid]                              # keys of the scene; every combination of these values is a case
 contact.friction.coefficient = [0.3, 0.5]
 # contact.rolling.coefficient = [0.0, 0.005]
 
-# Cases can be listed instead, or besides: each is combined with the grid.
+# Cases can also be listed; each listed case is combined with all values of the grid.
 # [[case]]
-# name = "soft"                     # of its directory and curve; left out, its values are
+# name = "soft"                     # name of its directory and its curve; if left out, made of its values
 # set = {{contact.normal.stiffness = 1e4, contact.friction.stiffness = 1e4}}
 
-[[collect]]                         # columns of path.csv at all states: curves on the page
+[[collect]]                         # columns of path.csv at all states, drawn as curves on the page
 table = "path"
 columns = ["phi", "z"]
 
-[[collect]]                         # of floc moduli, network or structure: floc help columns lists them
+[[collect]]                         # columns of floc moduli, network or structure; floc help columns lists them
 table = "moduli"
 columns = ["B", "G"]
 states = {{branch = "load", P_star = [0.1, 1.334, 13.33]}}    # or "all", "last", {{step = [0, 5]}}
-# options = ["--strains", "full"]   # of the command
+# options = ["--strains", "full"]   # options of the command, here floc moduli
 
-[[collect]]                         # of floc compare: what became of one state in the others
+[[collect]]                         # columns of floc compare: changes from the state `before` to the other states
 table = "compare"
 columns = ["kept_share"]
 before = {{step = 1}}
 states = {{branch = "load", P_star = 13.33}}
 
-[[fit]]                             # of the samples of each case, and pooled: consolidation, elastic, preconsolidation
+[[fit]]                             # fit to the samples of each case: consolidation, elastic or preconsolidation
 law = "consolidation"
 # options = ["--law", "log"]
 
-# Values to compare with: means agree where they differ by at most 2.6 sqrt(s^2/n + error^2/samples).
+# A reference value. A mean of n samples with standard deviation s agrees with it if they differ by at most
+# 2.6 sqrt(s^2/n + error^2/samples).
 # [[reference]]
-# of = "phi"                        # a column collected, or a parameter with fit = "consolidation"
-# when = {{contact.friction.coefficient = 0.5}}               # left out: in all cases
+# of = "phi"                        # a collected column, or (with fit = "consolidation") a parameter of the fit
+# when = {{contact.friction.coefficient = 0.5}}               # cases to compare; if left out, all
 # state = {{branch = "load", P_star = 13.33}}
 # value = 0.772
-# error = 0.004                     # standard deviation between so many samples; of one: the standard error
-# samples = 4
+# error = 0.004                     # standard deviation of the reference samples; for a single one its standard error
+# samples = 4                       # number of reference samples
 # source = "Gilabert, Roux, Castellanos, PRE 78, 031305 (2008)"
 )TOML";
 

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Returns the text of a commented campaign to start from.
-/// @param name   name of the campaign: letters, digits, '.', '_' and '-' only
-/// @param scene  file of its scene, relative to that of the campaign
+/// Returns the text of a campaign file with comments, from which a user can start.
+/// @param name  name of the campaign: letters, digits, '.', '_' and '-' only
+/// @param scene  name of the scene file, relative to the campaign file
 std::string starting_campaign(const std::string& name, const std::string& scene);
 
 }  // namespace floc

@@ -2,8 +2,9 @@
 
 namespace floc {
 
-/// Marks a slot that a law leaves empty. Each slot has a tag of its own: two empty members of the same type
-/// could not share an address, and would cost bytes.
+/// Placeholder for the model of an empty slot of a contact law, for example of a law without friction. Each
+/// slot has a different tag, because two empty members of the same type cannot share an address and would take
+/// memory.
 template <int Tag>
 struct Absent {
   bool operator==(const Absent&) const = default;

@@ -7,9 +7,10 @@
 
 namespace floc {
 
-/// Shortens a spring to a length of at most `limit` >= 0 and keeps its direction. The history is the spring and
-/// not its force: when the cap drops, the spring is shortened with it and does not recover. One component is
-/// clamped; several are scaled together (the circular Coulomb cone).
+/// Shortens a spring to a length of at most `limit` >= 0 and keeps its direction. The history of a contact
+/// stores the elongation of the spring and not its force: when the limit drops, the spring is shortened and
+/// does not recover. A spring with one component is clamped; the components of a vector are scaled together
+/// (circular Coulomb cone).
 template <class V, class T>
 inline V capped(const V& spring, const T& limit) {
   if constexpr (V::RowsAtCompileTime == 1) {
@@ -23,10 +24,11 @@ inline V capped(const V& spring, const T& limit) {
   }
 }
 
-/// Updates an incremental spring whose force is capped at coefficient * FNe, with FNe the ELASTIC part of the
+/// Updates an incremental spring whose force is capped at `coefficient` times the elastic part FNe of the
 /// normal force. Friction and the resistances to rolling and twisting share this rule.
-/// @param history  the spring, updated
-/// @return its force
+/// @param elastic  FNe (force)
+/// @param history  elongation of the spring, updated
+/// @return force of the spring
 template <class V, class T>
 inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment,
                         T* history) {
@@ -35,8 +37,8 @@ inline V respond_capped(double coefficient, double stiffness, const T& elastic, 
   return T(stiffness) * spring;
 }
 
-/// Whether a spring of respond_capped() is at its cap, to a relative tolerance: it slides as soon as the
-/// displacement grows.
+/// Returns whether the force of a spring has reached its cap (respond_capped()), to a relative tolerance. The
+/// spring then slides as soon as the displacement grows.
 template <class V>
 inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* history,
                                 double tolerance) {

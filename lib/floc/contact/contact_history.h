@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Size of the history that a model keeps per contact, in `dim` dimensions (numbers).
+/// Returns the count of numbers that a model of a contact law stores per contact, in `dim` dimensions.
 template <class Model>
 constexpr int history_size(int dim) {
   int n = 0;
@@ -13,12 +13,13 @@ constexpr int history_size(int dim) {
   return n;
 }
 
-/// Packed history of a contact under one law. Slots without history take no space.
+/// History of a contact under one contact law: the numbers stored by the models of the law, packed without
+/// gaps.
 template <int Size, class T = double>
 struct PackedHistory {
   T value[Size];
 
-  /// History of a new contact: all springs at rest.
+  /// Creates the history of a new contact, in which all springs have zero elongation.
   PackedHistory() {
     for (T& v : value) v = T(0);
   }

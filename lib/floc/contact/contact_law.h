@@ -20,38 +20,43 @@ namespace floc {
 /// Relative motion of the two surfaces of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
-  PairGeometry<T> pair;  ///< geometry at the end of the motion
-  T gap_rate;            ///< dh/dt (length/time)
-  T damping;             ///< damping coefficient of the pair (damping_coefficient())
-  Shear<Dim, T> slip;    ///< tangential displacement of j against i since the history was last updated
-  /// Rolling of i against j since the history was last updated (radians), see rolling_part().
+  PairGeometry<T> pair;  ///< geometry of the pair at the end of the motion
+  T gap_rate;            ///< rate of change dh/dt of the gap (length/time)
+  T damping;             ///< damping coefficient of the pair, from damping_coefficient()
+  /// Tangential displacement of grain j relative to grain i since the history was last updated (length).
+  Shear<Dim, T> slip;
+  /// Rolling rotation of grain i relative to grain j since the history was last updated (radians), see
+  /// rolling_part().
   RotationVector<Dim, T> relative_rotation;
-  /// For spheres, rotation of i against j about the normal since the history was last updated (radians).
+  /// For spheres, rotation of grain i relative to grain j about the normal since the history was last updated
+  /// (radians).
   T twist = T(0);
 };
 
-/// Forces of a contact on its grains. The forces on j are +normal along n and -shear, those on i the opposite.
-/// The moments on i are -rolling and -twisting n, besides the moment of the shear force; those on j are
-/// +rolling and +twisting n, besides the moment of the shear force.
+/// Forces and moments of a contact on its grains i and j. The forces on j are +normal along the normal n and
+/// -shear; the forces on i are opposite. In addition to the moments of the shear force, the contact exerts the
+/// moments -rolling and -twisting n on i, and +rolling and +twisting n on j.
 template <int Dim, class T = double>
 struct ContactForces {
-  NormalResponse<T> normal;        ///< static normal response
-  T viscous;                       ///< dashpot force, compression positive; not part of the static force
-  Shear<Dim, T> shear;             ///< tangential force on i, in the contact's frame (force)
-  RotationVector<Dim, T> rolling;  ///< moment on j (force * length)
-  T twisting = T(0);               ///< for spheres, moment on j about n (force * length)
+  NormalResponse<T> normal;  ///< static normal force, its two parts and its stiffnesses
+  /// Force of the dashpot (force), positive in compression; it is not part of the static force.
+  T viscous;
+  Shear<Dim, T> shear;             ///< tangential force on grain i, in the frame of the contact (force)
+  RotationVector<Dim, T> rolling;  ///< rolling moment on grain j (force * length)
+  T twisting = T(0);               ///< for spheres, twisting moment on grain j about n (force * length)
 };
 
-/// Stiffnesses of one contact for the network: along the normal, across it, and against rolling and
-/// twisting.
+/// Stiffnesses of one contact in the elastic network of contacts: normal, tangential, rolling and twisting.
 struct ContactStiffness {
-  double normal;          ///< K_N of small reversible motions, or -F0/D0 of a distant attraction (force/length)
-  double tangential;      ///< K_T (force/length), 0 when the surfaces do not touch
-  double rolling;         ///< K_R (force * length), 0 when they do not touch
-  double twisting = 0.0;  ///< K_tw (force * length), 0 when they do not touch
+  /// Normal stiffness K_N for small reversible motions, or -F0/D0 if surfaces with pull-off force F0 attract
+  /// each other across a gap within the range D0 (force/length).
+  double normal;
+  double tangential;      ///< tangential stiffness K_T (force/length), 0 when the surfaces do not touch
+  double rolling;         ///< rolling stiffness K_R (force * length), 0 when the surfaces do not touch
+  double twisting = 0.0;  ///< twisting stiffness K_tw (force * length), 0 when the surfaces do not touch
 };
 
-/// Pair parameters, besides the geometry, of laws that have none.
+/// Empty parameters of a pair of grains, for contact laws that need nothing but the geometry of the pair.
 struct NoPairParameters {};
 
 namespace detail {
@@ -65,8 +70,9 @@ requires(requires { typename Adhesion::template PairParameters<T>; }) struct Pai
 };
 }  // namespace detail
 
-/// A contact law composed of slots; an absent slot (contact/absent.h) has no member, no branch and no history.
-/// Every function that dynamics calls is a template on its number type and free of branches on values.
+/// Contact law composed of one model per slot: normal repulsion, adhesion, damping, friction, rolling and
+/// twisting resistance. An absent model (contact/absent.h) has no member, no branch and no history. Every
+/// function that the dynamics calls is a template on its number type and does not branch on values.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 struct ContactLaw {
   static constexpr bool kHasAdhesion = !kIsAbsent<Adhesion>;
@@ -75,26 +81,27 @@ struct ContactLaw {
   static constexpr bool kHasRolling = !kIsAbsent<Rolling>;
   static constexpr bool kHasTwisting = !kIsAbsent<Twisting>;
   static constexpr bool kHoldsLiquid = floc::kHoldsLiquid<Adhesion>;
-  /// Whether the damping coefficient has to be multiplied by the root of the stiffness.
+  /// Whether the damping coefficient has to be multiplied by the square root of the normal stiffness.
   static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
-  /// Dimension that the law is for; 0: any.
+  /// Space dimension (2 or 3) for which the law is made; 0 if it is valid in both.
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
-  /// Whether the law reads the reduced radius or the reduced mass of a pair. They are loaded only for laws that
-  /// do.
+  /// Whether the law depends on the reduced radius or (next constant) on the reduced mass of a pair of grains.
+  /// These numbers are loaded only for laws that depend on them.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
   || requires { requires Adhesion::kNeedsReducedRadius; };
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Parameters that differ from pair to pair and follow from its radii and its history; most laws have none.
-  /// They are computed once (pair_parameters()), not for every force.
+  /// Parameters of a pair of grains that follow from its radii and its history, for example the parameters of a
+  /// liquid bridge. Most laws have none. pair_parameters() computes them once, not at every evaluation of the
+  /// force.
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
-  /// Size of the history of a contact: the numbers of the normal, the tangential, the rolling, the twisting and
-  /// the adhesion slot, in this order.
+  /// Count of numbers in the history of a contact. The history consists of the numbers of the normal,
+  /// tangential, rolling, twisting and adhesion models, in this order.
   template <int Dim>
   static constexpr int kHistorySize =
       history_size<Normal>(Dim) + history_size<Tangential>(Dim) + history_size<Rolling>(Dim) +
@@ -113,21 +120,21 @@ struct ContactLaw {
   [[no_unique_address]] Rolling rolling;
   [[no_unique_address]] Twisting twisting;
 
-  /// Largest gap at which surfaces that have not met act on each other (length).
+  /// Returns the largest gap (length) at which surfaces that have not touched before act on each other.
   double range() const {
     if constexpr (kHasAdhesion) return adhesion.range();
     return 0.0;
   }
-  /// Largest gap at which surfaces that have met may still touch (length): 0 unless the normal law holds them
-  /// together.
+  /// Returns the largest gap (length) at which surfaces that have touched before may still stick together: 0
+  /// unless the normal law holds them together across a gap.
   double holding_range([[maybe_unused]] double reduced_radius) const {
     if constexpr (requires { repulsion.holding_range(reduced_radius); })
       return repulsion.holding_range(reduced_radius);
     return 0.0;
   }
 
-  /// Whether surfaces with this history belong to the contact list: they touch, overlap, attract each other across
-  /// the gap or hold liquid.
+  /// Returns whether a pair with this history belongs to the list of contacts: its surfaces touch, overlap,
+  /// attract each other across the gap or hold liquid.
   template <int Dim>
   bool interacts(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kHoldsLiquid)
@@ -135,7 +142,7 @@ struct ContactLaw {
     return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, history);
   }
 
-  /// Parameters of a pair of grains with these radii (length) and this history.
+  /// Returns the parameters of a pair of grains with these radii (length) and this history.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
                                    [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -144,7 +151,9 @@ struct ContactLaw {
     else
       return {};
   }
-  /// Pair parameters as they act now, for a pair that has not moved since its history was updated.
+  /// Returns the parameters of a pair of grains at the present history. They differ from `parameters` only if a
+  /// liquid bridge has broken: its strength is then zero. The pair must not have moved since its history was
+  /// updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
                           [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -154,15 +163,15 @@ struct ContactLaw {
       return parameters;
   }
 
-  /// Whether the surfaces of a contact touch (NormalResponse::touches).
+  /// Returns whether the surfaces of a contact touch (NormalResponse::touches).
   template <int Dim>
   bool touches(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history) const {
     return in_touch(pair, normal_history(history));
   }
 
-  /// Static normal response of a pair.
-  /// @param history  of the normal slot; null for a new contact
-  /// @param parameters  as they act
+  /// Returns the static normal force of a pair, its elastic and adhesive parts and its stiffnesses.
+  /// @param history  history of the normal model; null for a new contact
+  /// @param parameters  parameters of the pair that are in effect, see acting()
   template <class T>
   NormalResponse<T> normal(const PairGeometry<T>& pair, const T* history = nullptr,
                            [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
@@ -193,16 +202,18 @@ struct ContactLaw {
     }
     return response;
   }
-  /// Static normal response of a contact with this history.
+  /// Returns the static normal force of a contact with this history, its elastic and adhesive parts and its
+  /// stiffnesses.
   template <int Dim>
   NormalResponse<double> normal_of(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                                    const PairParameters<>& parameters = {}) const {
     return normal(pair, normal_history(history), parameters);
   }
 
-  /// Energy that the normal law stores in a contact, given its elastic force and its K_N. Where the force is a
-  /// power of the overlap h, these two determine it: N^2 h/(N + K_N h), which is N h/2 for linear contacts and
-  /// (2/5) N h for Hertz contacts. Other laws give the energy as a function of the gap and the history.
+  /// Returns the energy that the normal law stores in a contact with the elastic force N = `elastic` and the
+  /// normal stiffness K_N = `k_n`. If the force is a power of the overlap d, the energy is N^2 d/(N + K_N d),
+  /// which is N d/2 for linear contacts and (2/5) N d for Hertz contacts. Other laws compute the energy from
+  /// the gap and the history.
   template <class T>
   T elastic_energy(const PairGeometry<T>& pair, const T& elastic, const T& k_n,
                    [[maybe_unused]] const T* history = nullptr) const {
@@ -214,8 +225,8 @@ struct ContactLaw {
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// Energy of the elastic part of the normal force (elastic_energy()), and of the attraction
-  /// (attraction_energy()), of a contact with this history.
+  /// Returns the energy of the elastic part of the normal force of a contact with this history, see
+  /// elastic_energy(). The next function returns the energy of its attraction, see attraction_energy().
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
                            const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -226,8 +237,8 @@ struct ContactLaw {
                               const PairParameters<>& parameters) const {
     return attraction_energy(pair, normal_history(history), parameters);
   }
-  /// Energy of the attraction, zero where the attraction ends.
-  /// @param parameters  as they act
+  /// Returns the energy of the attraction between two grains, which is zero where the attraction ends.
+  /// @param parameters  parameters of the pair that are in effect, see acting()
   template <class T>
   T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* history = nullptr,
                       [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
@@ -240,7 +251,8 @@ struct ContactLaw {
       return adhesion.energy(pair);
     return T(0);
   }
-  /// Energy of a contact along its normal, elastic and attractive; of a new contact where no history is given.
+  /// Returns the elastic and adhesive energy of a contact along its normal. The contact is new if no history is
+  /// given.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history = nullptr,
            const PairParameters<T>& parameters = {}) const {
@@ -253,15 +265,15 @@ struct ContactLaw {
     return elastic_energy(pair, response.elastic, k_n, history) + attraction_energy(pair, history, parameters);
   }
 
-  /// Damping coefficient of a pair of grains (force * time/length), divided by the root of the stiffness where
-  /// damping follows the stiffness; 0 without damping.
+  /// Returns the damping coefficient of a pair of grains (force * time/length), divided by the square root of
+  /// the normal stiffness if damping follows this stiffness; 0 without damping.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
     if constexpr (kHasDamping) return damping.coefficient(mass, repulsion);
     return 0.0;
   }
 
-  /// Updates the history by one motion and returns the forces. Springs are cut back to their caps, and vanish
-  /// when the surfaces part.
+  /// Updates the history of a contact by one motion and returns its forces. Springs are shortened so that their
+  /// forces do not exceed their caps, and vanish when the surfaces part.
   template <int Dim, class T>
   ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
                                 PackedHistory<kHistorySize<Dim>, T>& history,
@@ -275,7 +287,8 @@ struct ContactLaw {
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(forces.normal.touches,
                                      T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
-    // Surfaces that do not touch have no elastic force, so that the caps also clear the springs.
+    // The caps of the forces of the springs are proportional to the elastic force, which is zero between
+    // surfaces that do not touch. The springs of such surfaces therefore vanish.
     if constexpr (kHasFriction)
       forces.shear = friction.respond(pair, forces.normal, motion.slip, history.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
@@ -286,7 +299,8 @@ struct ContactLaw {
     return forces;
   }
 
-  /// Stiffnesses of a contact in the network, where no spring counts as mobilised.
+  /// Returns the stiffnesses of a contact in the elastic network of contacts, where the force of no spring
+  /// counts as being at its cap.
   template <int Dim>
   ContactStiffness stiffness(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                              const PairParameters<>& parameters = {}) const {
@@ -295,19 +309,19 @@ struct ContactLaw {
     return response.touches ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
-  /// Stiffnesses of a touching contact of which only the elastic force is known.
+  /// Returns the stiffnesses of a touching contact if only its elastic force is known.
   ContactStiffness stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// Upper bounds of the stiffnesses of a contact of this pair under this load.
+  /// Returns upper bounds of the stiffnesses of a contact of this pair under this load.
   ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }
 
-  /// Springs of a touching contact that are at their caps. All code of the program uses this criterion of
-  /// sliding.
-  /// @param tolerance  relative distance below the cap that still counts as being at it
+  /// Returns which springs of a touching contact have forces at their caps. All code of the program uses this
+  /// criterion of sliding.
+  /// @param tolerance  relative distance below the cap that still counts as being at the cap
   template <int Dim>
   Mobilised mobilised(double elastic, const PackedHistory<kHistorySize<Dim>>& history, double tolerance) const {
     Mobilised m;
@@ -328,7 +342,8 @@ struct ContactLaw {
                          [[maybe_unused]] PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kKeepsOverlap) repulsion.set_force(pair, elastic, history.value);
   }
-  /// Sets the springs so that they carry given forces (signs of ContactForces) at given stiffnesses.
+  /// Sets the springs of a contact so that they carry given forces (signs as in ContactForces) at given
+  /// stiffnesses.
   template <int Dim>
   void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
                  [[maybe_unused]] double twisting_moment, const ContactStiffness& k,
@@ -342,11 +357,11 @@ struct ContactLaw {
         twisting.set_force(twisting_moment, k.twisting, history.value + kTwistingBegin<Dim>);
   }
 
-  /// Whether the normal law keeps a history: its force and energy then depend on the loading path.
+  /// Whether the normal law keeps a history, so that its force and energy depend on the loading path.
   static constexpr bool kKeepsOverlap = history_size<Normal>(2) > 0;
 
  private:
-  /// Returns the given history, or the history of a new contact at this gap where it is null.
+  /// Returns `history`, or the history of a new contact at this gap if `history` is null.
   /// @param fresh  memory for the history of a new contact
   template <class T, class Fresh>
   const T* present_history([[maybe_unused]] const PairGeometry<T>& pair, const T* history,
@@ -365,8 +380,8 @@ struct ContactLaw {
     response.elastic_stiffness += of_adhesion;
   }
 
-  /// Whether the surfaces touch: they overlap, unless the normal law has a criterion of its own, as where
-  /// surfaces hold together across a gap or part while they still overlap.
+  /// Returns whether the surfaces touch. They touch if they overlap, unless the normal law defines a criterion
+  /// of its own, for surfaces that stick together across a gap or part while they still overlap.
   template <class T>
   typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
                                             [[maybe_unused]] const T* history) const {
@@ -376,7 +391,8 @@ struct ContactLaw {
       return pair.gap < T(0);
   }
 
-  /// Response when only the elastic force and K_N are known.
+  /// Returns the normal response of a touching contact if only its elastic force and its normal stiffness K_N
+  /// are known.
   NormalResponse<double> of_stiffness(double elastic, double k_n) const {
     NormalResponse<double> response{elastic, 0.0, k_n, k_n};
     if constexpr (requires { repulsion.shear_ratio(); })
@@ -399,7 +415,7 @@ struct ContactLaw {
     return nullptr;
   }
 
-  /// Stiffnesses when the surfaces touch.
+  /// Returns the stiffnesses of a contact whose surfaces touch.
   ContactStiffness touching(const NormalResponse<double>& response) const {
     ContactStiffness k{response.elastic_stiffness, 0.0, 0.0};
     if constexpr (kHasFriction) k.tangential = friction.stiffness(response);

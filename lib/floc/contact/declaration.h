@@ -2,31 +2,32 @@
 
 #include <type_traits>
 
-/// Declarations of a model of a contact law: its keyword, its numbers and choices, and the history that a
-/// contact keeps for it. Each model makes them once; validation, scenes, changes along a load path, law texts,
-/// state files, kernels and dimensionless groups all iterate over them.
+/// Declarations of a model of a contact law: its keyword, its parameters (numbers and choices among keywords),
+/// and the history that it stores per contact. Each model is declared once. Validation, scenes, changes along a
+/// load path, texts that describe laws, state files, the computation of forces and dimensionless groups all
+/// iterate over these declarations.
 namespace floc {
 
-/// Unit of a number of a contact law.
+/// Unit of a parameter of a contact law.
 enum class Unit {
-  ratio,              ///< dimensionless
-  length,             ///< (length)
-  force,              ///< (force)
-  stiffness,          ///< (force/length)
-  rolling_stiffness,  ///< (force * length)
-  angle,              ///< (radians)
-  degrees,            ///< an angle (degrees)
-  volume,             ///< (length^3)
-  pressure,           ///< (force/length^2)
+  ratio,              ///< dimensionless number
+  length,             ///< unit of length
+  force,              ///< unit of force
+  stiffness,          ///< force/length
+  rolling_stiffness,  ///< force * length
+  angle,              ///< radians
+  degrees,            ///< degrees
+  volume,             ///< length^3
+  pressure,           ///< force/length^2
 };
 
-/// Values that a number may have; all must also be finite.
+/// Range of values allowed for a parameter of a contact law. All values must also be finite.
 enum class Requirement {
   positive,
   not_negative,
-  at_most_one,    ///< in (0, 1]
-  poisson_ratio,  ///< in (-1, 0.5)
-  acute_angle,    ///< in [0, 90] (degrees)
+  at_most_one,    ///< value in (0, 1]
+  poisson_ratio,  ///< value in (-1, 0.5)
+  acute_angle,    ///< angle in [0, 90] degrees
 };
 
 constexpr bool holds(Requirement requirement, double x) {
@@ -45,39 +46,40 @@ constexpr bool holds(Requirement requirement, double x) {
   return false;
 }
 
-/// One number of a model.
+/// Declaration of one numeric parameter of a model of a contact law.
 template <class Model>
 struct Number {
-  const char* key;  ///< key in scenes: contact.SLOT.KEY
+  const char* key;  ///< last part of the key of the parameter in a scene, contact.SLOT.KEY
   double Model::*member;
   Unit unit;
-  const char* symbol;       ///< symbol in formulas, such as "K_N"
-  Requirement requirement;  ///< requirement on every value, also on those set along a load path
-  const char* expectation;  ///< value that a scene has to give, in words
-  const char* meaning;      ///< meaning in one line
-  /// Requirement on the value in a scene. It may be stricter: a change along the load path may switch a slot
-  /// off by zero.
+  const char* symbol;       ///< symbol of the parameter in formulas, such as "K_N"
+  Requirement requirement;  ///< requirement on every value, also on values set along a load path
+  const char* expectation;  ///< value expected in a scene, in words, for messages
+  const char* meaning;      ///< description of the parameter in one line
+  /// Requirement on the value given in a scene. It may be stricter than `requirement`, because a change along
+  /// the load path may set a number to zero to switch off a model.
   Requirement at_first = requirement;
 };
 
-/// Requirement on two numbers of a model, besides those on each: `larger` is at least as large as `smaller`.
+/// Requirement on two numbers of a model: `larger` must be at least as large as `smaller`.
 template <class Model>
 struct AtLeast {
   double Model::*larger;
   double Model::*smaller;
 };
 
-/// One choice among keywords, optional in a scene: the first keyword is the default.
+/// Declaration of one parameter of a model whose value is a keyword. It is optional in a scene; the first
+/// keyword is the default.
 template <class Model>
 struct Choice {
   const char* key;
-  const char* const* keywords;  ///< ended by a null pointer
+  const char* const* keywords;  ///< allowed keywords, terminated by a null pointer
   int (*get)(const Model&);
   void (*set)(Model&, int);
 };
 
-/// get() and set() of a choice that a member of the model holds as an enumeration. Functions and not lambdas: a
-/// model declares its choices before its own definition is complete.
+/// Functions `get` and `set` of a Choice whose value is an enumeration, stored in a member of the model. They
+/// are functions and not lambdas, because a model declares its choices before its own definition is complete.
 template <class Model, auto kMember>
 int chosen(const Model& model) {
   return static_cast<int>(model.*kMember);
@@ -87,35 +89,40 @@ void choose(Model& model, int keyword) {
   model.*kMember = static_cast<std::remove_reference_t<decltype(model.*kMember)>>(keyword);
 }
 
-/// Transformation of a quantity of the history.
+/// Kind of a quantity in the history of a contact. It determines how the quantity transforms when the grains i
+/// and j are exchanged or the contact turns.
 enum class HistoryKind {
-  scalar,    ///< a number that does not change when i and j are exchanged
-  tangent,   ///< a displacement of j against i in the tangent plane, in the contact's frame
-  rotation,  ///< a rotation of i against j; in 3D about an axis in the tangent plane
-  twist,  ///< in 3D, a rotation of i against j about the normal; it does not change when i and j are exchanged
+  scalar,   ///< a number that does not change when grains i and j are exchanged
+  tangent,  ///< a displacement of grain j relative to grain i in the tangent plane, in the frame of the contact
+  rotation,  ///< a rotation of grain i relative to grain j; in 3D about an axis in the tangent plane
+  /// In 3D, a rotation of grain i relative to grain j about the normal; it does not change when i and j are
+  /// exchanged.
+  twist,
 };
 
-/// One quantity of the history that a model keeps per contact.
+/// Declaration of one quantity that a model of a contact law stores per contact.
 struct History {
-  const char* name;  ///< name of its array in a state file
+  const char* name;  ///< name of the array of this quantity in a state file
   HistoryKind kind;
   Unit unit;
-  const char* meaning;  ///< meaning in words
+  const char* meaning;  ///< description of the quantity in words
 };
 
-/// Whether a quantity is a vector in the tangent plane and turns with it.
+/// Returns whether a quantity of the history is a vector in the tangent plane of the contact and turns with
+/// this plane.
 constexpr bool is_tangential(HistoryKind kind) {
   return kind == HistoryKind::tangent || kind == HistoryKind::rotation;
 }
 
-/// Number of components of a quantity: 2D tangents and rotations are one number, their 3D counterparts are
-/// vectors in space.
+/// Returns the number of components of a quantity of the history. Displacements and rotations in the tangent
+/// plane are one number in 2D and vectors of three components in 3D.
 constexpr int n_components(HistoryKind kind, int dim) {
   return is_tangential(kind) && dim == 3 ? 3 : 1;
 }
 
-/// Factor of each component when i and j are exchanged. A 2D tangent displacement changes sign, and so does the
-/// tangent along which it is measured, which turns round with the normal.
+/// Returns the factor by which each component of a quantity is multiplied when grains i and j are exchanged. It
+/// is 1 for a 2D tangential displacement: the displacement changes sign, but so does the tangent along which it
+/// is measured, because the tangent turns with the normal.
 constexpr double parity(HistoryKind kind, int dim) {
   if (!is_tangential(kind)) return 1.0;
   return kind == HistoryKind::tangent && dim == 2 ? 1.0 : -1.0;

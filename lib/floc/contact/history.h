@@ -8,12 +8,13 @@
 
 namespace floc {
 
-/// Layout of the history of a contact, both in the contact list and in the arrays of pairs in motion. Each slot
-/// of the law has a place of its own with room for any of its models, so that a change of the law moves no
-/// number.
+/// Layout of the history of a contact, both in the list of contacts and in the arrays of pairs that the
+/// dynamics uses. Each slot of the contact law (normal, friction, ...) has a fixed place that is large enough
+/// for any model of the slot, so that a change of the law moves no number.
 template <int Dim>
 struct HistoryLayout {
-  // Largest history of a model of each slot, in numbers. history_layout.h checks that no model needs more.
+  // Count of numbers reserved for each slot of the contact law: the largest history of all models of the slot.
+  // history_layout.h checks that no model needs more.
   static constexpr int kNormalRoom = 2, kFrictionRoom = Dim == 2 ? 2 : 4, kRollingRoom = Dim == 2 ? 1 : 3,
                        kTwistingRoom = Dim == 2 ? 0 : 1, kAdhesionRoom = 1;
 
@@ -25,21 +26,22 @@ struct HistoryLayout {
   static constexpr int kSize = kAdhesion + kAdhesionRoom;
 };
 
-/// History of a contact, at the places of the layout; zero at places that its law does not use.
+/// History of a contact, arranged as in HistoryLayout. Numbers that the contact law does not use are zero.
 template <int Dim>
 using ContactHistory = Eigen::Matrix<double, HistoryLayout<Dim>::kSize, 1>;
 
-/// One quantity of the history of contacts under a law.
+/// One quantity in the history of the contacts under a contact law.
 struct HistoryQuantity {
   History declared;
-  int begin;  ///< place of its first number in the layout
-  int size;   ///< count of its numbers
+  int begin;  ///< index of the first number of the quantity in HistoryLayout
+  int size;   ///< count of the numbers of the quantity
 };
 
-/// Quantities of the history of contacts under a law, in the order of the layout.
+/// Returns the quantities in the history of the contacts under a law, in the order of HistoryLayout.
 std::vector<HistoryQuantity> history_quantities(const Law& law, int dim);
 
-/// Factor of each number of the layout when the two grains of a contact are exchanged.
+/// Returns the factor by which each number of the history is multiplied when the two grains of a contact are
+/// exchanged.
 template <int Dim>
 ContactHistory<Dim> swap_parity(const Law& law);
 

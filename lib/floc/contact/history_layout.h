@@ -9,13 +9,14 @@
 #include "floc/contact/law_parameters.h"
 #include "floc/contact/model_traits.h"
 
-/// Places of a law's own numbers in the history of a contact (history.h). The layout is checked here against
-/// all models. A law evaluates, loads and stores only the numbers of its own models.
+/// Indices of the numbers of a contact law in the history of a contact (HistoryLayout in history.h). The layout
+/// is checked here against all models. A law evaluates, loads and stores only the numbers of its own models.
 namespace floc {
 
 namespace detail {
 
-/// Size of the largest history among the models of a slot that are for this dimension (numbers).
+/// Size of the largest history (count of numbers) among the models in one slot of a contact law (normal,
+/// adhesion, ...) that are valid in a given dimension.
 template <class Slot>
 struct WidestHistory;
 template <class... Models>
@@ -39,12 +40,15 @@ constexpr bool has_room_for_all_models() {
          WidestHistory<decltype(LawParameters::twisting)>::in(Dim) <= Layout::kTwistingRoom &&
          WidestHistory<decltype(LawParameters::adhesion)>::in(Dim) <= Layout::kAdhesionRoom;
 }
-static_assert(has_room_for_all_models<2>() && has_room_for_all_models<3>(),
-              "some model remembers more than contacts have room for: raise the room of its slot in history.h");
+static_assert(
+    has_room_for_all_models<2>() && has_room_for_all_models<3>(),
+    "the history of a model needs more numbers than HistoryLayout reserves for its slot: increase the "
+    "constant of this slot in history.h");
 
 }  // namespace detail
 
-/// Place in the layout of number k of a law's packed history.
+/// Returns the index in HistoryLayout of number k of the packed history of a contact (PackedHistory) under a
+/// law.
 template <class Law, int Dim>
 constexpr int history_place(int k) {
   constexpr int n_normal = history_size<typename Law::NormalModel>(Dim);
@@ -59,7 +63,8 @@ constexpr int history_place(int k) {
   return HistoryLayout<Dim>::kAdhesion + k - n_normal - n_friction - n_rolling - n_twisting;
 }
 
-/// Whether number k of a law's packed history is the first of a vector in the tangent plane of a 3D contact.
+/// Returns whether number k of the packed history of a contact (PackedHistory) is the first component of a
+/// vector in the tangent plane of a 3D contact.
 template <class Law, int Dim>
 constexpr bool begins_tangent(int k) {
   int at = 0;
@@ -79,8 +84,8 @@ constexpr bool begins_tangent(int k) {
   return Dim == 3 && begins;
 }
 
-/// Calls visit(k, place) for each number of a law's packed history, unrolled; k and place are integral
-/// constants.
+/// Calls visit(k, place) for each number k of the packed history of a contact (PackedHistory), where `place` is
+/// its index in HistoryLayout. The loop is unrolled; k and place are integral constants.
 template <class Law, int Dim, class Visit>
 [[gnu::always_inline]] inline void for_each_history(const Visit& visit) {
   [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
@@ -89,7 +94,7 @@ template <class Law, int Dim, class Visit>
   (std::make_integer_sequence<int, Law::template kHistorySize<Dim>>{});
 }
 
-/// Packs the history of a contact: copies the numbers that the law uses from their places in the layout.
+/// Packs the history of a contact: copies the numbers that the law uses from their places in HistoryLayout.
 template <class Law, int Dim>
 PackedHistory<Law::template kHistorySize<Dim>> packed_history(const ContactHistory<Dim>& all) {
   PackedHistory<Law::template kHistorySize<Dim>> packed;
@@ -98,7 +103,8 @@ PackedHistory<Law::template kHistorySize<Dim>> packed_history(const ContactHisto
   return packed;
 }
 
-/// Unpacks the history of a contact. Places of the layout that the law does not use are set to zero.
+/// Unpacks the history of a contact to the places of HistoryLayout. Places that the law does not use are set to
+/// zero.
 template <class Law, int Dim>
 ContactHistory<Dim> unpacked_history(const PackedHistory<Law::template kHistorySize<Dim>>& packed) {
   ContactHistory<Dim> all = ContactHistory<Dim>::Zero();

@@ -10,12 +10,12 @@ namespace floc {
 struct CapillaryAdhesion;
 struct LawParameters;
 
-/// Contact law as packings and runs hold it: a handle to its models and their numbers (law_parameters.h), which
-/// are immutable and shared by copies. Its members give the properties that every law has, so that only the
-/// sources that evaluate, read or write models have to include them.
+/// Contact law of a packing or a run: a handle to the models of the law and their numbers (law_parameters.h),
+/// which are immutable and shared between copies. Its member functions return the properties that every law
+/// has, so that only the sources that evaluate, read or write models have to include the models.
 class Law {
  public:
-  /// Linear repulsion of zero stiffness, a placeholder until a law is assigned.
+  /// Creates a linear repulsion of zero stiffness, a placeholder until a law is assigned.
   Law();
   Law(const LawParameters& parameters);  // NOLINT(google-explicit-constructor): a law is its parameters
 
@@ -31,40 +31,42 @@ class Law {
   bool has_rolling() const;
   bool has_twisting() const;
 
-  /// Pull-off force F0 (force) of laws with one value for all pairs; 0 without adhesion and where F0 depends on
-  /// the pair.
+  /// Returns the pull-off force F0 (force) if the law has one value for all pairs of grains; 0 without adhesion
+  /// and if F0 depends on the pair.
   double pull_off_force() const;
-  /// Pull-off force F0 (force) of two grains of this radius (length); 0 without adhesion.
+  /// Returns the pull-off force F0 (force) of two grains of this radius (length); 0 without adhesion.
   double pull_off_force(double radius) const;
-  /// Pull-off force F0 (force) of a pair; 0 without adhesion and for liquid bridges, which not every pair has
-  /// (packing/liquid/liquid.h).
+  /// Returns the pull-off force F0 (force) of a pair; 0 without adhesion and for liquid bridges, because not
+  /// every pair has a bridge (packing/liquid/liquid.h).
   double pull_off_force(const PairGeometry<>& pair) const;
   /// Whether grains attract each other.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }
-  /// Largest gap (length) at which surfaces that have not met attract each other; 0 if the adhesion has zero
-  /// force, and for liquid bridges, whose reach depends on their volumes (packing/liquid/liquid.h).
+  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other; 0 if
+  /// the adhesion has zero force, and for liquid bridges, whose reach depends on their volumes
+  /// (packing/liquid/liquid.h).
   double range() const;
-  /// Largest gap (length) at which the law acts between grains of at most this radius (length), including
-  /// surfaces that have met and still hold together.
+  /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length),
+  /// including surfaces that have touched before and still stick together.
   double reach(double largest_radius) const;
-  /// Model of liquid bridges; null if the law has none or its water content is zero.
+  /// Returns the model of liquid bridges; null if the law has no such model or its water content is zero.
   const CapillaryAdhesion* liquid() const;
-  /// Modulus that reduces pressures where nothing adheres: K_N/a^(Dim-2) for linear contacts of grains of
-  /// diameter a, E/(1 - nu^2) for Hertz contacts (force/length^(Dim-1)).
+  /// Returns the modulus by which pressures are divided to make them dimensionless if grains do not adhere
+  /// (force/length^(Dim-1)): K_N/a^(Dim-2) for linear contacts of stiffness K_N between grains of diameter a,
+  /// E/(1 - nu^2) for Hertz contacts of Young's modulus E and Poisson's ratio nu.
   double contact_modulus(int dim, double diameter) const;
 
   /// Whether the normal force depends on the history of the overlap, and so dissipates energy.
   bool keeps_overlap() const;
   /// Whether the normal law itself includes the adhesion.
   bool adheres_by_itself() const;
-  /// Keyword of the normal law.
+  /// Returns the keyword of the normal law in a scene, such as "linear".
   const char* normal_keyword() const;
-  /// Exponent of the overlap in the elastic force; 1 for contacts of constant stiffness.
+  /// Returns the exponent of the overlap in the elastic force; 1 for contacts of constant stiffness.
   double force_exponent() const;
   /// Whether the normal law holds only for overlaps that are small compared with the grains.
   bool is_for_small_overlaps() const;
 
-  /// Reason why the law cannot be used in this dimension, in words; empty if it can.
+  /// Returns the reason why the law cannot be used in this dimension, in words; empty if the law can be used.
   std::string fault_in_dimension(int dimension) const;
 
   /// Whether friction can carry any force.

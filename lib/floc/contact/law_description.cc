@@ -24,7 +24,7 @@ void describe_fields(DeclaredModel& model) {
     }
 }
 
-/// Puts a Model into the slot of a law that can hold it.
+/// Puts a model of type Model into the slot of a contact law (normal, adhesion, ...) that can hold this type.
 template <class Model>
 void put(LawParameters& law) {
   LawParameters::for_each_slot(law, [](const char*, auto& slot) {
@@ -54,7 +54,7 @@ std::vector<DeclaredSlot> describe_all() {
   return slots;
 }
 
-/// Calls visit(slot key, declaration, model) for each model of a law.
+/// Calls visit(slot key, declaration, model) for each model of a law. The slot key is "normal", "adhesion", ...
 template <class Law, class Visit>
 void for_each_model(Law& law, Visit&& visit) {
   auto declared = declared_slots().begin();
@@ -66,7 +66,8 @@ void for_each_model(Law& law, Visit&& visit) {
   });
 }
 
-/// Whether a model has a number that no other model of its slot has, so that the number identifies the model.
+/// Returns whether a model has a number that no other model of its slot of the contact law has, so that the
+/// number identifies the model.
 bool has_own_number(const DeclaredSlot& slot, const DeclaredModel& model) {
   return std::any_of(model.numbers.begin(), model.numbers.end(), [&](const DeclaredNumber& n) {
     return std::count_if(slot.models.begin(), slot.models.end(),

@@ -6,9 +6,11 @@
 #include "floc/contact/declaration.h"
 #include "floc/contact/law.h"
 
-/// Declarations of all slots without their types, for code that reads or writes laws by name.
+/// Declarations of all slots of a contact law and of their models, without C++ types, for code that reads or
+/// writes laws by name.
 namespace floc {
 
+/// Declaration of a numeric parameter of a model of a contact law (Number, declaration.h).
 struct DeclaredNumber {
   std::string key;
   Unit unit;
@@ -19,69 +21,77 @@ struct DeclaredNumber {
   std::string meaning;
 };
 
+/// Declaration of a parameter of a model whose value is a keyword (Choice, declaration.h).
 struct DeclaredChoice {
   std::string key;
-  std::vector<std::string> keywords;  ///< the first is the default
+  std::vector<std::string> keywords;  ///< allowed keywords; the first keyword is the default
 };
 
-/// A model that a slot can hold.
+/// Declaration of a model that a slot of a contact law can hold.
 struct DeclaredModel {
   std::string keyword;
-  bool is_default;  ///< taken where a scene names no model
-  /// Whether every state file holds its numbers (kIsInEveryFile); they are zero where a law has another model.
+  bool is_default;  ///< whether this model is chosen if a scene names none
+  /// Whether every state file stores the numbers of this model (kIsInEveryFile). They are zero if the law has
+  /// another model.
   bool is_in_every_file;
   std::vector<DeclaredNumber> numbers;
   std::vector<DeclaredChoice> choices;
-  /// Puts the model into the slot of a law, with all numbers zero and the first keyword of each choice.
+  /// Puts the model into a law, with all numbers zero and the first keyword of each choice.
   void (*choose)(LawParameters&);
 
   const DeclaredNumber* number(const std::string& number_key) const;
 };
 
-/// Whether a model can be combined with the other models of a law: the law has no more faults between its slots
-/// with the model than without it.
+/// Returns whether a model can be combined with the other models of a law, that is, whether it causes no
+/// further fault between models.
 bool fits(const DeclaredModel& model, LawParameters law);
 
+/// Declaration of a slot of a contact law (normal, adhesion, damping, ...) and of the models that it can hold.
 struct DeclaredSlot {
-  std::string key;                    ///< key of its table in a scene
-  bool optional;                      ///< a law may leave it empty
-  std::vector<DeclaredModel> models;  ///< without the empty slot
+  std::string key;                    ///< key of the table of this slot in a scene, such as "friction"
+  bool optional;                      ///< whether a law may leave this slot empty
+  std::vector<DeclaredModel> models;  ///< models that this slot can hold
 
-  /// Index in `models` of the model in this slot of a law; -1 if the slot is empty.
+  /// Returns the index in `models` of the model that a law has in this slot; -1 if the slot is empty.
   int present(const LawParameters& law) const;
 };
 
-/// Whether a scene has to name the model of a slot, because the slot has no default model.
+/// Returns whether a scene has to name the model of a slot of the contact law, because the slot has no default
+/// model.
 bool names_its_model(const DeclaredSlot& slot);
 
-/// Table of a model in a scene, with the keys that it needs: "{law = "tail", force, range}".
+/// Returns the text of the table of a model in a scene, with the keys that the table needs: "{law = "tail",
+/// force, range}".
 std::string table_text(const DeclaredSlot& slot, const DeclaredModel& model);
 
-/// All slots, in the order of LawParameters.
+/// Returns the declarations of all slots of a contact law (normal, adhesion, ...), in the order of
+/// LawParameters.
 const std::vector<DeclaredSlot>& declared_slots();
 
-/// Number of a law, with its key and its declaration.
+/// Numeric parameter of a law, with its key and its declaration.
 struct LawNumber {
-  std::string key;  ///< path below [contact]: "adhesion.force"
+  std::string key;  ///< key below the table [contact], such as "adhesion.force"
   double* value;
   const DeclaredNumber* declared;
 };
 
-/// Numbers of the models of a law, in the order of the slots.
+/// Returns the numeric parameters of the models of a law, in the order of LawParameters.
 std::vector<LawNumber> numbers_of(LawParameters& law);
 
-/// Choice among keywords in a law.
+/// Parameter of a law whose value is a keyword.
 struct LawChoice {
-  std::string key;  ///< path below [contact]: "damping.mass"
-  int chosen;       ///< index of its keyword
+  std::string key;  ///< key below the table [contact], such as "damping.mass"
+  int chosen;       ///< index of the chosen keyword
   const DeclaredChoice* declared;
 };
 
 std::vector<LawChoice> choices_of(const LawParameters& law);
 
-/// Sets a choice of the model in a slot.
+/// Sets the keyword of a parameter of a model of a law.
+/// @param slot  key of the slot of the model, such as "damping"
+/// @param key  key of the parameter
 /// @param chosen  index of the keyword
-/// @pre the model has a choice of that key with more than `chosen` keywords
+/// @pre the model has a choice of this key with more than `chosen` keywords
 void choose(LawParameters& law, const std::string& slot, const std::string& key, int chosen);
 
 }  // namespace floc

@@ -32,7 +32,8 @@ const char* requirement_text(Requirement requirement) {
   return "";
 }
 
-/// Table of a model in a scene: "contact.friction = {law = \"mindlin\", coefficient}".
+/// Returns the text of the table of a model in a scene, such as "contact.friction = {law = \"mindlin\",
+/// coefficient}".
 template <class Model>
 std::string table_of(const std::string& key) {
   const auto slot = std::find_if(declared_slots().begin(), declared_slots().end(),
@@ -42,7 +43,8 @@ std::string table_of(const std::string& key) {
   return fmt::format("contact.{} = {}", key, table_text(*slot, *model));
 }
 
-/// Tables of the models of a slot for which `takes` holds, ready for a list of alternatives.
+/// Returns the texts of the tables in a scene of all models of a slot (normal, adhesion, ...) for which `takes`
+/// returns true.
 template <class... Models, class Takes>
 std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models...>&, const Takes& takes) {
   std::vector<std::string> tables;
@@ -54,7 +56,8 @@ std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models.
   return tables;
 }
 
-/// Fault of a model whose family cannot be combined with that of the normal law, in words; else empty.
+/// Returns a message if the family of a model (of adhesion, damping, ...) cannot be combined with the family of
+/// the normal law; otherwise an empty text.
 template <class Normals, class Slot>
 std::string family_fault(const Normals& normals, const std::string& key, const Slot& slot) {
   return normals.visit([&]<class Normal>(const Normal&) {
@@ -64,17 +67,17 @@ std::string family_fault(const Normals& normals, const std::string& key, const S
       } else {
         std::vector<std::string> expected = tables_of(
             key, slot, []<class Other>(std::type_identity<Other>) { return kGoesWith<Normal, Other>; });
-        expected.push_back("no such table");
+        expected.push_back("this table left out");
         for (std::string& table : tables_of("normal", normals, []<class Other>(std::type_identity<Other>) {
                return kGoesWith<Other, Model>;
              }))
           expected.push_back(std::move(table));
         const std::string_view rule = kAdheresByItself<Normal> && kIsAdhesion<Model>
-                                          ? std::string_view("grains adhere without it")
+                                          ? std::string_view("grains already adhere under this normal law")
                                           : family_rule(family_of<Normal>(), key);
         return fmt::format(
-            "contact.{}.law = \"{}\" does not go with contact.normal.law = \"{}\"{}{}; expected {}", key,
-            Model::kKeyword, Normal::kKeyword, rule.empty() ? "" : ", under which ", rule,
+            "contact.{}.law = \"{}\" cannot be combined with contact.normal.law = \"{}\"{}{}; expected {}", key,
+            Model::kKeyword, Normal::kKeyword, rule.empty() ? "" : ", because ", rule,
             fmt::join(expected, " or "));
       }
     });
@@ -89,9 +92,10 @@ std::vector<LawFault> LawParameters::faults_in_dimension(int dimension) const {
     slot.visit([&]<class Model>(const Model&) {
       if constexpr (kDimensionOf<Model> != 0) {
         if (kDimensionOf<Model> != dimension)
-          faults.push_back({key, fmt::format("contact.{}.law = \"{}\": is for {}, expected dimension = {}", key,
-                                             Model::kKeyword, kDimensionOf<Model> == 3 ? "spheres" : "disks",
-                                             kDimensionOf<Model>)});
+          faults.push_back(
+              {key, fmt::format("contact.{}.law = \"{}\": this model is for {}; expected dimension = {}", key,
+                                Model::kKeyword, kDimensionOf<Model> == 3 ? "spheres" : "disks",
+                                kDimensionOf<Model>)});
       }
     });
   });
@@ -128,23 +132,26 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
   };
   // Without friction the dynamics does not rotate grains (PairKernel::kRotates), so that springs against
   // rolling and twisting would never act.
-  refuse(rolling && !friction, "rolling", ": needs contact.friction; grains that slide freely need not roll");
+  refuse(rolling && !friction, "rolling",
+         ": rolling resistance needs contact.friction; grains that slide freely need not roll");
   refuse(twisting && !friction, "twisting",
-         ": needs contact.friction; grains that slide freely need not turn against each other");
+         ": twisting resistance needs contact.friction; grains that slide freely need not turn against each "
+         "other");
   for_each_slot(*this, [&](const char* key, const auto& slot) {
     if (std::string words = family_fault(normal, key, slot); !words.empty())
       faults.push_back({key, std::move(words)});
   });
   adhesion.visit([&]<class Adhesion>(const Adhesion&) {
-    // Grains under liquid bridges roll freely. A slot with a fault of its family is not reported twice.
+    // Grains connected by liquid bridges roll freely. A model that is already refused because of its family is
+    // not reported again.
     if constexpr (kRollsFreely<Adhesion>) {
       const auto refuse_resistance = [&](const char* key, const auto& slot) {
         if (!slot || !family_fault(normal, key, slot).empty()) return;
         faults.push_back(
             {key,
              fmt::format(
-                 "contact.{} is not allowed here: grains under contact.adhesion.law = \"{}\" do not resist "
-                 "it",
+                 "contact.{} is not allowed here: grains with contact.adhesion.law = \"{}\" roll and twist "
+                 "without resistance",
                  key, Adhesion::kKeyword)});
       };
       refuse_resistance("rolling", rolling);

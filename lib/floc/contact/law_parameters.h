@@ -19,17 +19,18 @@
 
 namespace floc {
 
-/// Fault of a law that cannot be used: its models cannot be combined, or not in this dimension, or two of its
-/// numbers contradict each other.
+/// Reason why a contact law cannot be used: its models cannot be combined, a model is made for another
+/// dimension, or two of its numbers contradict each other.
 struct LawFault {
-  std::string slot;      ///< slot with the fault
-  std::string words;     ///< "contact.SLOT...: requirement"
-  std::string key = {};  ///< key of the number with the fault, if it is one number
+  std::string slot;      ///< key of the slot at fault, such as "friction"
+  std::string words;     ///< message: "contact.SLOT...: requirement"
+  std::string key = {};  ///< key of the number at fault; empty if the fault is not a single number
 };
 
-/// Contact law as a scene or a saved state names it: a model with its numbers in each slot, or an empty slot.
-/// These are the only lists of models: scenes, law texts, state files and the law table (law_table.h), which
-/// turns a LawParameters into the composed type, all follow from them.
+/// Contact law as a scene or a saved state describes it. Each slot (normal, adhesion, ...) holds a model with
+/// its numbers, or is empty. The types of the slots are the only lists of models in the program. Scenes, texts
+/// that describe laws, state files and the law table (law_table.h), which converts LawParameters into a
+/// composed type, all follow from these lists.
 struct LawParameters {
   LawSlot<LinearRepulsion, HertzRepulsion> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion, CapillaryAdhesion> adhesion;
@@ -38,7 +39,8 @@ struct LawParameters {
   LawSlot<NoRolling, RollingSpring> rolling;
   LawSlot<NoTwisting, TwistingSpring> twisting;
 
-  /// Calls visit(key, slot) for each slot, in this order. The key is that of its table in a scene.
+  /// Calls visit(key, slot) for each slot, in the order below. The key is the name of the table in a scene that
+  /// describes the slot.
   template <class Self, class Visit>
   static void for_each_slot(Self& law, Visit&& visit) {
     visit("normal", law.normal);
@@ -51,13 +53,13 @@ struct LawParameters {
 
   bool operator==(const LawParameters&) const = default;
 
-  /// Every fault as "key = value: requirement"; empty when the law can be used.
+  /// Returns every fault of the law as "key = value: requirement"; empty if the law can be used.
   std::vector<std::string> validate() const;
-  /// Faults of models that cannot be combined, whatever their numbers.
+  /// Returns the faults of models that cannot be combined, independent of their numbers.
   std::vector<LawFault> faults_between_slots() const;
-  /// Faults of numbers that are valid by themselves but contradict another number (AtLeast).
+  /// Returns the faults of numbers that are valid by themselves but contradict another number (AtLeast).
   std::vector<LawFault> faults_between_numbers() const;
-  /// Faults of models that are for another dimension.
+  /// Returns a fault for each model that is made for another dimension.
   std::vector<LawFault> faults_in_dimension(int dimension) const;
 };
 

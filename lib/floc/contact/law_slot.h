@@ -8,8 +8,9 @@
 
 namespace floc {
 
-/// Slot of a contact law as a scene or a saved state names it. It holds one of its models, with the numbers of
-/// the model. The first alternative of an optional slot is its absence (absent.h).
+/// Slot of a contact law (normal, adhesion, damping, ...) as a scene or a saved state describes it. It holds
+/// one of its models, with the numbers of the model. The first type of an optional slot stands for an empty
+/// slot (absent.h).
 template <class... Models>
 class LawSlot {
  public:
@@ -20,7 +21,7 @@ class LawSlot {
   requires(std::is_same_v<Model, Models> || ...) LawSlot(const Model& model)
       : model_(model) {}  // NOLINT(google-explicit-constructor)
 
-  /// Whether the slot holds a model.
+  /// Returns whether the slot holds a model of the contact law.
   explicit operator bool() const {
     return visit([]<class Model>(const Model&) { return !kIsAbsent<Model>; });
   }
@@ -30,7 +31,7 @@ class LawSlot {
   bool holds() const {
     return std::holds_alternative<Model>(model_);
   }
-  /// @pre holds<Model>()
+  /// Returns the model in the slot. @pre holds<Model>()
   template <class Model>
   Model& get() {
     return std::get<Model>(model_);

@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Parameters without the models that have no effect.
+/// Returns the parameters of a law without the models that have no effect.
 LawParameters acting(LawParameters law) {
   LawParameters::for_each_slot(law, [](const char*, auto& slot) {
     const bool acts = slot.visit([](const auto& model) {
@@ -32,7 +32,7 @@ AnyContactLaw composed(const LawParameters& law) {
   return std::visit(
       []<class... Models>(const Models&... models) -> AnyContactLaw {
         if constexpr (kIsCompiled<Models...>) return ContactLaw<Models...>{models...};
-        assert(!"a law that validate() refuses");
+        assert(!"the law was not checked: validate() refuses it");
         return {};
       },
       law.normal.variant(), law.adhesion.variant(), law.damping.variant(), law.friction.variant(),

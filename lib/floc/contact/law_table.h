@@ -6,18 +6,17 @@
 #include "floc/contact/law_parameters.h"
 
 /// Composed contact laws. To add a model (docs/adding-a-law.md has an example):
-///   1. write it as a header in its slot's folder: a struct that declares its numbers and its history
+///   1. write it as a header in the folder of its slot: a struct that declares its numbers and its history
 ///      (declaration.h) and has the functions of its slot as templates on the number type (see
 ///      normal/linear_repulsion.h and tangential/coulomb_friction.h);
-///   2. add it to its slot in law_parameters.h; the table below is the product of the slots and includes it;
-///   3. give the conformance suite a set of sample numbers
-///      in tests/support/laws.h, and write a unit test
+///   2. add it to its slot in law_parameters.h; the table below combines the models of all slots and includes it;
+///   3. add a set of sample numbers for the conformance tests to tests/support/laws.h, and write a unit test
 ///      with a closed form.
 namespace floc {
 
-/// Whether a composition is compiled. Its models have to be compatible with the normal law (model_traits.h).
-/// Rolling resistance needs friction, and an adhesion that lets grains resist rolling. Twisting resistance
-/// needs a rolling spring, whose coefficient may be zero.
+/// Whether the contact law composed of these models is compiled. The models have to be compatible with the
+/// normal law (model_traits.h). Rolling resistance needs friction, and an adhesion under which grains can
+/// resist rolling. Twisting resistance needs a rolling spring, whose coefficient may be zero.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled =
     kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<Normal, Tangential>&&
@@ -41,8 +40,8 @@ struct Joined<LawList<Laws...>> {
 template <class... A, class... B, class... Rest>
 struct Joined<LawList<A...>, LawList<B...>, Rest...> : Joined<LawList<A..., B...>, Rest...> {};
 
-/// All compiled compositions of one model per slot: the models chosen so far, then the slots still to choose
-/// from.
+/// List of all compiled contact laws with one model per slot (normal, adhesion, ...). `Models` are the models
+/// chosen so far, `Slots` the slots whose model has not been chosen yet.
 template <class Models, class... Slots>
 struct Compositions;
 template <class... M>
@@ -59,21 +58,21 @@ struct Compositions<Chosen<M...>, LawSlot<Models...>, Rest...> {
 
 }  // namespace detail
 
-/// Variant with one alternative per compiled composition. It is visited once for many contacts, not once per
-/// contact.
+/// Contact law of any compiled composition of models. The variant is visited once for many contacts, not once
+/// per contact.
 using AnyContactLaw =
     detail::Compositions<detail::Chosen<>, decltype(LawParameters::normal), decltype(LawParameters::adhesion),
                          decltype(LawParameters::damping), decltype(LawParameters::friction),
                          decltype(LawParameters::rolling), decltype(LawParameters::twisting)>::Type::Variant;
 
-/// Composed law under a name that headers can declare without including the models.
+/// Composed contact law in a struct that headers can declare without including the models.
 struct ComposedLaw {
   AnyContactLaw any;
 };
 
 /// Composes the law of a scene or a saved state. Models without effect are left out: adhesion of zero force,
-/// and friction, rolling or twisting resistance with a coefficient of zero, which carry no force and must not
-/// stiffen the network.
+/// and friction, rolling or twisting resistance with a coefficient of zero. They carry no force and must not
+/// stiffen the elastic network of contacts.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
 

@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// Springs of a contact that are at their caps.
+/// Springs of a contact whose forces have reached their caps (mobilised).
 struct Mobilised {
   bool sliding = false;
   bool rolling = false;

@@ -2,7 +2,8 @@
 
 #include <string_view>
 
-/// Traits of the models of a contact law. A model declares only those in which it departs from the default.
+/// Traits of the models of a contact law. A model declares only the traits in which it differs from the
+/// default.
 namespace floc {
 
 /// Dimension that a model is made for, 2 or 3; 0 if it is made for both.
@@ -14,17 +15,18 @@ constexpr int dimension_of() {
 template <class Model>
 inline constexpr int kDimensionOf = dimension_of<Model>();
 
-/// Whether a scene that gives numbers of the slot and names no model gets this model.
+/// Whether this model is chosen if a table of a scene, such as contact.friction, gives numbers but names no
+/// model.
 template <class Model>
 inline constexpr bool kIsDefault = requires {
   requires Model::kIsDefault;
 };
 
-/// Family of contacts that a model is made for. Models can be combined within a family, and with models of no
-/// family.
+/// Family of contacts that a model is made for. Models can be combined with models of the same family, and with
+/// models that belong to no family.
 enum class Family {
-  none,             ///< any contact
-  springs,          ///< contacts of constant stiffnesses, each slot with its own
+  none,             ///< contacts of any kind
+  springs,          ///< contacts of constant stiffnesses; each model has its own stiffness
   elastic_spheres,  ///< contacts whose stiffnesses all follow from the material and the overlap
 };
 
@@ -34,14 +36,14 @@ constexpr Family family_of() {
   return Family::none;
 }
 
-/// Reason why a model of a slot cannot be combined with a normal law of another family, to be put after "under
-/// which" in a message; empty where no reason is known.
+/// Returns the reason why a model of a contact law cannot be combined with a normal law of another family, to
+/// be put after "because" in a message; empty if no reason is known.
 constexpr std::string_view family_rule(Family of_normal, std::string_view slot) {
   if (of_normal != Family::elastic_spheres) return "";
-  if (slot == "adhesion") return "spheres adhere only by liquid";
-  if (slot == "damping") return "damping follows the stiffness";
-  if (slot == "friction") return "its stiffness follows from Poisson's ratio";
-  return "spheres do not resist it";
+  if (slot == "adhesion") return "elastic spheres adhere only by liquid bridges";
+  if (slot == "damping") return "the damping of elastic spheres follows the normal stiffness";
+  if (slot == "friction") return "the tangential stiffness of elastic spheres follows from Poisson's ratio";
+  return "elastic spheres do not resist rolling or twisting";
 }
 
 /// Whether a normal law includes adhesion, so that no model of adhesion can be combined with it.
@@ -50,20 +52,20 @@ inline constexpr bool kAdheresByItself = requires {
   requires Normal::kAdheres;
 };
 
-/// Whether a model is a model of adhesion. Only these have a range.
+/// Whether a model describes adhesion. Only models of adhesion have the function range().
 template <class Model>
 inline constexpr bool kIsAdhesion = requires(const Model& model) {
   model.range();
 };
 
-/// Whether a model of another slot can be combined with a normal law.
+/// Whether a model of adhesion, damping, friction, rolling or twisting can be combined with a normal law.
 template <class Normal, class Model>
 inline constexpr bool kGoesWith = (family_of<Model>() == Family::none ||
                                    family_of<Model>() == family_of<Normal>()) &&
                                   !(kAdheresByItself<Normal> && kIsAdhesion<Model>);
 
-/// Exponent of the overlap in the elastic force of a normal law. The default is 1: a contact of constant
-/// stiffness.
+/// Returns the exponent of the overlap in the elastic force of a normal law. The default is 1: a contact of
+/// constant stiffness.
 template <class Normal>
 constexpr double force_exponent() {
   if constexpr (requires { Normal::kForceExponent; }) return Normal::kForceExponent;
@@ -82,20 +84,22 @@ inline constexpr bool kFollowsNormalStiffness = requires {
   requires Model::kFollowsNormalStiffness;
 };
 
-/// Whether a model of adhesion describes liquid bridges. Their volumes are part of the history.
+/// Whether a model of adhesion describes liquid bridges. The volume of each bridge is part of the history of
+/// its contact.
 template <class Model>
 inline constexpr bool kHoldsLiquid = requires {
   requires Model::kHoldsLiquid;
 };
 
-/// Whether grains with this adhesion roll freely: it cannot be combined with rolling or twisting resistance,
-/// whatever the normal law.
+/// Whether grains under this model of adhesion roll freely. The model then cannot be combined with rolling or
+/// twisting resistance under any normal law.
 template <class Model>
 inline constexpr bool kRollsFreely = requires {
   requires Model::kRollsFreely;
 };
 
-/// Whether state files hold the numbers of a model under every law, also where the law does not have the model.
+/// Whether state files store the numbers of a model for every contact law, even if the law does not have the
+/// model.
 template <class Model>
 inline constexpr bool kIsInEveryFile = requires {
   requires Model::kIsInEveryFile;

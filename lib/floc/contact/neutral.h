@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Model without effect, for laws that need a model in a slot. The cap of its spring is zero, so that its
-/// stiffness may be any positive number.
+/// Model of a contact law without any effect, for composed laws that need a model of this kind. The largest
+/// force of its spring is zero, so that its stiffness may be any positive number.
 template <class Model>
 inline constexpr Model kNeutral{};
 template <>

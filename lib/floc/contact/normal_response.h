@@ -4,19 +4,22 @@
 
 namespace floc {
 
-/// Static normal response of a contact at one gap, repulsion and adhesion together. Other slots read nothing
-/// else of the normal law and the adhesion: friction and rolling read `elastic`, because their caps do not
-/// depend on the adhesion (docs/physics.md, "Friction"), and dashpots act while the surfaces touch.
+/// Static normal force of a contact at one gap, with its elastic and adhesive parts and its stiffnesses. The
+/// other models of a law read nothing else of the normal law and the adhesion. Friction and rolling resistance
+/// read `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction"); dashpots
+/// read `touches`, because they act while the surfaces touch.
 template <class T>
 struct NormalResponse {
-  using Mask = decltype(std::declval<T>() < std::declval<T>());  ///< bool, or one per lane
+  /// Bool, or one bool per lane of a SIMD vector.
+  using Mask = decltype(std::declval<T>() < std::declval<T>());
 
-  T elastic;                 ///< elastic repulsion FNe, >= 0 (force)
-  T adhesive;                ///< adhesive part FNa, <= 0 (force)
-  T stiffness;               ///< dF/d(overlap) = -dF/dh of the sum, along the path taken (force/length)
-  T elastic_stiffness;       ///< -dF/dh for small reversible motions, used by the network (force/length)
-  T shear_stiffness = T(0);  ///< K_T, where the normal law gives one (force/length)
-  Mask touches{};            ///< whether the surfaces touch, as the law defines it
+  T elastic;    ///< elastic part FNe of the normal force, a repulsion >= 0 (force)
+  T adhesive;   ///< adhesive part FNa of the normal force, <= 0 (force)
+  T stiffness;  ///< -dF/dh of the force F = FNe + FNa over the gap h, along the path taken (force/length)
+  /// -dF/dh of the force F over the gap h for small reversible motions, used for elastic moduli (force/length).
+  T elastic_stiffness;
+  T shear_stiffness = T(0);  ///< tangential stiffness K_T, if the normal law determines it (force/length)
+  Mask touches{};            ///< whether the surfaces touch, as the normal law defines it
 
   T force() const { return elastic + adhesive; }
 };

@@ -12,8 +12,8 @@
 
 namespace floc {
 
-/// Faults of numbers of a model that contradict each other (AtLeast), in words.
-/// @param slot  key of the slot of the model
+/// Returns messages about numbers of a model that contradict each other (relations AtLeast of the model).
+/// @param slot  key of the table of the model in a scene, such as "friction"
 template <class Model>
 std::vector<LawFault> relation_faults(const std::string& slot, const Model& model) {
   std::vector<LawFault> faults;

@@ -6,7 +6,8 @@
 namespace floc {
 namespace {
 
-/// Contacts of real packings carry 1e-4 of the largest increment and more, or 1e-15.
+/// Change of the force in a contact, as a share of the largest one in the network, above which the contact counts as
+/// carrying. In real packings this share is either more than 1e-4 or, from rounding, about 1e-15.
 constexpr double kCarries = 1e-9;
 
 template <int Dim>

@@ -11,22 +11,22 @@
 namespace floc {
 namespace {
 
-/// Share of the largest possible sum of the forces below which a pressure is zero, in an equilibrium solved to
-/// 1e-8.
+/// Pressure that counts as zero in an equilibrium solved to 1e-8, as a share of the largest pressure that the normal
+/// forces could give if all had one sign.
 constexpr double kNoPressure = 1e-8;
-/// Forces balance where the net force on every grain and wall is at most this share of the largest force: a
-/// hundred times the tolerance of equilibrium. A smaller net force changes the complementary energy by a share
-/// of the same order.
+/// Largest net force on a grain or wall, as a share of the largest contact force, at which the forces count as
+/// balanced: a hundred times the tolerance of equilibrium. A smaller net force changes the complementary energy by a
+/// share of the same order.
 constexpr double kBalanced = 1e-3;
 
 struct Sums {
-  int n = 0;  // touching contacts
+  int n = 0;  // number of touching contacts
   double kn = 0.0;
   double kt = 0.0;
-  double force = 0.0;  // F_N
+  double force = 0.0;  // sum of the normal forces F_N
   double complementary = 0.0;
-  double scaled = 0.0;  // of complementary terms times K_N
-  double virial = 0.0;  // |F_N| r
+  double scaled = 0.0;  // sum of K_N times the compliance terms F^2/K of each contact
+  double virial = 0.0;  // sum of |F_N| r, with the branch length r
 };
 
 template <int Dim>
@@ -49,9 +49,10 @@ Sums sum_over_contacts(const ContactNetwork<Dim>& network) {
   return s;
 }
 
-/// z Phi K_N <r^2>/(2 Dim^2 <v>), <v> the mean volume of a grain. For branches between sizes drawn
-/// independently, <r^2> = (<d^2> + <d>^2)/2, it is z Phi (<d^2> + <d>^2) K_N/(4 pi <d^2>) in 2D and .../(6 pi
-/// <d^3>) in 3D. The Reuss form puts <d>^2 in place of the mean squared branch.
+/// Returns the mean-field bulk modulus z Phi K_N <r^2>/(2 Dim^2 <v>), with the mean volume <v> of a grain and the
+/// branch length r. For branches between grains whose sizes d are drawn independently, <r^2> = (<d^2> + <d>^2)/2, and
+/// the modulus is z Phi (<d^2> + <d>^2) K_N/(4 pi <d^2>) in 2D and z Phi (<d^2> + <d>^2) K_N/(6 pi <d^3>) in 3D. The
+/// Reuss form takes <d>^2 in place of <r^2>.
 template <int Dim>
 double mean_field_bulk(const MeanField& m, double kn, double mean_square_branch, double mean_size_power) {
   const double grain_volume = (Dim == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0) * mean_size_power;
@@ -74,7 +75,8 @@ void add_printed_forms(const ContactNetwork<Dim>& network, const MeanField& m, c
   b.B_reuss_printed = mean_field_bulk<Dim>(m, kn, d * d, power) / b.Z2;
 }
 
-/// Forces and moments carried by a contact, in the order of the rows of ContactRows.
+/// Returns the forces and moments carried by a contact, in the order of the rows of ContactRows: normal, tangential,
+/// twisting (in 3D), rolling.
 template <int Dim>
 RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   RowStiffness<Dim> f;
@@ -86,8 +88,9 @@ RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Whether the forces of the contacts are in equilibrium on every grain and on the walls that move together.
-/// Forces out of balance are no trial distribution for the complementary energy, so that they give no bound.
+/// Returns whether the forces of the contacts are in equilibrium on every grain and on the pairs of walls that may move
+/// together. Forces out of balance are not admissible in the principle of minimum complementary energy, so they give no
+/// bound.
 template <int Dim>
 bool forces_balance(const ContactNetwork<Dim>& network) {
   Eigen::VectorXd on_grains = Eigen::VectorXd::Zero(network.n_unknowns());
@@ -112,16 +115,16 @@ bool forces_balance(const ContactNetwork<Dim>& network) {
                              [&](int a) { return std::abs(on_walls[a]) <= kBalanced * largest_on_walls; });
 }
 
-/// See Bounds::fault.
+/// Returns the reason why the bounds are not guaranteed, empty if they are (see Bounds::fault).
 template <int Dim>
 std::string fault_of_bounds(const ContactNetwork<Dim>& network, double B_reuss) {
   const auto any = [&](auto&& has) { return std::ranges::any_of(network.contacts, has); };
   using Contact = NetworkContact<Dim>;
   if (any([](const Contact& c) { return c.distant; }))
-    return "attractions across gaps have a negative stiffness, with which the energy of forces has no minimum";
+    return "attractions across gaps have a negative stiffness, so that the complementary energy has no minimum";
   if (any([](const Contact& c) { return std::min({c.kn, c.kt, c.kr, c.ktw}) < 0.0; }))
-    return "contacts have a negative stiffness, with which the energy of forces has no minimum";
-  if (B_reuss > 0.0 && !forces_balance(network)) return "the forces do not balance";
+    return "some contacts have a negative stiffness, so that the complementary energy has no minimum";
+  if (B_reuss > 0.0 && !forces_balance(network)) return "the contact forces do not balance";
   return "";
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 void require_length(std::int64_t n) {
   if (!kChainLength.holds(n))
-    throw InputError("chain", fmt::format("n = {}: a chain has {} disks or more, and at most {}", n,
+    throw InputError("chain", fmt::format("n = {}: the number of disks must be from {} to {}", n,
                                           kChainLength.least, kChainLength.most));
 }
 
@@ -35,7 +35,7 @@ void require_valid(std::int64_t n, double R, const ChainStiffness& k) {
   require_positive("K_R", k.rolling);
 }
 
-/// Disks of unit radius; stiffnesses over `unit`.
+/// Returns the contact network of a chain, with disks of unit radius and stiffnesses divided by `unit` (force/length).
 ContactNetwork<2> chain_network(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k,
                                 double unit) {
   ContactNetwork<2> network;
@@ -75,14 +75,15 @@ Chord chord_of(const std::vector<Vec<2>>& branches) {
   Chord chord;
   chord.length = end.norm();
   if (!(chord.length > 1e-6))
-    throw InputError("chain", "the last disk lies on the first: no line through their centres");
+    throw InputError("chain", "the last disk lies on the first, so that no line passes through their centres");
   chord.along = end / chord.length;
   chord.across = tangent<double>(chord.along);
   chord.last_contact = 0.5 * chord.length - branches.back().dot(chord.along);
   return chord;
 }
 
-/// Motions of the last disk, one a column: along the chord, across it, rotation about its middle.
+/// Returns three unit motions of the last disk, one per column: along the chord, across the chord, and rotation about
+/// the middle of the chord.
 Mat<3> end_motions(const Chord& chord) {
   Mat<3> motion = Mat<3>::Zero();
   motion.block<2, 1>(0, 0) = chord.along;
@@ -92,7 +93,8 @@ Mat<3> end_motions(const Chord& chord) {
   return motion;
 }
 
-/// Disk 1 held, the last one prescribed, those between free.
+/// Returns the springs of a chain whose first disk is fixed, whose last disk moves by the given motions, and whose
+/// disks in between are free.
 SpringSystem chain_springs(const ContactNetwork<2>& network, const Mat<3>& motions) {
   const Eigen::SparseMatrix<double> rigidity = rigidity_matrix(network, StrainSet::diagonal);
   SpringSystem springs;
@@ -114,7 +116,7 @@ SpringInverse invert(const SpringSystem& springs, SymmetricFactor& factor) {
   return invert_singular(factor, springs, kUnused);
 }
 
-/// Compliances and their error bounds from the stiffness of the end.
+/// Compliance matrix of the last disk of a chain, and a bound on the error of each entry.
 struct Compliance {
   Mat<3> value, error;
 
@@ -127,8 +129,8 @@ Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   Compliance c;
   // The inverse is taken in extended precision, because cofactors that mix soft and stiff directions cancel.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
-  // |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and the last is at most 1/(1 - change) of |S^-1|; a diagonal
-  // scaling makes `change` a number.
+  // For the stiffness S and the bound E on its error, |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and |exact^-1| is at
+  // most |S^-1|/(1 - change). A diagonal scaling gives all entries one unit, so that `change` has no unit.
   const Mat<3> size = c.value.cwiseAbs();
   const Vec<3> scale = stiffness.diagonal().cwiseAbs().cwiseSqrt();
   const Mat<3> relative = scale.asDiagonal() * (size * error) * scale.cwiseInverse().asDiagonal();
@@ -179,7 +181,7 @@ SolvedChain solve_chain(const std::vector<Vec<2>>& branches, double R, const Cha
   const SpringInverse found = invert(springs, factor);
   check_interruption();
   Condensation end = condense(springs, found.inverse, {.tolerance = 1e-14});
-  // A column that rounding leaves no length of hides a motion, not a mechanism: the chain has none.
+  // A chain has no mechanism: if the factor finds one, rounding has hidden a stiffness, and the error is unbounded.
   if (found.n_mechanisms > 0) end.error.setConstant(std::numeric_limits<double>::infinity());
   const Compliance c = invert_stiffness(end.stiffness, end.error);
   const auto scaled = [](BoundedValue v, double size) { return BoundedValue{v.value / size, v.error / size}; };

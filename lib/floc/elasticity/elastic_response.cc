@@ -16,7 +16,8 @@
 namespace floc {
 namespace {
 
-/// The springs of a network in those unknowns, over `unit`, with the strains as boundary.
+/// Springs of a network, with stiffnesses divided by `unit` (force/length). The free unknowns are the reduced unknowns
+/// of the grains; the boundary unknowns are the strains and, between walls, the wall shifts.
 template <int Dim>
 class SpringList {
  public:
@@ -74,20 +75,20 @@ class SpringList {
   SpringSystem springs_;
 };
 
-/// The grains that take part, in the unknowns they are solved for.
+/// Elastic problem of a network: the grains that take part, the unknowns that are solved for, and the answer.
 template <int Dim>
 struct Problem {
   const ContactNetwork<Dim>& whole;
   const ResponseOptions& options;
   ElasticResponse answer;
-  ContactNetwork<Dim> pruned;  // without dead ends, where there are any
+  ContactNetwork<Dim> pruned;  // network without its dead ends, if it has any
   ReducedUnknowns unknowns;
   double unit = 1.0;
-  bool positive = false;  // K has a Cholesky factor that can be trusted
+  bool positive = false;  // the stiffness matrix has a Cholesky factor that can be trusted
 
   Problem(const ContactNetwork<Dim>& network, const ResponseOptions& chosen) : whole(network), options(chosen) {
     const FreeMotions& free = answer.free = find_free_motions(network);
-    // Eliminating a dead end takes its contact with it.
+    // A dead end and its single contact carry no load, so both are removed.
     if (has_ends()) pruned = without_grains(network, free.dead_end);
     unknowns = reduce_unknowns(core(), free.kept);
     unit = stiffness_scale(core());
@@ -105,15 +106,17 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// No response, for a factor that would be too large.
+  /// Returns an answer without a response, because the factor would take too many bytes.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
-    answer.failure = fmt::format("a factor of {} unknowns takes {:.1f} GB, more than the {:.1f} GB it may take",
-                                 unknowns.unknown.size(), bytes / 1e9, options.largest_factor / 1e9);
+    answer.failure =
+        fmt::format("the factor of {} unknowns would take {:.1f} GB, but at most {:.1f} GB are allowed",
+                    unknowns.unknown.size(), bytes / 1e9, options.largest_factor / 1e9);
     return std::move(answer);
   }
 
-  /// @param norm  of K, or a number below it
+  /// Turns a condensation into the answer, in the unknowns of the whole network.
+  /// @param norm  norm of the stiffness matrix, or a number below it
   ElasticResponse take(const Condensation& condensed, double norm) {
     ElasticResponse& out = answer;
     out.n_negative += out.free.n_unstable_ends;
@@ -148,7 +151,7 @@ ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) 
                       factor.norm());
 }
 
-/// Diagonal of K: the stiffness of each unknown with all others held.
+/// Returns the diagonal of the stiffness matrix: the stiffness of each unknown with all other unknowns fixed.
 Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(springs.on_free.cols());
   for (Eigen::Index r = 0; r < springs.on_free.rows(); ++r)
@@ -157,16 +160,17 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
   return diagonal;
 }
 
-/// Steps after which a factor of its own is cheaper than going on with one of another network (N = 1400: a
-/// factor takes as long as some 30 steps).
+/// Number of iteration steps with the factor of another network beyond which a new factor is cheaper. (For 1400 grains,
+/// a factor takes as long as some 30 steps.)
 constexpr int kMaxSteps = 40;
 
-/// Refinement with an approximate inverse of which nothing is known; no value where it does not converge.
+/// Solves by refinement with an approximate inverse whose accuracy is not known. @return no value if the refinement
+/// does not converge
 template <int Dim>
 std::optional<ElasticResponse> solve_by_approximate_inverse(
     Problem<Dim>& problem, const SpringSystem& springs,
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply, const Eigen::MatrixXd& start) {
-  /// Below it rounding of residuals in double precision shows.
+  /// Tolerance below which the rounding of residuals in double precision matters.
   constexpr double kDoubleSuffices = 1e-9;
   ApproximateInverse inverse;
   inverse.apply = std::move(apply);
@@ -180,7 +184,8 @@ std::optional<ElasticResponse> solve_by_approximate_inverse(
   const Condensation condensed = condense(springs, inverse, options);
   if (!condensed.converged) return std::nullopt;
   problem.answer.counted = false;
-  problem.answer.condition = std::numeric_limits<double>::quiet_NaN();  // takes an exact factor to estimate
+  problem.answer.condition =
+      std::numeric_limits<double>::quiet_NaN();  // its estimate would need an exact factor
   const double norm = springs.on_free.cols() == 0 ? 0.0 : diagonal_of(springs).maxCoeff();
   return problem.take(condensed, norm);
 }
@@ -193,7 +198,8 @@ std::optional<ElasticResponse> solve_by_single_factor(Problem<Dim>& problem) {
                                       [&](const auto& b) { return factor.solve(b); }, {});
 }
 
-/// The factor of another network as an inverse: on the unknowns both have, the others by the diagonal.
+/// Approximate inverse made from the factor of another network. It is applied to the unknowns that both networks have;
+/// the other unknowns are divided by their diagonal entry.
 class InheritedInverse {
  public:
   InheritedInverse(const ResponseMemory& memory, const ReducedUnknowns& unknowns, Eigen::VectorXd diagonal)
@@ -221,16 +227,16 @@ class InheritedInverse {
 
  private:
   const ResponseMemory& memory_;
-  Eigen::VectorXd diagonal_;   // of the unknowns the factor does not have, 0 of the others
-  std::vector<int> row_;       // of each row of the factor, in the unknowns at hand; -1: none
-  std::vector<double> scale_;  // of its value there
+  Eigen::VectorXd
+      diagonal_;          // diagonal entry of each unknown that the factor does not contain, 0 for the others
+  std::vector<int> row_;  // row in this network of each row of the factor; -1 if there is none
+  std::vector<double> scale_;  // factor between the values in the two rows
 };
 
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation covers the strains alone, so between walls it gives no start for the shifts of the
-  // walls.
+  // The stored fluctuation covers the strains alone. Between walls it gives no start for the wall shifts.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))
@@ -270,7 +276,7 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const Respo
     memory.unknown = problem.unknowns.unknown;
     memory.length = problem.unknowns.length;
     answer = solve_by_factor(problem, *memory.factor);
-    if (!problem.positive) memory.factor.reset();  // it serves as no preconditioner
+    if (!problem.positive) memory.factor.reset();  // an indefinite matrix cannot be a preconditioner
   }
   memory.fluctuation = answer->fluctuation;
   return std::move(*answer);

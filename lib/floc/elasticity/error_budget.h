@@ -9,28 +9,30 @@
 
 namespace floc {
 
-/// Parts of the error of a bulk modulus, in its unit, and the part that limits it.
+/// Contributions to the error of a bulk modulus B, in its unit, and the name of the largest one.
 struct ErrorBudget {
-  double solver = 0.0;  ///< bound on the error left by solving and rounding (Moduli::B_error), in the unit of B
-  /// Part of B that rests on undecided contacts: contacts whose elastic force is below the state's residual, or
-  /// below its rounding floor where that is higher, might as well be open. Their part is the energy that they
-  /// hold in an isotropic step. Absent where that step has no solution.
+  double solver = 0.0;  ///< bound on the error from solving and rounding (Moduli::B_error), in the unit of B
+  /// Part of B that depends on undecided contacts. These contacts have an elastic force below the residual of the
+  /// state, or below its rounding floor if that is higher, so that they might as well be open. The part of B is their
+  /// share of the elastic energy in an isotropic step. Absent if there is no response to that step.
   std::optional<double> equilibrium;
   int n_undecided = 0;  ///< number of undecided contacts
-  /// Scatter between samples as estimated from one: C11 and C22 (, C33) are equal but for it, and their range
-  /// over Dim^2, the number of entries that B is the mean of, is of the order of its effect on B.
+  /// Scatter of B between samples, estimated from one sample (same unit as B). C11, C22 (and C33) would be equal in a
+  /// large isotropic sample; their range divided by Dim^2, the number of entries that B averages, estimates the scatter
+  /// of B.
   double sampling = 0.0;
-  RoundingFloor floor;    ///< rounding floor of the state (F1, F1/a^(Dim-1))
-  double residual = 0.0;  ///< largest net force on a grain (F1)
+  RoundingFloor
+      floor;  ///< smallest residuals that rounding allows: net force (over F1), stress (over F1/a^(Dim-1))
+  double residual = 0.0;  ///< largest net force on a grain, over F1 = max(F0, P a^(Dim-1))
 
-  /// Returns the name of the largest part: "solver", "sampling", or the reason why contacts are undecided,
-  /// which is "rounding" or "residual".
+  /// Returns the name of the largest contribution: "solver", "sampling", or the reason why contacts are undecided,
+  /// "rounding" or "residual".
   const char* limit() const;
 };
 
-/// Computes the error budget of B.
-/// @param network  the contacts that the moduli were computed from
-/// @param step     response of that network to an isotropic step; null where it has none
+/// Computes the error budget of the bulk modulus B.
+/// @param network  contacts from which the moduli were computed
+/// @param step     response of that network to an isotropic step of stress; null if there is none
 template <int Dim>
 ErrorBudget error_budget(const State<Dim>& state, const ContactNetwork<Dim>& network, const Moduli& moduli,
                          const StepResponse<Dim>* step);

@@ -10,8 +10,9 @@
 namespace floc {
 namespace {
 
+/// Share of the energy that the contacts of highest energy must hold together, see StepResponse::n_holding.
 constexpr double kHeldShare = 0.95;
-/// A stress that works on a vanishing strain by less than this does not work on it: eigenvectors are right to
+/// Work of a unit stress on a strain without stiffness below which it counts as zero: the eigenvectors are accurate to
 /// rounding.
 constexpr double kNoWork = 1e-9;
 
@@ -25,14 +26,15 @@ Eigen::VectorXd stress_of(StressStep step) {
   return stress;
 }
 
-/// Diagonal strain that a diagonal stress gives.
+/// Returns the diagonal strain under a diagonal stress. @return no value if the stress does work on a strain without
+/// stiffness
 template <int Dim>
 std::optional<Eigen::VectorXd> strain_of(const ContactNetwork<Dim>& network, const ElasticResponse& response,
                                          const Eigen::VectorXd& stress) {
   const Eigen::MatrixXd relaxed = response.relaxed.topLeftCorner(Dim, Dim);
   const Eigen::MatrixXd free = vanishing_strains(relaxed, affine_stiffness(network, StrainSet::diagonal));
   if ((free.transpose() * stress).norm() > kNoWork) return std::nullopt;
-  // Strains that cost nothing are given a stiffness, and no stress.
+  // Strains without stiffness are given a stiffness, so that the system can be solved; no stress acts on them.
   const Eigen::MatrixXd held = relaxed + relaxed.trace() * free * free.transpose();
   return Eigen::VectorXd(network.volume * solve_symmetric(held, stress));
 }
@@ -44,7 +46,7 @@ double energy_of(const NetworkContact<Dim>& c, const ForceIncrement<Dim>& f) {
          term(f.rolling_moment.squaredNorm(), c.kr) + term(f.twisting_moment * f.twisting_moment, c.ktw);
 }
 
-/// The forces on the rows of a contact.
+/// Returns the forces along the rows of ContactRows as an increment of the contact.
 template <int Dim>
 ForceIncrement<Dim> increment_of(const NetworkContact<Dim>& c, const ForceRows<Dim>& forces) {
   ForceIncrement<Dim> f{forces[0], forces.template segment<Dim - 1>(1), RotationVector<Dim>::Zero(), 0.0};
@@ -84,7 +86,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
   std::vector<ForceIncrement<Dim>> increments;
   increments.reserve(network.contacts.size());
   for (const NetworkContact<Dim>& c : network.contacts) {
-    // A dead end follows its holder; its contact stays as it is.
+    // A dead end moves with the grain that it hangs on, so that its contact does not change.
     if (response.free.dead_end[c.i] || response.free.dead_end[c.j]) {
       increments.push_back(increment_of<Dim>(c, ForceRows<Dim>::Zero()));
       continue;

@@ -14,7 +14,8 @@ double bulk_modulus(const Eigen::MatrixXd& c) {
 }
 
 double pure_shear_modulus_error(const Eigen::MatrixXd& error) {
-  // The entries off the diagonal enter with the other sign.
+  // Off-diagonal entries have a negative coefficient in the modulus. Their errors are negated so that all errors add
+  // up.
   Eigen::MatrixXd worst = -error;
   worst.diagonal() = error.diagonal();
   return pure_shear_modulus(worst);

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// G/B of isotropic directions.
+/// Returns the ratio G/B of affine motion for contacts in isotropic directions. @param ratio  K_T/K_N
 double shear_over_bulk(int dimension, double ratio) {
   return dimension == 2 ? (1.0 + ratio) / 2.0 : 0.6 * (1.0 + 1.5 * ratio);
 }
@@ -16,7 +16,7 @@ double shear_over_bulk(int dimension, double ratio) {
 struct Averages {
   double n = 0.0;
   double kn = 0.0, kt = 0.0, force = 0.0, complementary = 0.0;
-  double n_pressed = 0.0;  // with F_N > 0
+  double n_pressed = 0.0;  // number of contacts with F_N > 0
   double pressed = 0.0, scaled = 0.0;
 };
 
@@ -43,7 +43,7 @@ Averages average(const ContactNetwork<Dim>& network) {
   return m;
 }
 
-/// Mean size and mean squared size of the grains, and their mean volume (area in 2D).
+/// Mean diameter and mean squared diameter of the grains, and their mean volume (area in 2D).
 struct Sizes {
   double d = 0.0, d2 = 0.0, volume = 0.0;
 };
@@ -68,7 +68,8 @@ MeanFieldEstimates mean_field_estimates(const ContactNetwork<Dim>& network, doub
   const Averages m = average(network);
   if (m.n == 0.0) return out;
   const Sizes s = sizes_of(network);
-  // Contacts a volume over Dim^2; <r^2> = (<d^2> + <d>^2)/2 of sizes drawn independently.
+  // Contacts per volume, over Dim^2. For sizes drawn independently, <r^2> = (<d^2> + <d>^2)/2 (branch length r,
+  // diameter d).
   const double density = 0.5 * coordination * solid_fraction / s.volume / (Dim * Dim);
   out.B_voigt = density * m.kn * 0.5 * (s.d2 + s.d * s.d);
   out.G_voigt_rough = shear_over_bulk(Dim, m.kt / m.kn) * out.B_voigt;

@@ -10,20 +10,21 @@
 namespace floc {
 namespace {
 
-/// Share of the affine stiffness below which a stiffness is zero to rounding.
+/// Stiffness that counts as zero because of rounding, as a share of the trace of the affine stiffness.
 constexpr double kVanishingStiffness = 1e-11;
-/// Displacement of grains to general positions, over their size: of order one, but not so large that the parts
-/// of a contact change places.
+/// Standard deviation of the random displacement that brings grains to general positions, over their size: of order
+/// one, but not so large that the two grains of a contact change places.
 constexpr double kDisplacement = 0.2;
 
-/// Share of a vector's squared length that lies in the span of some columns.
+/// Returns the share of the squared length of a vector v that lies in the span of orthonormal columns.
 double share_in(const Eigen::MatrixXd& columns, const Eigen::VectorXd& v) {
   return (columns.transpose() * v).squaredNorm() / v.squaredNorm();
 }
 
 template <int Dim>
 std::vector<std::string> vanishing_moduli(const Eigen::MatrixXd& strains) {
-  constexpr double kRounding = 1e-9;  // eigenvectors of a matrix with a clear gap are right to rounding
+  // eigenvectors whose eigenvalues are well separated from the others are accurate to rounding
+  constexpr double kRounding = 1e-9;
   const Eigen::Index n = strains.rows();
   const auto vanishes = [&](const Eigen::VectorXd& v) { return share_in(strains, v) > 1.0 - kRounding; };
   std::vector<std::string> names;

@@ -8,36 +8,37 @@
 
 namespace floc {
 
-/// Strains of the cell that cost nothing when the grains follow: mechanisms that couple to strain.
+/// Strains of the cell that no stiffness resists when the grains relax: mechanisms that couple to strain.
 struct StrainMechanisms {
-  Eigen::MatrixXd strains;  ///< orthonormal columns, rows in the order of StrainSet
-  Eigen::MatrixXd motions;  ///< fluctuation of the grains under each strain: rows are the unknowns of K
-  /// Moduli that vanish with them: entries of the diagonal of C by name ("C11"), "B" and "G" where the strain
-  /// that defines them is one of these, "B_S" where an isotropic stress would do work on one.
+  Eigen::MatrixXd strains;  ///< one strain per column, orthonormal; rows in the order of StrainSet
+  /// fluctuation of the grains under each strain; rows are the unknowns of the stiffness matrix
+  Eigen::MatrixXd motions;
+  /// Names of the moduli that are zero because of these strains: "C11" etc. for diagonal entries of C; "B" and "G" if
+  /// the strain that defines the modulus is one of these; "B_S" if an isotropic stress does work on one of them.
   std::vector<std::string> vanishing;
 };
 
-/// Returns the strains that a relaxed stiffness (volume times stress per strain) does not resist, as
-/// orthonormal columns.
-/// @param affine  affine_stiffness() over the same strains; an eigenvalue below 1e-11 of its trace is zero to
-///                within rounding
+/// Returns the strains without stiffness as orthonormal columns.
+/// @param relaxed  volume times stress per strain, with the grains relaxed, see ElasticResponse
+/// @param affine   affine_stiffness() for the same strains; an eigenvalue of `relaxed` below 1e-11 of its trace counts
+///                 as zero
 Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine);
 
-/// Finds the strains that cost nothing, and the moduli that vanish with them.
+/// Finds the strains that no stiffness resists, and the moduli that are zero because of them.
 /// @param affine  affine_stiffness() of the same network and strains
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 
-/// Numbers of the mechanisms of a network that follow from the connections of its contacts, and of those among
-/// them that couple to strain.
+/// Numbers of mechanisms of a network that follow from the connections of its contacts alone: mechanisms of the grains,
+/// and strains of the cell.
 struct StructuralMechanisms {
-  int n_mechanisms = 0;  ///< mechanisms of the grains beyond free motions, strains clamped
-  int n_coupled = 0;     ///< strains of the cell that cost nothing
+  int n_mechanisms = 0;  ///< number of mechanisms of the grains at fixed strains, without free motions
+  int n_coupled = 0;     ///< number of strains of the cell that no stiffness resists
 };
 
-/// Counts the mechanisms of the contacts of a network between grains moved to general positions, where no
-/// near-mechanism disturbs the count. Mechanisms that the network has beyond these are due to its special
-/// geometry. Lever arms stay along the normals, and every stiffness that does not vanish is of order one.
+/// Counts the mechanisms of a network after its grains have been moved to general positions, where no near-mechanism
+/// disturbs the count. If the original network has more mechanisms, they are due to its special geometry. Lever arms
+/// stay along the normals, and every stiffness that is not zero is set to order one.
 template <int Dim>
 StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>& network, StrainSet strains);
 

@@ -11,10 +11,11 @@
 namespace floc {
 namespace {
 
+/// Least and largest default number of modes, see ModeOptions::count.
 constexpr int kMinCount = 10;
 constexpr int kMaxCount = 100;
 
-/// Marks the unknowns of K that belong to grains with contacts.
+/// Returns which unknowns of the stiffness matrix belong to grains with contacts.
 template <int Dim>
 std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> connected(network.n_unknowns(), false);
@@ -24,7 +25,7 @@ std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   return connected;
 }
 
-/// Marks the unknowns of K that some contact resists. Without friction, each rotation is free by itself.
+/// Returns which unknowns of the stiffness matrix some contact resists. Without friction, every rotation is free.
 template <int Dim>
 std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> resisted(network.n_unknowns(), false);
@@ -36,7 +37,7 @@ std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   return resisted;
 }
 
-/// Motions that are free by structure, those of grains without contact left out; columns of unit length.
+/// Returns the free motions of a network, without those of grains without contact, as columns of unit length.
 Eigen::SparseMatrix<double> scaled_free_motions(const FreeMotions& free, const ReducedUnknowns& u) {
   std::vector<Eigen::Triplet<double>> entries;
   int n = 0;
@@ -67,8 +68,8 @@ double near_bound(const ContactNetwork<Dim>& network) {
   return bound;
 }
 
-/// Energies and coupling of a motion, summed over the contacts: sums of squares lose no digits to the rounding
-/// of K.
+/// Adds the energies of a mode and its coupling to strain, as sums of squares over the contacts. The rounding of the
+/// stiffness matrix does not affect these sums.
 template <int Dim>
 void add_energies(const ContactNetwork<Dim>& network, StrainSet strains, Mode<Dim>& mode) {
   mode.coupling = Eigen::VectorXd::Zero(n_strains<Dim>(strains));
@@ -188,7 +189,8 @@ std::optional<int> count_near_mechanisms(const ContactNetwork<Dim>& network, con
                             static_cast<std::ptrdiff_t>(unknowns.unknown.size());
   const int n_free =
       static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler) - static_cast<int>(n_unresisted);
-  const int n_negative = response.n_negative - response.n_negative_shifts;  // walls stand still here
+  const int n_negative =
+      response.n_negative - response.n_negative_shifts;  // the walls do not move in this count
   return factor.count_eigenvalues_below(bound) - n_free - response.n_mechanisms - n_negative;
 }
 

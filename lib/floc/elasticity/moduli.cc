@@ -19,28 +19,31 @@
 namespace floc {
 namespace {
 
-/// Share of the Voigt stiffness below which a modulus is zero to rounding, where no error bound is sharper.
+/// Modulus that counts as zero because of rounding, as a share of the Voigt stiffness. It is used if no error bound is
+/// available.
 constexpr double kVanishingModulus = 1e-11;
-/// Condition number beyond which soft modes decide the moduli.
+/// Condition number of the stiffness matrix above which a warning is given that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
-/// Share of the tolerance of the moduli that the refinement is given: a step squares the error, so that it
-/// costs no more.
+/// Tolerance of the refinement with a factor, as a share of the tolerance of the moduli. A refinement step squares the
+/// error, so that a strict tolerance costs no more steps.
 constexpr double kToleranceOfSolution = 1e-3;
-/// Share for the other solvers: their steps do not square the error, so that a stricter tolerance costs more
-/// steps.
+/// Tolerance of the other solvers, as a share of the tolerance of the moduli. Their steps do not square the error, so
+/// that a stricter tolerance costs more steps.
 constexpr double kToleranceOfIterativeSolution = 0.1;
-/// Share of the pressure by which principal stresses may differ where B_reuss bounds B_S.
+/// Largest difference between a principal stress and the pressure, as a share of the pressure, at which B_reuss counts
+/// as a bound of B_S.
 constexpr double kIsotropic = 1e-4;
-/// Relative rounding of the volume of the cell and of the forces that convect.
+/// Relative rounding error of the cell's volume and of the stress terms added with prestress.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// An eigenvalue of C below it cannot be distinguished from zero.
+/// Returns the absolute value below which an eigenvalue of C cannot be distinguished from zero. @param scale  Voigt
+/// stiffness
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();
   return std::isfinite(error) ? error : kVanishingModulus * scale;
 }
 
-/// Counts vanishing and negative eigenvalues of C and sets the vanishing ones to zero.
+/// Counts the zero and negative eigenvalues of C, and sets those within `bound` of zero to exactly zero.
 void count_coupled_mechanisms(double bound, Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(m.C);
   Eigen::VectorXd values = eigen.values;
@@ -56,12 +59,13 @@ void count_coupled_mechanisms(double bound, Moduli& m) {
   m.n_mechanisms += m.n_coupled_mechanisms;
 }
 
-/// B_S = 1/(1^T C^-1 1), and 0 where the unit stress works on a strain that costs nothing.
+/// Computes B_S = 1/(1^T C^-1 1) and its error. B_S is 0 if an isotropic stress does work on a strain that no stiffness
+/// resists.
 void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::MatrixXd& error, double bound,
                                    Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(c);
   double compliance = 0.0;
-  Eigen::VectorXd strain = Eigen::VectorXd::Zero(c.rows());  // C^-1 1
+  Eigen::VectorXd strain = Eigen::VectorXd::Zero(c.rows());  // C^-1 1, the strain under unit pressure
   for (Eigen::Index k = 0; k < c.rows(); ++k) {
     const double value = eigen.values[k];
     const double load = eigen.vectors.col(k).sum();
@@ -75,7 +79,8 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
   }
   if (compliance == 0.0) return;
   m.B_S = 1.0 / compliance;
-  // d(1/B_S) = -strain^T dC strain to first order; the rest is a share of it while the compliance moves little.
+  // To first order d(1/B_S) = -strain^T dC strain. Higher orders are a small share of this as long as the compliance
+  // changes little.
   const double change = strain.cwiseAbs().dot(error * strain.cwiseAbs()) / std::abs(compliance);
   m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
@@ -96,19 +101,20 @@ void derive_constants(double scale, Moduli& m) {
   m.isotropy_defect = mean == 0.0 ? 0.0 : (diagonal.maxCoeff() - diagonal.minCoeff()) / std::abs(mean);
 }
 
-/// Warns where the error bounds exceed the tolerance, and removes moduli of which no digit is correct.
+/// Adds warnings if error bounds exceed the tolerance, and sets moduli without any correct digit to NaN.
 void check_errors(bool resolved, double tolerance, Moduli& m) {
   if (!resolved) {
     m.warnings.push_back(
-        "rounding leaves no digit of the moduli correct, even with the factor of the rigidity matrix: none are "
-        "given");
+        "no moduli are given, because rounding leaves no digit of them correct, even with a factor of the "
+        "rigidity matrix");
     m.C.setConstant(std::numeric_limits<double>::quiet_NaN());
     m.B = m.B_S = m.G = m.isotropy_defect = m.C(0, 0);
     return;
   }
   if (!std::isfinite(m.B_error + m.G_error)) {
     m.warnings.push_back(
-        "no error bound can be given where there are both mechanisms and negative eigenvalues");
+        "the moduli have no error bound, because the stiffness matrix has both mechanisms and negative "
+        "eigenvalues");
     return;
   }
   const double relative =
@@ -120,27 +126,30 @@ void check_errors(bool resolved, double tolerance, Moduli& m) {
 
 void add_warnings(Moduli& m) {
   if (m.n_coupled_mechanisms > 0)
-    m.warnings.push_back(fmt::format("{} mechanism(s) strain the cell at no cost: moduli along them are zero",
-                                     m.n_coupled_mechanisms));
-  if (m.n_mechanisms > m.n_coupled_mechanisms)
     m.warnings.push_back(
-        fmt::format("{} mechanism(s) that do not couple to strain; they do not affect the moduli",
-                    m.n_mechanisms - m.n_coupled_mechanisms));
+        fmt::format("{} mechanism(s) strain the cell without resistance: the moduli along them are zero",
+                    m.n_coupled_mechanisms));
+  if (m.n_mechanisms > m.n_coupled_mechanisms)
+    m.warnings.push_back(fmt::format("{} mechanism(s) do not couple to strain; they do not affect the moduli",
+                                     m.n_mechanisms - m.n_coupled_mechanisms));
   if (m.n_negative > 0)
     m.warnings.push_back(
-        fmt::format("unstable: {} negative eigenvalue(s) of the stiffness matrix", m.n_negative));
+        fmt::format("the state is unstable: the stiffness matrix has {} negative eigenvalue(s)", m.n_negative));
   if (m.n_mobilised > 0)
     m.warnings.push_back(
         fmt::format("{} contact(s) slide or yield; the moduli treat them as elastic", m.n_mobilised));
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
-    m.warnings.push_back(fmt::format(
-        "condition number {:.1e}: soft modes dominate the moduli; see the moduli with prestress", m.condition));
+    m.warnings.push_back(
+        fmt::format("the stiffness matrix has a condition number of {:.1e}: soft modes dominate the moduli; "
+                    "compare the moduli with prestress",
+                    m.condition));
   if (!m.bounds_hold())
     m.warnings.push_back("B_reuss and B_voigt do not bound B, because " + m.bounds.fault);
   else if (!m.isotropic_stress && m.bounds.B_reuss > m.B_S)
-    m.warnings.push_back(fmt::format(
-        "B_reuss = {:.6g} exceeds B_S = {:.6g}: it bounds B alone, because the principal stresses are unequal",
-        m.bounds.B_reuss, m.B_S));
+    m.warnings.push_back(
+        fmt::format("B_reuss = {:.6g} exceeds B_S = {:.6g}: B_reuss bounds B but not B_S, because the "
+                    "principal stresses are unequal",
+                    m.bounds.B_reuss, m.B_S));
 }
 
 template <int Dim>
@@ -191,8 +200,8 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
 
 namespace {
 
-/// The middle between the bounds of the network, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and half their
-/// distance, where they are bounds.
+/// Sets B and G to the middle between their bounds, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and their errors to
+/// half the distance. If the bounds are not guaranteed, sets the failure.
 void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   m.method = ModuliMethod::bounds;
@@ -203,7 +212,7 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
     m.failure = m.bounds.fault;
     return;
   }
-  const double low = std::min(m.bounds.B_reuss, m.bounds.B_voigt);  // which they are but for rounding
+  const double low = std::min(m.bounds.B_reuss, m.bounds.B_voigt);  // B_reuss <= B_voigt except for rounding
   m.B = 0.5 * (low + m.bounds.B_voigt);
   m.B_error = 0.5 * (m.bounds.B_voigt - low);
   m.G = m.G_error = 0.5 * m.bounds.G_voigt;
@@ -212,19 +221,21 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
     m.B_S_error = m.B_error;
   } else {
     m.warnings.emplace_back(
-        "no B_S: B_reuss bounds it where the principal stresses are equal, and here they are not");
+        "B_S is not given: B_reuss bounds it only if the principal stresses are equal, and here they are "
+        "unequal");
   }
 }
 
-/// Whether the principal stresses along the axes are equal, which B_S is defined by: it keeps shear strains clamped.
+/// Returns whether the stresses along the axes are equal, as the definition of B_S requires (it has shear strains fixed
+/// at zero).
 template <int Dim>
 bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   const Vec<Dim> deviator = stress.diagonal() - Vec<Dim>::Constant(pressure);
   return deviator.cwiseAbs().maxCoeff() <= kIsotropic * std::abs(pressure);
 }
 
-/// Computes moduli from a response. @param respond  elastic_response() with the data kept from one call to the
-/// next
+/// Computes moduli from the response of a network.
+/// @param respond  elastic_response() bound to the data that it keeps from one call to the next
 template <int Dim>
 Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                      const ModuliOptions& options, const auto& respond) {
@@ -233,7 +244,8 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   m.pressure = load.stress.trace() / Dim;
   m.n_mobilised = load.n_mobilised;
   m.bounds = elastic_bounds(network, load.unloaded ? 0.0 : m.pressure, load.mean_field);
-  if (options.prestress && m.bounds_hold()) m.bounds.fault = "B contains the geometric terms of the forces";
+  if (options.prestress && m.bounds_hold())
+    m.bounds.fault = "B contains the geometric terms of the forces (prestress)";
   m.isotropic_stress = m.bounds.B_reuss == 0.0 || is_isotropic<Dim>(load.stress, m.pressure);
   if (options.method == ModuliMethod::bounds) {
     set_midpoint_of_bounds(n_strains<Dim>(options.strains), m);
@@ -274,7 +286,7 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   return m;
 }
 
-/// Stands moduli without prestress beside those with it.
+/// Returns the moduli with prestress, completed by the values without prestress.
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;
   with.B_without_prestress = without.B;

@@ -11,15 +11,15 @@
 namespace floc {
 namespace {
 
-/// The rounding error of the cell's volume alone.
+/// Smallest relative accuracy that can be required: the rounding error of the cell's volume.
 constexpr double kMinError = 1e-14;
-/// Largest difference of the principal stresses, as a share of the required accuracy, at which B_reuss is taken
-/// as a bound of B_S: with sigma_a = P (1 + delta_a) the bound is off by the order of delta.
+/// Largest relative difference of the principal stresses, as a share of the required accuracy, at which B_reuss is
+/// taken as a bound of B_S. With sigma_a = P (1 + delta_a) the bound is wrong by about delta.
 constexpr double kAnisotropyShare = 0.01;
-/// Grains up to which a factor in single precision is cheaper than one in double.
+/// Largest number of grains for which a factor in single precision is cheaper than one in double precision.
 constexpr int kMaxForSingle = 1000;
 
-/// Whether the middle between the bounds can be given as B, with half their distance as its error.
+/// Returns whether the middle between the bounds is sufficient for B, with half their distance as its error.
 template <int Dim>
 bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, const ModuliAccuracy& accuracy) {
   if (std::isfinite(accuracy.G) || options.strains == StrainSet::full) return false;
@@ -27,7 +27,8 @@ bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, c
   return stress.maxCoeff() - stress.minCoeff() <= kAnisotropyShare * accuracy.B * std::abs(stress.mean());
 }
 
-/// A vanishing or negative eigenvalue is counted by the full factor alone.
+/// Returns whether the counts of zero and negative eigenvalues are reliable. Only ModuliMethod::factor counts them
+/// fully; moduli of another method must have none.
 bool fully_counted(const Moduli& m) {
   return m.method == ModuliMethod::factor || (m.n_mechanisms == 0 && m.n_negative == 0);
 }
@@ -46,12 +47,13 @@ std::vector<std::string> ModuliAccuracy::validate() const {
   std::vector<std::string> faults;
   const auto check = [&](const char* name, double asked) {
     if (!(asked >= kMinError))
-      faults.push_back(fmt::format("accuracy of {} = {}: must be at least {}, the error that rounding leaves",
-                                   name, asked, kMinError));
+      faults.push_back(
+          fmt::format("accuracy of {} = {}: must be at least {}, the rounding error", name, asked, kMinError));
   };
   check("B", B);
   check("G", G);
-  if (!std::isfinite(B) && !std::isfinite(G)) faults.push_back("accuracy: must be finite for B or G");
+  if (!std::isfinite(B) && !std::isfinite(G))
+    faults.push_back("accuracy: at least one of the accuracies of B and G must be finite");
   return faults;
 }
 

@@ -10,44 +10,50 @@
 
 namespace floc {
 
-/// Response of each contact of a network to a small step, isotropic and deviatoric.
+/// Response of each contact of a network to an isotropic and a deviatoric step of stress.
 template <int Dim>
 struct ContactMechanics {
-  /// Response to an isotropic step; absent where the stress would do work on a mechanism.
+  /// Response to an isotropic step; absent if the stress does work on a mechanism.
   std::optional<StepResponse<Dim>> isotropic;
-  /// Response to a deviatoric step; absent under the same condition.
+  /// Response to a deviatoric step; absent if the stress does work on a mechanism.
   std::optional<StepResponse<Dim>> deviatoric;
   Percolation percolation;
-  /// Whether a contact carries an increment in one step or the other; empty if both responses are absent.
+  /// For each contact, whether its forces change in at least one of the two steps of stress; empty if both responses
+  /// are absent.
   std::vector<bool> backbone;
 };
 
-/// Computes the response of each contact to both steps, and the percolation of the network.
-/// @param moduli  of the same network
+/// Computes the response of each contact to both steps of stress, and the percolation of the network.
+/// @param moduli  moduli of the same network
 template <int Dim>
 ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
 
-/// Counts and ratios that say how far the contacts of a network determine its forces (docs/physics.md,
-/// "Stability and mechanisms").
+/// Counts and ratios that describe how far the contacts of a network determine its forces (docs/physics.md, "Stability
+/// and mechanisms").
 struct NetworkMechanics {
-  double rattler_fraction = 0.0;  ///< x0
-  /// Twice the touching contacts between grains per grain that is not a rattler; contacts of rattlers are left out.
+  double rattler_fraction = 0.0;  ///< x0: number of rattlers over number of grains
+  /// Coordination number without rattlers: twice the number of touching contacts between grains, over the number of
+  /// grains that are not rattlers. Contacts of rattlers are not counted.
   double z_star = 0.0;
-  /// G/(K_N Phi (1 - x0)) with the mean K_N of touching contacts, in 3D times the largest diameter so that it
-  /// has no dimension; absent without contacts.
+  /// Dimensionless shear modulus G/(K_N Phi (1 - x0)), with the mean K_N of touching contacts, the solid fraction Phi
+  /// and the rattler fraction x0; in 3D multiplied by the largest diameter. Absent without contacts.
   std::optional<double> G_star;
-  int n_dead_ends = 0;   ///< grains that hang on a single contact, or on a chain of such grains
-  int n_components = 0;  ///< connected parts besides them
+  int n_dead_ends = 0;   ///< number of grains that hang on a single contact, or on a chain of such grains
+  int n_components = 0;  ///< number of connected parts of the network, dead ends removed
   Indeterminacy indeterminacy;
-  std::optional<double> energy_share_95;  ///< isotropic step, see StepResponse
+  /// share of touching contacts that hold 95 % of the energy of the isotropic step
+  std::optional<double> energy_share_95;
+  /// share of touching contacts that hold 95 % of the energy of the deviatoric step
   std::optional<double> energy_share_95_deviatoric;
-  std::optional<double> backbone_share;  ///< contacts of the mechanical backbone over all
-  /// Contacts of the scalar backbone over all; absent without contacts.
+  std::optional<double>
+      backbone_share;  ///< share of contacts in the mechanical backbone, see mechanical_backbone()
+  /// Share of contacts in the scalar backbone, see Percolation; absent without contacts.
   std::optional<double> scalar_backbone_share;
-  int n_percolating = 0;  ///< directions in which the network winds around the cell
+  int n_percolating = 0;  ///< number of directions in which the network percolates through the periodic cell
 };
 
-/// Computes these numbers. @param moduli, contacts  of the same network
+/// Computes the counts and ratios of NetworkMechanics.
+/// @param moduli, contacts  moduli and contact_mechanics() of the same network
 template <int Dim>
 NetworkMechanics network_mechanics(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
                                    const Moduli& moduli, const ContactMechanics<Dim>& contacts);

@@ -20,14 +20,15 @@
 namespace floc {
 namespace {
 
-/// Share of the affine stiffness below which that of the strains is zero: a mechanism that strains the cell.
+/// Stiffness of the relaxed strains that counts as zero, as a share of the affine stiffness: the strain is then a
+/// mechanism.
 constexpr double kVanishingStrain = 1e-11;
-/// A Cholesky factor of a larger condition may hide a mechanism, which has no sign.
+/// Condition number above which a Cholesky factor may hide a mechanism, so that the eigenvalues are counted instead.
 constexpr double kSuspiciousCondition = 1e12;
-/// Largest eigenvalue of a network's stiffness matrix with a diagonal of 1: 2 to 4 in packings.
+/// Assumed largest eigenvalue of a stiffness matrix scaled to a diagonal of 1. In packings it is 2 to 4.
 constexpr double kLargestEigenvalue = 4.0;
 
-/// @param contacts  of a network or of a packing
+/// Returns whether any contact has a negative normal stiffness. @param contacts  contacts of a network or a packing
 bool has_negative_stiffness(const auto& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const auto& c) { return c.kn < 0.0; });
 }
@@ -36,20 +37,21 @@ int count_below(const Eigen::MatrixXd& symmetric, double bound) {
   return static_cast<int>((symmetric_eigenvalues(symmetric).array() < bound).count());
 }
 
-/// The stiffness matrix of grains and strains over the stiffest contact's, free motions taken out.
+/// Stiffness matrix of grains and strains, divided by the largest contact stiffness, without free motions.
 struct ReducedStiffness {
-  Eigen::SparseMatrix<double> grains;  // lower triangle
-  std::vector<int> group;              // of its rows
+  Eigen::SparseMatrix<double> grains;  // stiffness matrix of the grains, lower triangle
+  std::vector<int> group;              // grain of each row of `grains`
   Eigen::MatrixXd border, boundary;
-  double vanishing = 0.0;   // eigenvalues of the strains' stiffness within this are zero
-  double unresolved = 0.0;  // those of the grains' stiffness, which stand for none of the tangent
-  int n_unstable_ends = 0;  // negative eigenvalues that left with the dead ends
+  double vanishing = 0.0;   // absolute eigenvalue of the relaxed strain stiffness that counts as zero
+  double unresolved = 0.0;  // absolute eigenvalue of `grains` below which the sign is not significant
+  int n_unstable_ends = 0;  // number of negative eigenvalues of the dead ends, which are not in `grains`
 };
 
-/// Returns how far below zero, in units of the stiffest contact, the symmetric part of the tangent may move the
-/// eigenvalue of a mechanism. With K = S + A, A antisymmetric, K v = 0 gives S v = -A v: A couples v to stiff
-/// motions, which adds -|A v|^2/k to v.S v = 0. A comes from tangential forces and moments alone and is of the
-/// order of F_T/r; an instability that geometric terms make is of that order, and not of its square over k.
+/// Returns how far below zero taking the symmetric part of the tangent matrix may move the eigenvalue of a mechanism,
+/// in units of the largest contact stiffness. Let K = S + A with A antisymmetric. Then K v = 0 gives S v = -A v: A
+/// couples v to stiff motions (stiffness k), which changes v.S v = 0 by -|A v|^2/k. A comes from tangential forces and
+/// moments alone and is of the order of F_T/r. An instability from geometric terms is of the order of F_T/r itself, not
+/// of its square over k.
 template <int Dim>
 double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   double largest = 0.0;
@@ -87,17 +89,18 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
   return out;
 }
 
-/// Haynsworth: the inertia of K is that of the block of the grains and that of its Schur complement, the
-/// stiffness of the strains once the grains have relaxed. The factor's rounding is that of a matrix close to K,
-/// so that no refinement would add to it.
-/// @return why not in words, where the factor would take too much
+/// Tests the stability by a factor. By Haynsworth's theorem, the inertia of the stiffness matrix is the sum of the
+/// inertia of the grains' block and that of its Schur complement, the stiffness of the strains after relaxation of the
+/// grains. No refinement is needed, because the rounded factor is exact for a nearby matrix.
+/// @return result of the test; if the factor would be too expensive, the reason
 Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& options) {
   SymmetricFactor factor;
   factor.set_matrix(k.grains, k.group);
   const FactorCost cost = factor.predicted_cost();
   if (cost.bytes > options.largest_factor || cost.operations > options.most_operations)
-    return {std::nullopt, fmt::format("a factor would take {:.2g} GB and {:.0e} operations; ",
-                                      1e-9 * cost.bytes, cost.operations)};
+    return {std::nullopt,
+            fmt::format("a factor of the stiffness matrix would take {:.2g} GB and {:.0e} operations; ",
+                        1e-9 * cost.bytes, cost.operations)};
   int n_negative = k.n_unstable_ends;
   if (!factor.factorize_positive() || factor.reciprocal_condition() * kSuspiciousCondition < 1.0)
     n_negative += factor.count_eigenvalues_below(-k.unresolved);
@@ -105,7 +108,7 @@ Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& opti
   return {n_negative + count_below(relaxed, -k.vanishing), ""};
 }
 
-/// K over its diagonal, by products alone.
+/// Stiffness matrix scaled to a diagonal of 1, given by its products with vectors.
 class ScaledStiffness {
  public:
   explicit ScaledStiffness(const ReducedStiffness& k) : grains_(k.grains), border_(k.border) {
@@ -121,7 +124,7 @@ class ScaledStiffness {
 
   Eigen::Index order() const { return diagonal_.size(); }
   bool has_negative_diagonal(double vanishing) const { return diagonal_.minCoeff() < -vanishing; }
-  /// Floating-point operations of one product.
+  /// Returns the number of floating-point operations of one product.
   double operations() const {
     return 4.0 * static_cast<double>(grains_.nonZeros()) + 4.0 * static_cast<double>(border_.size());
   }
@@ -142,7 +145,8 @@ class ScaledStiffness {
 
 Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& options,
                             const std::string& no_factor) {
-  if (k.n_unstable_ends > 0) return {k.n_unstable_ends, no_factor + "grains held by a distant bond alone"};
+  if (k.n_unstable_ends > 0)
+    return {k.n_unstable_ends, no_factor + "some grains are held only by an attraction across a gap"};
   const ScaledStiffness scaled(k);
   PositivityOptions test;
   test.bound = options.bound;
@@ -151,15 +155,21 @@ Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& o
     return {std::nullopt,
             fmt::format("not tested: {}and {} steps of an iterative test would take {:.0e} operations",
                         no_factor, steps, steps * scaled.operations())};
-  if (scaled.has_negative_diagonal(k.vanishing)) return {1, no_factor + "an unknown of negative stiffness"};
+  if (scaled.has_negative_diagonal(k.vanishing))
+    return {1, no_factor + "an unknown has a negative diagonal stiffness"};
   const Positivity found = test_positivity(scaled.order(), scaled, test);
   if (found.negative)
-    return {1, fmt::format("{}a direction of negative stiffness found in {} steps, there may be more",
-                           no_factor, found.steps)};
+    return {
+        1,
+        fmt::format(
+            "{}a direction of negative stiffness was found in {} steps of an iterative test; there may be more",
+            no_factor, found.steps)};
   const bool far_enough = found.bound <= test.bound;
   return {far_enough ? std::optional<int>(0) : std::nullopt,
-          fmt::format("{}{}no eigenvalue below -{:.1e} of the diagonal in {} steps",
-                      far_enough ? "" : "not tested as far as asked: ", no_factor, found.bound, found.steps)};
+          fmt::format(
+              "{}{}no eigenvalue below -{:.1e} (with the diagonal scaled to one) was found in {} steps of an "
+              "iterative test",
+              far_enough ? "" : "not tested to the required tolerance: ", no_factor, found.bound, found.steps)};
 }
 
 template <int Dim>

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Share of the stiffness of the strains below which a stiffness of shifts of walls is zero to rounding. Only
-/// the walls themselves then hold the grains, which move with them.
+/// Stiffness of a wall shift that counts as zero because of rounding, as a share of the stiffness of the strains. The
+/// grains then touch no other boundary than these walls and move with them.
 constexpr double kFreeShift = 1e-11;
 
 }  // namespace
@@ -18,8 +18,8 @@ template <int Dim>
 void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out) {
   const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
   const Eigen::Index n_strains = out.relaxed.rows() - n;
-  // The shifts are eliminated by a pseudo-inverse: a shift without stiffness moves the grains along at no cost,
-  // and its amount does not matter.
+  // The wall shifts are eliminated by a pseudo-inverse: a shift without stiffness moves the grains along without
+  // resistance, and its amplitude does not matter.
   const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
   const double least = kFreeShift * out.relaxed.trace();
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);
@@ -38,8 +38,8 @@ void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out)
   for (Eigen::Index k = 0; k < n; ++k)
     out.wall_shift.row(network.wall_axes[static_cast<std::size_t>(k)]) =
         wall_shift_unit(network) * with_strain.row(n_strains + k);
-  // The triple product T^T K T is used instead of a Schur complement: its error is |T|^T error |T|. Entries
-  // without a bound are infinite and would give NaN, so that they are set to infinity afterwards.
+  // The triple product T^T K T is used instead of a Schur complement, because its error is |T|^T error |T|. Infinite
+  // error bounds would give NaN; in this case all bounds are set to infinity afterwards.
   const Eigen::MatrixXd magnitude = with_strain.cwiseAbs();
   out.relaxed = (with_strain.transpose() * out.relaxed * with_strain).eval();
   const bool bounded = out.error.allFinite();

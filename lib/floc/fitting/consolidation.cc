@@ -16,7 +16,8 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Samples whose scatter gives weights and errors.
+/// Smallest number of samples whose scatter is used for the weights and standard errors of the fit to their
+/// mean.
 constexpr Eigen::Index kMinSamples = 3;
 
 const char* name_of(Law law) {
@@ -32,13 +33,14 @@ Weighting weighting_of(const ConsolidationCurve& curve, const ConsolidationOptio
   return curve.samples.cols() >= kMinSamples ? Weighting::scatter : Weighting::relative;
 }
 
-/// Deviations of the samples from their mean, points x samples.
+/// Returns the deviation of each sample from the mean of the samples, as a matrix of points x samples.
 Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
   return samples.colwise() - samples.rowwise().mean();
 }
 
-/// Variance of 1/Phi between samples. That of one pressure is known badly from a few samples, so it is averaged
-/// over five neighbours, and none counts less than a tenth of their mean.
+/// Returns the variance of 1/Phi between samples at each pressure. A few samples determine the variance at one
+/// pressure badly, so it is averaged over five neighbouring pressures, and is raised to at least a tenth of the
+/// mean variance.
 Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   constexpr Eigen::Index kReach = 2;
   constexpr double kMinRelativeVariance = 0.1;
@@ -53,7 +55,7 @@ Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   return smooth.cwiseMax(kMinRelativeVariance * smooth.mean());
 }
 
-/// Weights of mean square one.
+/// Returns the weights of the residuals of the points, scaled so that their mean square is one.
 Eigen::VectorXd weights_of(const ConsolidationCurve& curve, const Eigen::VectorXd& y, Weighting weighting) {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(y.size());
   if (weighting == Weighting::relative) weights = y.cwiseInverse();
@@ -71,14 +73,16 @@ LawPoints points_of(const ConsolidationCurve& curve, Weighting weighting) {
           weights_of(curve, y, weighting)};
 }
 
-/// First point and number of points a law is fitted on, and of the plateau right before them.
+/// Window of points to which a consolidation law is fitted: index of its first point, number of points, and
+/// number of points of the plateau of regime I right before it.
 struct Window {
   int first, n;
   int n_plateau;
 };
 
 Window given_window(const ConsolidationCurve& curve, std::pair<double, double> window) {
-  // A bound typed with a few digits is meant to include the grid pressure it rounds.
+  // Relative tolerance of the bounds of the window: a bound rounded to a few digits still includes the point
+  // whose pressure was rounded.
   constexpr double kTyped = 1e-3;
   const auto inside = [&](double P) {
     return P >= window.first * (1 - kTyped) && P <= window.second * (1 + kTyped);
@@ -88,7 +92,7 @@ Window given_window(const ConsolidationCurve& curve, std::pair<double, double> w
           static_cast<int>(std::count_if(begin, curve.P_star.end(), inside)), 0};
 }
 
-/// Returns the points on which a law holds according to the regimes.
+/// Returns the window of points to which a consolidation law is fitted, from the regimes of the curve.
 Window window_of(Law law, const Regimes& regimes, int n) {
   const int k = regimes.n_plateau;
   if (law == Law::full) return {k, n - k, k};
@@ -98,8 +102,9 @@ Window window_of(Law law, const Regimes& regimes, int n) {
 
 std::string too_few(Law law, int n) {
   return fmt::format(
-      "{} pressures in {}, the {} law needs {}: give more with --window lo,hi or a finer load path", n,
-      place_of(law), name_of(law), n_parameters(law) + 1);
+      "there are {} pressures in {}, but a fit of the {} law needs {}: choose a wider range of pressures with "
+      "--window lo,hi or a load path with more pressures",
+      n, place_of(law), name_of(law), n_parameters(law) + 1);
 }
 
 ConsolidationFit refused(Law law, std::string why) {
@@ -109,7 +114,8 @@ ConsolidationFit refused(Law law, std::string why) {
   return fit;
 }
 
-/// Solves a law; with a robust loss, weights and solution follow each other until they agree.
+/// Fits a consolidation law to points. With a robust loss, recomputes the weights from the residuals and fits
+/// again until the solution no longer changes.
 std::optional<LawSolution> solve_robustly(Law law, LawPoints& points, Loss loss) {
   auto solution = solve_law(law, points);
   if (loss == Loss::squared || !solution) return solution;
@@ -133,7 +139,8 @@ void describe_window(const ConsolidationCurve& curve, const Window& window, Cons
   fit.window_high = curve.P_star[window.first + window.n - 1];
 }
 
-/// Correlations of the first `n` quantities, as parameters: 1/Phi_max falls as Phi_max grows.
+/// Returns the correlations of the first `n` parameters. The sign is reversed for parameters fitted as their
+/// inverse, such as 1/Phi_max, which falls as Phi_max grows.
 Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::Index n,
                                const Eigen::MatrixXd& covariance) {
   Eigen::MatrixXd gradients(n, covariance.cols());
@@ -144,8 +151,8 @@ Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::I
   return scale.asDiagonal() * c * scale.asDiagonal();
 }
 
-/// Replaces the interval of a parameter by that of the profile likelihood. One that the data leave open keeps
-/// no value.
+/// Replaces the 95 % interval of a fitted parameter by the interval of the profile likelihood. An end of the
+/// interval is absent if the data do not limit the parameter on that side.
 void profile(const LawEstimate& estimate, int coordinate, const Covariance& covariance, bool is_inverse,
              FittedParameter& p, ConsolidationFit& fit) {
   const ProfileInterval c = profile_interval(estimate, coordinate, covariance);
@@ -168,13 +175,15 @@ std::string bounds_in_words(const FittedParameter& p) {
   return "not bounded";
 }
 
-/// Solid fractions end at one, and the law keeps the others positive.
+/// Returns the range of the values of a parameter: solid fractions lie between 0 and 1, other parameters are
+/// not negative.
 PhysicalRange range_of(const std::string& name) {
   const bool is_fraction = name == "Phi_max" || name == "Phi0";
   return {0.0, is_fraction ? 1.0 : std::numeric_limits<double>::infinity()};
 }
 
-/// @param last_phi  the largest solid fraction there is
+/// Adds the parameters of a fit, with their intervals and warnings, to the result.
+/// @param last_phi  solid fraction at the highest pressure fitted; lower bound of Phi_max if the fit has none
 void add_parameters(const LawEstimate& estimate, const Covariance& covariance, double last_phi,
                     ConsolidationFit& fit) {
   const std::vector<Quantity> quantities = quantities_of(estimate);
@@ -189,8 +198,8 @@ void add_parameters(const LawEstimate& estimate, const Covariance& covariance, d
       continue;
     }
     if (p.identified) continue;
-    fit.warnings.push_back(
-        fmt::format("{} is not identified by these data: {} (95 %)", p.name, bounds_in_words(p)));
+    fit.warnings.push_back(fmt::format("{} is not identified by these data: its value is {} (95 % interval)",
+                                       p.name, bounds_in_words(p)));
     p.value = p.standard_error = std::nullopt;
   }
   if (estimate.law != Law::power && !estimate.has_plateau())
@@ -200,7 +209,8 @@ void add_parameters(const LawEstimate& estimate, const Covariance& covariance, d
   fit.correlation = correlation_of(quantities, n_free, covariance.matrix);
 }
 
-/// The data end before P1*: lambda is that of the law they can identify, the rest is bounded.
+/// Adds the parameters of data that end before P1*, the pressure at which regime III begins: lambda of the law
+/// that the data can identify, and bounds of the parameters of regime III.
 void bound_regime_three(const LawEstimate& reported, const Covariance& covariance, double last_phi,
                         ConsolidationFit& fit) {
   const std::vector<Quantity> quantities = quantities_of(reported);
@@ -218,28 +228,31 @@ void bound_regime_three(const LawEstimate& reported, const Covariance& covarianc
   fit.correlated = {"lambda"};
   fit.correlation = Eigen::MatrixXd::Ones(1, 1);
   fit.warnings.push_back(
-      fmt::format("the data end at P* = {:.6g}, before P1*: alpha is not identified, P1_star and Phi_max are "
-                  "bounds, and lambda is that of {}",
+      fmt::format("the data end at P* = {:.6g}, before regime III begins at P1*: alpha is not identified, only "
+                  "bounds of P1_star and Phi_max are given, and lambda is the slope of {}",
                   fit.window_high, reported.law == Law::full ? "the full law" : "the line of regime II"));
 }
 
-/// Residuals that follow each other make the errors of a single curve too small.
+/// Warns if neighbouring residuals are correlated, which makes the standard errors from a single curve too
+/// small.
 void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
   const Eigen::VectorXd& r = estimate.solution.residuals;
   const Eigen::Index n = r.size();
   const double correlation = r.head(n - 1).dot(r.tail(n - 1)) / r.squaredNorm();
   const bool is_rounding = fit.rms < 1e-9;
   if (is_rounding || correlation < 2.0 / std::sqrt(static_cast<double>(n))) return;
-  fit.warnings.push_back(fmt::format(
-      "neighbouring residuals are correlated ({:.2f}): the curve moves in steps, or does not follow this law, "
-      "and its standard errors are too small; the scatter between samples is the better measure",
-      correlation));
+  fit.warnings.push_back(
+      fmt::format("neighbouring residuals are correlated ({:.2f}): the curve moves in steps, or does not "
+                  "follow this law, so that the standard errors are too small; fit the mean of several "
+                  "samples, whose scatter gives better errors",
+                  correlation));
 }
 
-/// A plateau that falls is the recompression of a soil: the pressure sought is then where its line meets that of
-/// regime II, while P0* is where its mean does.
+/// Warns if the plateau of regime I is not level, as in the recompression of a soil. P0* is the pressure at
+/// which the mean level of the plateau meets the line of regime II; on such a plateau the line through its
+/// points meets that line at another pressure, which the warning gives.
 void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
-  constexpr double kLevel = 0.1;  // share of lambda
+  constexpr double kLevel = 0.1;  // smallest slope worth a warning, as a share of lambda
   constexpr double kSignificant = 3.0;
   const LawPoints& plateau = estimate.plateau;
   if (estimate.law == Law::power || plateau.size() < 3) return;
@@ -260,7 +273,7 @@ void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
                   slope, 100.0 * slope / lambda, std::exp(log_P)));
 }
 
-/// lambda of the same law on windows moved by one row.
+/// Fits the law again on windows with one end moved by one point, and warns if lambda depends on the window.
 void shift_window(const LawEstimate& estimate, const LawPoints& all, const Window& window,
                   ConsolidationFit& fit) {
   if (estimate.law == Law::power) return;
@@ -288,13 +301,13 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
   for (const WindowShift& s : fit.window_shifts)
     if (!s.lambda ||
         std::abs(*s.lambda - *lambda->value) > std::max(*lambda->standard_error, 1e-6 * *lambda->value))
-      fit.warnings.push_back(fmt::format("lambda depends on the window: {} with the {}, {:.4g} as fitted",
-                                         s.lambda ? fmt::format("{:.4g}", *s.lambda) : "regime II is lost",
-                                         s.change, *lambda->value));
+      fit.warnings.push_back(fmt::format(
+          "lambda depends on the window of pressures: {} with the {}, {:.4g} as fitted",
+          s.lambda ? fmt::format("{:.4g}", *s.lambda) : "no regime II is left", s.change, *lambda->value));
 }
 
-/// Adds the spread of theta over other windows to its covariance. Where regimes were searched for, the law also
-/// holds, with some probability, on other windows.
+/// Adds to the covariance of the coordinates theta of a fit their spread over other windows of points, weighted
+/// by the probabilities of other ends of the regimes.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
   struct Other {
@@ -322,8 +335,8 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   }
 }
 
-/// Returns the two parts of each parameter's standard error: scatter, and spread over the places of the
-/// regimes.
+/// Returns the two parts of the standard error of each parameter: the part from the scatter of the data, and
+/// the part from the uncertain ends of the regimes.
 std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covariance& scatter,
                                         const Covariance& all) {
   std::vector<ErrorParts> parts;
@@ -336,7 +349,8 @@ std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covar
   return parts;
 }
 
-/// The estimate of the law that the points can identify: of the line where no bend is detected.
+/// Returns the estimate of the consolidation law that the points can identify: the line of regime II if they
+/// show no bend of the full law, otherwise the law that was fitted.
 LawEstimate identifiable_estimate(LawEstimate estimate) {
   if (estimate.law == Law::full && !detects_regime_three(estimate.points, estimate.solution) &&
       !detects_bend(estimate.points, estimate.solution)) {
@@ -364,21 +378,23 @@ void add_bootstrap(const LawEstimate& reported, const Eigen::MatrixXd& samples,
   for (FittedParameter& p : fit.bootstrap) (void)keep_in_range(range_of(p.name), p);
 }
 
-/// Solves the law on the window and derives the parameters, errors and warnings of the fit.
+/// Fits a consolidation law to the points of a window, and derives the parameters, errors and warnings of the
+/// fit.
 ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, const Window& window,
                             const ConsolidationOptions& options, ConsolidationFit fit) {
   const Law law = options.law;
   LawPoints points = all.range(window.first, window.n);
   auto solution = solve_robustly(law, points, options.loss);
-  if (!solution) return refused(law, "the solid fraction does not grow with pressure over the window");
+  if (!solution)
+    return refused(law, "the solid fraction does not grow with pressure in the window that is fitted");
   all.weight.segment(window.first, window.n) = points.weight;
   const int n_plateau = options.hold_P0 ? 0 : window.n_plateau;
   const LawPoints plateau = all.range(window.first - n_plateau, n_plateau);
   const LawEstimate estimate{law, points, *solution, plateau, mean_level(plateau)};
   const bool ends_early = law == Law::full && !detects_regime_three(points, estimate.solution);
   if (!ends_early && !keeps_regime_two(law, points, estimate.solution))
-    return refused(law, fmt::format("only {} of the pressures lie before P1* = {:.4g}, regime II needs {}: try "
-                                    "--law power",
+    return refused(law, fmt::format("only {} of the pressures lie below P1* = {:.4g}, where regime III begins, "
+                                    "but regime II needs {}: try --law power",
                                     n_before_regime_three(points, estimate.solution),
                                     std::exp(estimate.solution.theta[3]), kMinInRegimeTwo));
   const LawEstimate reported = identifiable_estimate(estimate);
@@ -418,8 +434,9 @@ std::vector<std::string> ConsolidationOptions::validate() const {
   std::vector<std::string> faults;
   if (n_bootstrap != 0) faults.push_back(range_fault("bootstrap", n_bootstrap, kBootstrap));
   if (window && !(window->first > 0.0 && window->first < window->second && std::isfinite(window->second)))
-    faults.push_back(fmt::format("window = {},{}: expected two positive pressures P*, the lower one first",
-                                 window->first, window->second));
+    faults.push_back(
+        fmt::format("window = {},{}: the window must be two positive pressures P*, the lower one first",
+                    window->first, window->second));
   std::erase(faults, "");
   return faults;
 }
@@ -438,8 +455,8 @@ ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const Consol
   fit.weighting = weighting_of(curve, options);
   if (n <= n_parameters(law)) return refused(law, too_few(law, n));
   const LawPoints points = points_of(curve, fit.weighting);
-  // The regimes are found from the shape of the curve, so that weights do not follow the scatter of samples,
-  // which is correlated between neighbouring pressures.
+  // The search for the regimes uses weights that do not depend on the scatter of the samples, because this
+  // scatter is correlated between neighbouring pressures.
   const Weighting of_shape = fit.weighting == Weighting::scatter ? Weighting::relative : fit.weighting;
   Window window{};
   if (options.window) {
@@ -448,12 +465,12 @@ ConsolidationFit fit_consolidation(const ConsolidationCurve& curve, const Consol
     fit.regimes = find_regimes(points_of(curve, of_shape));
     if (fit.regimes && fit.regimes->all_in_one)
       return refused(law,
-                     "all pressures lie in regime I: the solid fraction is constant, or elastic, over them");
+                     "all pressures lie in regime I: the solid fraction is constant or changes only "
+                     "elastically, so that there is no line to fit");
     if (!fit.regimes)
-      return refused(law,
-                     fmt::format("no range of at least {} pressures over which the solid fraction grows as in "
-                                 "regime II: try --law log with --window lo,hi",
-                                 kMinInRegimeTwo));
+      return refused(law, fmt::format("there is no range of at least {} pressures in which the solid fraction "
+                                      "grows as in regime II: try --law log with --window lo,hi",
+                                      kMinInRegimeTwo));
     window = window_of(law, *fit.regimes, n);
   }
   if (window.n <= n_parameters(law)) return refused(law, too_few(law, window.n));

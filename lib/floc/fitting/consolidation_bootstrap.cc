@@ -11,7 +11,8 @@
 namespace floc {
 namespace {
 
-/// Values of 1/Phi on the plateau, then on the window.
+/// Draws samples with replacement, one fewer than there are. Returns their mean 1/Phi at the points of the
+/// plateau, then at the points of the window.
 Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& random) {
   const Eigen::Index n_drawn = samples.cols() - 1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.rows());
@@ -20,7 +21,8 @@ Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& rando
   return sum / static_cast<double>(n_drawn);
 }
 
-/// Weighted residuals of variance one residual variance, and the fitted values they are added to.
+/// Residuals from which the bootstrap draws, each enlarged by its leverage so that all have the residual
+/// variance, and the fitted values to which they are added.
 struct ResidualPool {
   Eigen::VectorXd fitted, weight, residuals;
 
@@ -69,9 +71,9 @@ Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, 
   for (const Quantity& q : quantities_of(estimate)) names.push_back(q.name);
   std::vector<std::vector<double>> values(names.size());
   Resampled found;
-  // Pressures, weights and the ends of the regimes stay those of the estimate: the bootstrap gives the scatter
-  // of the parameters within one choice of regimes. Fits that lose regime II have no lambda and are not
-  // counted.
+  // All fits use the pressures, the weights and the ends of the regimes of the estimate: the bootstrap gives
+  // the scatter of the parameters for one choice of the regimes. A fit that leaves fewer than three points to
+  // regime II has no lambda and is not counted.
   for (int k = 0; k < n; ++k) {
     check_interruption();
     const Eigen::VectorXd y = samples.cols() >= 2 ? mean_of_draw(samples, random) : pool.draw(random);

@@ -4,39 +4,41 @@
 
 namespace floc {
 
-/// The bracket of the consolidation law, Eq. 9 of [GRC2008], written for x = ln(P*/P1*):
+/// Returns the function g of the consolidation law, the bracket in Eq. 9 of [GRC2008], at x = ln(P*/P1*):
 ///
 ///   g(x) = ln{ e^x [1 - exp(-u)]^(1/alpha) },  u = exp(-alpha x) = (P1*/P*)^alpha
 ///
-/// g -> x far below P1* and g -> -u/(2 alpha) far above. Written on any scalar (`double`, Ceres' Jet), to
-/// rounding from P*/P1* = 1e-12 to 1e12, where the printed form keeps no digit.
+/// Far below P1*, g tends to x, and far above to -u/(2 alpha). T is any scalar type (`double`, Ceres' Jet). The
+/// result is exact to rounding from P*/P1* = 1e-12 to 1e12, where the formula as printed loses all digits.
 /// @param alpha  > 0
 template <class T>
 T consolidation_bracket(const T& x, const T& alpha) {
   using std::exp, std::expm1, std::log, std::log1p;
   const T log_u = -alpha * x;
-  // exp(-u) is below the smallest double.
+  // Here exp(-u) is below the smallest double.
   if (log_u > T(6.7)) return x;
   const T u = exp(log_u);
   if (u > T(1.0)) return x + log1p(-exp(-u)) / alpha;
   if (u > T(0.1)) return log(-expm1(-u) / u) / alpha;
-  // ln[(1 - e^-u)/u] = -u/2 + ln[sinh(u/2)/(u/2)]; the next term of the series, u^10/4.8e8, is below rounding.
+  // ln[(1 - e^-u)/u] = -u/2 + ln[sinh(u/2)/(u/2)]; the first neglected term of the series, u^10/4.8e8, is below
+  // rounding.
   const T u2 = u * u;
   return (-u / 2.0 + u2 * (1.0 / 24.0 - u2 * (1.0 / 2880.0 - u2 * (1.0 / 181440.0 - u2 / 9676800.0)))) / alpha;
 }
 
-/// The full law of consolidation in its free parameters:
+/// Parameters of the full law of consolidation, for the solid fraction Phi at the reduced pressure P*:
 ///
 ///   1/Phi = 1/Phi_max - lambda g(ln(P*/P1*))
 ///
-/// which is Eq. 9 of [GRC2008] with 1/Phi0 = 1/Phi_max + lambda ln(P1*/P0*) for any P0*.
+/// The function g is consolidation_bracket(). The law is Eq. 9 of [GRC2008] with 1/Phi0 = 1/Phi_max + lambda
+/// ln(P1*/P0*), for any P0*.
 struct ConsolidationLawParameters {
   double lambda;   ///< plasticity index, > 0
-  double alpha;    ///< > 0
+  double alpha;    ///< exponent of the power law in regime III, > 0
   double phi_max;  ///< limit of the solid fraction at high pressure
   double P1_star;  ///< reduced pressure at which regime III takes over, > 0
 
-  /// 1/Phi at reduced pressure P* > 0.
+  /// Returns 1/Phi at the reduced pressure P* > 0.
   double inverse_phi(double P_star) const {
     return 1.0 / phi_max - lambda * consolidation_bracket(std::log(P_star / P1_star), alpha);
   }

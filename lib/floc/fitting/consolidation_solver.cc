@@ -50,7 +50,7 @@ struct Start {
   double sum_of_squares;
 };
 
-/// Best intercept and slope of y = intercept + slope * x, and the sum of squares that they leave.
+/// Weighted least-squares line y = intercept + slope * x, and its sum of squared residuals.
 struct Line {
   double intercept, slope, sum_of_squares;
 };
@@ -66,13 +66,13 @@ Line fit_line(const Eigen::VectorXd& x, const LawPoints& points) {
   return {mean_y - slope * mean_x, slope, (w2 * (dy - slope * dx).square()).sum()};
 }
 
-/// `n` values from low to high, both included.
+/// Returns `n` equidistant values from low to high, both included.
 Eigen::VectorXd grid(double low, double high, int n) {
   return Eigen::VectorXd::LinSpaced(n, low, high);
 }
 
-// For given alpha (and P1*) the laws are linear in the other parameters, so that a start is a line through the
-// data.
+// For a given alpha (and P1*) the consolidation laws are linear in the other parameters, so that the starting
+// point of the solver follows from a straight line fitted to the data.
 
 std::vector<Start> log_starts(const LawPoints& points) {
   const Line line = fit_line(points.log_P.array() - points.log_P[0], points);
@@ -99,7 +99,8 @@ std::vector<Start> full_starts(const LawPoints& points) {
   const Eigen::VectorXd& log_P = points.log_P;
   const double first = log_P[0];
   const double end = log_P[log_P.size() - 1] + 1.0;
-  // Starts half an e-fold apart all end in the same minimum; wide tables need more of them.
+  // The starting values of ln P1* are half a unit apart, which is close enough to find the minimum, so that
+  // tables over a wide range of pressures need more of them.
   const int n_P1 = std::clamp(static_cast<int>(std::ceil((end - first) / 0.5)) + 1, 16, 128);
   for (const double alpha_log : grid(std::log(0.2), std::log(6.0), 10))
     for (const double log_P1 : grid(first, end, n_P1)) {
@@ -121,8 +122,8 @@ std::vector<Residual> residuals_of(const LawPoints& points) {
   return residuals;
 }
 
-/// Returns limits of alpha and P1* far beyond the values at which the laws reach their limiting forms. Without
-/// them these parameters could diverge.
+/// Returns limits of the parameters alpha and P1*, far beyond the values at which the consolidation laws reach
+/// their limiting forms. Without these limits the two parameters could diverge.
 std::vector<ParameterLimits> limits_of(int n_parameters, const LawPoints& points) {
   constexpr double kFar = 15.0;
   std::vector<ParameterLimits> limits;
@@ -142,7 +143,7 @@ std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd
   const std::vector<Residual> residuals = residuals_of<Residual>(points);
   const std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
   auto found = minimize(residuals, start, {}, held);
-  // Steps within limits are less exact, so they are taken only where the law runs away.
+  // The solver is less exact with limits, so it uses them only if it fails, or leaves the limits, without them.
   if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
   if (!found) return std::nullopt;
   return LawSolution{std::move(found->theta), std::move(found->residuals), std::move(found->jacobian),
@@ -181,7 +182,7 @@ std::optional<double> residual_of_power_law(const LawPoints& points) {
   const Eigen::VectorXd places = grid(std::log(0.1), std::log(8.0), 12);
   Eigen::Index best = 0;
   places.unaryExpr(left).minCoeff(&best);
-  // Golden section between the neighbours of the best place.
+  // Golden-section search between the neighbours of the best grid point.
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kRounds = 20;
   double low = places[std::max<Eigen::Index>(best - 1, 0)];
@@ -250,7 +251,8 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
     const double left = minimize_law(law, points, end);
-    // A start far beyond the limits cannot be brought back to the minimum within them.
+    // A solution far beyond the limits is not used, because no minimum within the limits can be found from
+    // there.
     if (left < start.sum_of_squares && within(limits, end)) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);

@@ -4,26 +4,27 @@
 
 namespace floc {
 
-/// Values in a window of an exponential distribution, measured from the beginning of the window.
+/// Summary of the values that lie in a window [low, high] of an exponential distribution.
 struct CutSample {
-  double width = 0.0;  ///< width of the window, > 0; infinite for a whole tail
-  int n = 0;           ///< number of values in it
-  double mean = 0.0;   ///< mean of these values, from the beginning of the window
+  double width = 0.0;  ///< width of the window, > 0; infinite if the window has no upper end
+  int n = 0;           ///< number of values in the window
+  double mean = 0.0;   ///< mean of these values, measured from the lower end of the window
 };
 
-/// Returns the values from low to high, both included. @param high  may be infinite
+/// Returns the summary of the values from low to high, both included. @param high  may be infinite
 CutSample cut_sample(const std::vector<double>& values, double low, double high);
 
-/// An exponent of P(x) ~ exp(-b x), over one unit of x.
+/// Estimate of the exponent b of a distribution P(x) ~ exp(-b x), in units of 1/x.
 struct ExponentEstimate {
-  bool found = false;  ///< false with fewer than ten values, or where the likelihood has no maximum
-  int n = 0;           ///< values
-  double b = 0.0;      ///< for windows of finite width it may have either sign
+  bool found = false;  ///< false if there are fewer than ten values, or if the likelihood has no maximum
+  int n = 0;           ///< number of values in all windows
+  double b = 0.0;      ///< exponent; negative values are possible if all windows have a finite width
   double error = 0.0;  ///< standard error, from Fisher's information
 };
 
-/// Estimates one exponent shared by several windows by maximum likelihood, given the number of values in each
-/// window: sum of n (m(b) - mean) = 0, with m(b) = 1/b - w/(exp(b w) - 1) the mean in a window of width w.
+/// Estimates one exponent b shared by several windows by maximum likelihood, given the number n of values in
+/// each window. The estimate solves: sum over the windows of n (m(b) - mean) = 0, where m(b) = 1/b - w/(exp(b
+/// w) - 1) is the mean expected in a window of width w.
 [[nodiscard]] ExponentEstimate fit_exponent(const std::vector<CutSample>& windows);
 
 }  // namespace floc

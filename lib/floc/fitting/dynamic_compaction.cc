@@ -25,11 +25,12 @@ constexpr int kParameters = 7;
 constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 
-/// A sample as the law is fitted to it. Its plateau is written about the middle of the pressures, where it
-/// exists: at p_D it need not.
+/// Residual of the void ratio e of one sample. Pressures at which the plateau is evaluated are measured in
+/// their geometric mean over the samples, because the plateau exists at this mean, but not always at the
+/// reference pressure p_D.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
-  double log_p;  ///< of the plateau, over that middle
+  double log_p;  ///< ln of the pressure at which the plateau is evaluated, over its geometric mean
   double log_x, e, weight;
   template <class T>
   T operator()(const T* theta) const {
@@ -38,12 +39,12 @@ struct CompactionResidual {
 };
 using Residuals = std::vector<CompactionResidual>;
 
-/// Samples that the law is fitted to, and the reference values of its coordinates.
+/// Samples to which the law of dynamic compaction is fitted, and reference values of the law.
 struct CompactionData {
-  std::vector<int> rows;  ///< the samples of `residuals`
+  std::vector<int> rows;  ///< indices of the samples of `residuals`
   Residuals residuals;
-  double log_p_D = 0.0;  ///< ln p_D over the middle of the pressures
-  double log_x_1 = 0.0;  ///< ln x at eta* = 1
+  double log_p_D = 0.0;  ///< ln of p_D over the geometric mean pressure of the plateau
+  double log_x_1 = 0.0;  ///< ln x at eta* = 1, with x = eta*/eta_m
 
   CompactionData without(const std::vector<int>& left_out) const {
     CompactionData rest{{}, {}, log_p_D, log_x_1};
@@ -58,8 +59,8 @@ double plateau_pressure(const CompactedSample& s, PlateauPressure plateau) {
   return plateau == PlateauPressure::own ? s.p : s.sc * s.sc / s.se;
 }
 
-/// Adds De and C to a start by a linear fit: for given e_min and S the plateau is e_r/(e - e_min) = 1/De + C ln
-/// p.
+/// Adds the parameters De and C of the plateau to a starting point by a linear fit of e_r/(e - e_min) = 1/De +
+/// C ln p, for given e_min and S. Returns false if the fit gives no positive De.
 bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   const auto n = static_cast<Eigen::Index>(data.size());
   Eigen::MatrixXd columns(n, 2);
@@ -69,13 +70,14 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   for (Eigen::Index i = 0; i < n; ++i) {
     const CompactionResidual& r = data[static_cast<std::size_t>(i)];
     const double S = std::exp(theta[3] + a * r.log_x) + std::exp(theta[4] + b * r.log_x);
-    // The weight is the square of the denominator e - e_min, so that errors count as they do in e.
+    // Both sides of e_r/(e - e_min) = 1/De + C ln p are multiplied by (e - e_min)^2/e_r, so that the residuals
+    // are in proportion to those of the void ratio e.
     const double over = r.e - theta[0];
     const double e_r = S / (1.0 + S);
     columns.row(i) << over * over / e_r, over * over / e_r * r.log_p;
     y[i] = over;
   }
-  // Where the pressure does not vary, the solution is not unique, and the one of least norm is taken.
+  // If the pressure does not vary, the solution is not unique, and the solution of least norm is taken.
   const Eigen::Vector2d found = least_squares_solution(columns, y);
   if (!(found[0] > 0.0) || !found.allFinite()) return false;
   theta[1] = -std::log(found[0]);
@@ -83,7 +85,8 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   return true;
 }
 
-/// Starts over the range of e_min and of the crossover; those published in [SVI2024] are among them.
+/// Returns starting points that cover the range of e_min, of the exponents a and b and of the place where their
+/// two power laws cross. The parameters published in [SVI2024] are among them.
 std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   const auto less = [](const auto& r, const auto& s) { return r.e < s.e; };
   const auto [low, high] = std::minmax_element(data.begin(), data.end(), less);
@@ -100,8 +103,8 @@ std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   return starts;
 }
 
-/// Solves from the end of the best descent from which the full solver reaches a solution; it does not from
-/// every end.
+/// Fits the law of dynamic compaction: descends from every starting point, then refines the best end point from
+/// which the full solver converges.
 std::optional<LeastSquaresSolution> solve(const Residuals& data) {
   struct End {
     double left;
@@ -118,14 +121,15 @@ std::optional<LeastSquaresSolution> solve(const Residuals& data) {
   return std::nullopt;
 }
 
-/// Misfit of each sample in a robust fit, from which samples beside the plateau are flagged.
+/// Misfit of each sample in a robust fit, which serves to flag the samples that do not lie on the plateau.
 struct RobustView {
-  Eigen::VectorXd misfit;      ///< e - law
-  double deviation = 0.0;      ///< of a sample that follows the law
-  std::vector<bool> may_flag;  ///< above the plateau, or at eta* > 1
+  Eigen::VectorXd misfit;      ///< void ratio e minus its value by the law
+  double deviation = 0.0;      ///< standard deviation of the misfit of a sample that follows the law
+  std::vector<bool> may_flag;  ///< true for samples that may be flagged: above the plateau, or at eta* > 1
 };
 
-/// Weights and solution follow each other until they agree: samples far off count for nothing.
+/// Fits the law with weights that are recomputed from the residuals until the solution no longer changes.
+/// Samples far from the law then have almost no weight.
 std::optional<RobustView> robust_view(const CompactionData& data) {
   auto solution = solve(data.residuals);
   if (!solution) return std::nullopt;
@@ -148,8 +152,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   for (double& size : sizes) size = std::abs(size);
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  constexpr double kNormal = 1.4826;  // deviation over median size of a normal variable
-  // Tables keep some ten digits.
+  constexpr double kNormal = 1.4826;  // standard deviation over median absolute value of a normal variable
+  // The deviation is at least the rounding of a table with ten digits.
   view.deviation = std::max(kNormal * *middle, 1e-10);
   const Eigen::VectorXd& t = solution->theta;
   for (const CompactionResidual& r : data.residuals) {
@@ -159,7 +163,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   return view;
 }
 
-/// Samples beside the plateau by more than a number of deviations.
+/// Returns the indices of the samples that miss the plateau of the law by more than the given number of
+/// standard deviations.
 std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
   std::vector<int> rows;
   for (std::size_t k = 0; k < data.rows.size(); ++k)
@@ -168,7 +173,7 @@ std::vector<int> beside_plateau(const CompactionData& data, const RobustView& vi
   return rows;
 }
 
-/// The parameters in the coordinates that their errors are made in: e_min, 1/De, C, and the logarithms of A,
+/// Returns the coordinates in which the standard errors are computed: e_min, 1/De, C, and the logarithms of A,
 /// s_m, a and b.
 Parameters coordinates(const Eigen::VectorXd& t, double log_p_D) {
   Parameters y;
@@ -177,7 +182,7 @@ Parameters coordinates(const Eigen::VectorXd& t, double log_p_D) {
   return y;
 }
 
-/// Gradients of the coordinates to theta.
+/// Returns the derivatives of coordinates() with respect to theta.
 Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   const double A = std::exp(t[3]), rest = std::exp(t[4]), a = std::exp(t[5]), b = a + std::exp(t[6]);
   Eigen::MatrixXd G = Eigen::MatrixXd::Identity(kParameters, kParameters);
@@ -187,8 +192,8 @@ Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   return G;
 }
 
-/// Returns the standard errors of the coordinates. Sums run only over the parameters on which each depends, as
-/// others may have infinite variance.
+/// Returns the standard errors of the coordinates. Each sum runs only over the parameters on which the
+/// coordinate depends, because the others may have infinite variance.
 Parameters errors_of(const Eigen::MatrixXd& G, const Eigen::MatrixXd& covariance) {
   Parameters errors;
   for (int k = 0; k < kParameters; ++k) {
@@ -201,7 +206,7 @@ Parameters errors_of(const Eigen::MatrixXd& G, const Eigen::MatrixXd& covariance
   return errors;
 }
 
-/// Variance of e between runs of the same p, sc and se; absent without any.
+/// Returns the variance of the void ratio e between runs with equal p, sc and se; absent if no run is repeated.
 std::optional<double> variance_between_runs(const std::vector<CompactedSample>& samples,
                                             const std::vector<int>& rows) {
   std::map<std::tuple<double, double, double>, std::vector<double>> runs;
@@ -219,21 +224,22 @@ std::optional<double> variance_between_runs(const std::vector<CompactedSample>& 
   return dof > 0 ? std::optional(sum / dof) : std::nullopt;
 }
 
-/// A solution and the errors of its coordinates.
+/// Fit of the law of dynamic compaction, with the errors of its coordinates.
 struct CompactionEstimate {
   CompactionData data;
   LeastSquaresSolution solution;
-  double variance = 0.0;              ///< of the residuals
-  double scatter_share = 1.0;         ///< of it, between runs
-  Eigen::MatrixXd covariance;         ///< of theta, from the residuals
-  Parameters value, scatter, spread;  ///< coordinates, their errors from residuals and from the flags
+  double variance = 0.0;       ///< variance of the residuals
+  double scatter_share = 1.0;  ///< share of `variance` that is scatter between repeated runs
+  Eigen::MatrixXd covariance;  ///< covariance of theta, from the residuals
+  /// Coordinates, and their errors from the residuals and from the choice of the samples left out.
+  Parameters value, scatter, spread;
 
   int dof() const { return static_cast<int>(data.rows.size()) - kParameters; }
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// Returns the changes of the coordinates (root mean square) when fewer or more samples count as beside the
-/// plateau.
+/// Returns the root mean square changes of the fitted coordinates if more or fewer samples are left out because
+/// they miss the plateau.
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();
@@ -266,14 +272,15 @@ FittedParameter parameter_of(const CompactionEstimate& e, int k) {
   return from_logarithm(name, e.value[k], e.error(k), t95);
 }
 
-/// Replaces the interval of A or a, coordinates of theta, by that of the profile likelihood.
+/// Replaces the interval of the parameter A or a by the interval of the profile likelihood of its coordinate of
+/// theta.
 void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
   const double error = e.error(k);
-  // Below this the sum of squares is rounding, and the interval is that of the covariance.
+  // With a smaller error the sum of squares is rounding, and the interval from the covariance is kept.
   if (!std::isfinite(error) || error < 1e-9) return;
   const double t95 = student_t_95(e.dof());
   const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
-  // Coordinates further than a factor of a hundred from the solution have no meaning for the law.
+  // Parameters that differ from the solution by more than a factor of a hundred have no meaning for the law.
   const double reach = std::log(100.0);
   const double center = e.value[k];
   const ProfileSearch search{
@@ -291,7 +298,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   });
   p.low95 = p.high95 = std::nullopt;
   fit.profiled.push_back(p.name);
-  // Along a valley of nearly equal solutions the solver stops early, and the profile seems to be a gorge.
+  // Along a valley of nearly equal solutions the solver stops early, and the profile is wrongly narrow. An
+  // interval narrower than this share of the interval of the covariance is not trusted.
   constexpr double kFollowed = 0.1;
   const double width = 2.0 * t95 * error;
   p.identified = false;
@@ -303,7 +311,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Converts the parts of the error of a coordinate into parts of the error of the parameter.
+/// Returns the parts of the standard error of a parameter, converted from the parts of the error of its
+/// coordinate.
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
@@ -311,7 +320,8 @@ CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedPa
           unit * e.scatter[k] * std::sqrt(1.0 - e.scatter_share), unit * e.spread[k]};
 }
 
-/// The first power is seen only by dense samples, e_r < 1/2, where it is the larger one.
+/// Returns the number of samples that determine the first power law A x^a: dense samples, with e_r < 1/2, in
+/// which it is larger than the second.
 int n_of_first_power(const CompactionEstimate& e) {
   const Eigen::VectorXd& t = e.solution.theta;
   const double a = std::exp(t[5]), step = std::exp(t[6]);
@@ -322,7 +332,8 @@ int n_of_first_power(const CompactionEstimate& e) {
 }
 
 void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
-  // Prefactor and power of a line take two samples, its place beside the other one a third.
+  // Two samples determine the prefactor and the exponent of the first power law, a third separates it from the
+  // second.
   const bool sees_first_power = n_of_first_power(e) >= 3;
   for (int k = 0; k < kParameters; ++k) {
     FittedParameter p = parameter_of(e, k);
@@ -337,11 +348,12 @@ void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
     } else if (p.identified) {
       fit.error_parts.push_back(parts_of(e, k, p));
     } else {
-      const char* why =
-          k == 1 && !(e.value[k] > 0.0) ? ": the plateau has a pole on the way to p_D"
-          : of_first_power && !sees_first_power
-              ? ": fewer than three samples are as dense as e_r < 1/2, where the smaller power rules"
-              : "";
+      const char* why = k == 1 && !(e.value[k] > 0.0)
+                            ? ": the law of the plateau has a pole between the pressures of the samples and p_D"
+                        : of_first_power && !sees_first_power
+                            ? ": fewer than three samples are so dense (e_r < 1/2) that the power law with the "
+                              "smaller exponent dominates"
+                            : "";
       fit.warnings.push_back(fmt::format("{} is not identified by these data{}", p.name, why));
       p.value = p.standard_error = std::nullopt;
     }
@@ -349,13 +361,14 @@ void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
   }
   const Eigen::MatrixXd G = gradients(e.solution.theta, e.data.log_p_D);
   Eigen::MatrixXd c = G * e.covariance * G.transpose();
-  // 1/De falls as De grows.
+  // The correlations of De have the opposite sign of those of 1/De, because 1/De falls as De grows.
   c.row(1) *= -1.0, c.col(1) *= -1.0;
   const Eigen::VectorXd scale = c.diagonal().cwiseSqrt().cwiseInverse();
   fit.correlation = scale.asDiagonal() * c * scale.asDiagonal();
 }
 
-/// The samples whose plateau pressure is no less than p_0.
+/// Returns the samples to fit, at which the pressure of the plateau is at least p_0. Adds the indices of the
+/// others to the result.
 CompactionData data_of(const std::vector<CompactedSample>& samples, const CompactionReference& reference,
                        double p_0, CompactionFit& fit) {
   CompactionData data;
@@ -364,7 +377,7 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
     const CompactedSample& s = samples[static_cast<std::size_t>(i)];
     const double p = plateau_pressure(s, reference.plateau);
-    // A sample typed with a few digits at p_0 is meant to be taken.
+    // The relative tolerance keeps a sample at p_0 whose pressure was rounded.
     if (p < p_0 * (1 - 1e-6)) {
       fit.below_p_0.push_back(i);
       continue;
@@ -379,13 +392,14 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   return data;
 }
 
-/// Warns of the samples left out, and compares the residuals of the others with the scatter of repeated runs.
+/// Warns about the samples left out of the fit, and compares the residuals of the others with the scatter of
+/// repeated runs.
 void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& estimate, CompactionFit& fit) {
   if (!fit.beside_plateau.empty())
-    fit.warnings.push_back(fmt::format(
-        "{} of the {} samples lie beside the plateau, above it or off the law at eta* > 1 by more than four "
-        "deviations, and are flagged, not fitted",
-        fit.beside_plateau.size(), samples.size()));
+    fit.warnings.push_back(
+        fmt::format("{} of the {} samples miss the law by more than four standard deviations, above its "
+                    "plateau or at eta* > 1: they are flagged as beside the plateau and not fitted",
+                    fit.beside_plateau.size(), samples.size()));
   fit.rms = std::sqrt(estimate.solution.sum_of_squares / static_cast<double>(fit.used.size()));
   const auto between_runs = variance_between_runs(samples, fit.used);
   fit.errors_from_runs = between_runs.has_value();
@@ -393,7 +407,8 @@ void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& e
   estimate.scatter_share = std::min(*between_runs / estimate.variance, 1.0);
   if (estimate.scatter_share < 0.25)
     fit.warnings.push_back(
-        fmt::format("the law misses e by {:.3g}, repeated runs scatter by {:.3g}: errors are those of the law",
+        fmt::format("the law misses the void ratio e by {:.3g} (root mean square), but repeated runs scatter "
+                    "only by {:.3g}: the standard errors come mostly from the misfit of the law",
                     std::sqrt(estimate.variance), std::sqrt(*between_runs)));
 }
 
@@ -419,7 +434,7 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
     fit.warnings.push_back(fmt::format("{} of the {} samples have {} below {:.4g} and are left out",
                                        fit.below_p_0.size(), samples.size(), name, p_0));
   const auto too_few = [&](const char* which) {
-    return fmt::format("{} samples{}, the law needs {}", fit.used.size(), which, kParameters + 1);
+    return fmt::format("there are {} samples{}, but the law needs {}", fit.used.size(), which, kParameters + 1);
   };
   fit.used = data.rows;
   if (fit.used.size() <= kParameters) {
@@ -431,7 +446,7 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
   const CompactionData kept = data.without(fit.beside_plateau);
   fit.used = kept.rows;
   if (fit.used.size() <= kParameters) {
-    fit.failure_reason = too_few(" on the plateau or below");
+    fit.failure_reason = too_few(" on the plateau or below it");
     return fit;
   }
   const auto solution = solve(kept.residuals);

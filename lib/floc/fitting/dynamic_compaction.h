@@ -9,41 +9,44 @@
 
 namespace floc {
 
-/// One compacted sample [SVI2024]: void ratio, pressure, and the cohesion and stiffness of its contacts as
-/// stresses.
+/// One sample of the dynamic compaction of a cohesive powder [SVI2024]. The cohesion and the stiffness of its
+/// contacts are given as stresses.
 struct CompactedSample {
   double e;   ///< void ratio, > 0
   double p;   ///< pressure, > 0
-  double sc;  ///< f_c/d^2, > 0, unit of p
-  double se;  ///< k_n/d, > 0, unit of p
+  double sc;  ///< cohesion f_c/d^2 (force over squared diameter), > 0, in the unit of p
+  double se;  ///< stiffness k_n/d (normal stiffness of a contact over diameter), > 0, in the unit of p
 };
 
-/// The pressure at which the plateau of a sample is taken.
+/// Pressure at which the plateau of the law is evaluated for a sample.
 enum class PlateauPressure {
-  own,       ///< p of the sample
-  critical,  ///< p_crit = sc^2/se, which is p where eta* = 1: as the law is printed
+  own,       ///< pressure p of the sample
+  critical,  ///< p_crit = sc^2/se, the pressure at which eta* = 1, as the law is printed in [SVI2024]
 };
 
-/// Reference values of the law. They are chosen, not fitted, because the law keeps its form for any values of
-/// them.
+/// Reference values of the law of dynamic compaction. They are chosen, not fitted: other values change only the
+/// parameters of the law, not its form.
 struct CompactionReference {
-  double p_D = 0.01;     ///< pressure at which the plateau is e_min + De, unit of p; 0.01 MPa in [SVI2024]
-  double eta_m = 0.045;  ///< eta* at which (1 - e_r)/e_r = s_m; that of [SVI2024]
-  /// Smallest pressure of the plateau of the samples fitted. If it is not positive, there is no limit for
-  /// `own`, and for `critical` the limit is p_D, not far below which the published plateau has a pole.
+  /// Pressure at which the plateau of the void ratio is e_min + De, in the unit of p; 0.01 MPa in [SVI2024].
+  double p_D = 0.01;
+  double eta_m = 0.045;  ///< value of eta* at which (1 - e_r)/e_r = s_m; 0.045 in [SVI2024]
+  /// Samples are fitted only if the pressure of their plateau is at least p_0. If p_0 is 0, there is no limit
+  /// for PlateauPressure::own. For `critical` the limit is then p_D, because the published plateau has a pole
+  /// not far below p_D.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 
-  /// Every fault as "name = value: requirement".
+  /// Returns the faults of the values, each as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// The law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31) on any scalar:
+/// Returns the void ratio e by the law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31), for any scalar type
+/// T:
 ///
 ///   e = e_min + e_r De/(1 + C De ln(p/p_D))
 ///   e_r = S/(1 + S),   S = A x^a + (1/s_m - A) x^b,   x = eta*/eta_m,   eta* = sc/sqrt(p se)
 ///
-/// @param theta  e_min, ln De, C, ln A, ln(1/s_m - A), ln a, ln(b - a)
+/// @param theta  coordinates e_min, ln De, C, ln A, ln(1/s_m - A), ln a, ln(b - a)
 template <class T>
 T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
   using std::exp;
@@ -56,39 +59,44 @@ T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
 
 /// Parts of the standard error of a parameter.
 struct CompactionErrorParts {
-  std::string name;      ///< of the parameter
-  double scatter = 0.0;  ///< between repeated runs or, without any, of the residuals
+  std::string name;      ///< name of the parameter
+  double scatter = 0.0;  ///< scatter between repeated runs; without such runs, scatter of the residuals
   double law = 0.0;      ///< misfit of the law beyond the scatter of repeated runs; 0 without such runs
-  double plateau = 0.0;  ///< from the choice of the samples that count as beside the plateau
+  /// Part from the choice of the samples that are flagged as beside the plateau and left out.
+  double plateau = 0.0;
 };
 
-/// Result of a fit of the law, or the reason why there is none.
+/// Result of a fit of the law of dynamic compaction, or the reason why there is none.
 struct CompactionFit {
-  std::string failure_reason;               ///< empty when there is a fit
-  std::vector<FittedParameter> parameters;  ///< e_min, De, C, A, s_m, a, b
-  Eigen::MatrixXd correlation;              ///< in their order
+  std::string failure_reason;               ///< reason why there is no fit; empty if there is one
+  std::vector<FittedParameter> parameters;  ///< parameters e_min, De, C, A, s_m, a, b of the law
+  Eigen::MatrixXd correlation;              ///< correlation of the parameters, in their order
   std::vector<int> used;                    ///< indices of the samples fitted
-  std::vector<int> below_p_0;               ///< indices of samples left out for the pressure of their plateau
-  std::vector<int> beside_plateau;          ///< indices of samples flagged as beside the plateau
-  double rms = 0.0;                         ///< root mean square residual of e
-  bool errors_from_runs = false;  ///< the scatter is that between runs of the same p, sc and se, not residuals
-  std::vector<CompactionErrorParts> error_parts;  ///< one entry per parameter with a standard error
-  std::vector<std::string> profiled;  ///< parameters whose interval is that of the profile likelihood
+  /// Indices of samples left out because the pressure of their plateau is below p_0.
+  std::vector<int> below_p_0;
+  std::vector<int> beside_plateau;  ///< indices of samples left out because they miss the plateau
+  double rms = 0.0;                 ///< root mean square residual of the void ratio e
+  /// True if the part `scatter` of the errors is from repeated runs (equal p, sc and se), false if it is from
+  /// the residuals.
+  bool errors_from_runs = false;
+  /// Parts of the standard error of each parameter that has one.
+  std::vector<CompactionErrorParts> error_parts;
+  std::vector<std::string> profiled;  ///< parameters whose interval is from the profile likelihood
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits the law by least squares in e, from starts computed on a grid.
+/// Fits the law of dynamic compaction by least squares in the void ratio e, from starting points on a grid.
 ///
-/// Samples beside the plateau are flagged and not fitted: those above it, or off the law at eta* > 1, where it
-/// is all plateau, by more than four deviations of the residuals, measured by a robust fit of all. Standard
-/// errors: from the covariance at the solution, scaled by the residual variance, and from the change of the
-/// parameters when samples count as beside the plateau at 2.5 or at 6 deviations. Intervals: Student's t in
-/// e_min, 1/De, C and the logarithms of the others; for A and a the profile likelihood. There is no fit with
-/// fewer than eight samples (see `failure_reason`); parameters that the samples do not identify are named and
-/// have no value.
-/// @throws InputError with the faults of the reference
+/// Samples beside the plateau are flagged and not fitted. These are samples above the plateau, or at eta* > 1,
+/// that miss the law of a robust fit to all samples by more than four standard deviations of its residuals.
+/// Standard errors: from the covariance at the solution, scaled by the residual variance, and from the change
+/// of the parameters if samples are flagged from 2.5 or from 6 deviations on instead of four. Intervals: from
+/// Student's t in e_min, 1/De, C and the logarithms of the other parameters; for A and a from the profile
+/// likelihood. There is no fit with fewer than eight samples (see `failure_reason`). Parameters that the
+/// samples do not identify have no value, and a warning names them.
+/// @throws InputError with the faults of the reference values if they are not valid
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);
 

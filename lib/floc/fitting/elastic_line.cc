@@ -15,13 +15,15 @@
 namespace floc {
 namespace {
 
-/// Modulus between neighbouring pressures i and i + 1.
+/// Returns the bulk modulus between the neighbouring points i and i + 1 of a branch; y is ln Phi.
 double secant(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index i) {
   return (P[i + 1] - P[i]) / (y[i + 1] - y[i]);
 }
 
-/// True if a parabola does better than the line, beyond its error and beyond rounding.
-/// @param n_errors  standard errors that the curvature may have; none: those of a 95 % interval
+/// Returns true if ln Phi against P is curved: the quadratic term of a fitted parabola exceeds its error and
+/// rounding.
+/// @param n_errors  number of standard errors that the quadratic term must exceed; if absent, those of a 95 %
+/// interval
 bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, std::optional<double> n_errors = {}) {
   if (P.size() < 4) return false;
   const Eigen::ArrayXd x = (P.array() - P.mean()) / (P.maxCoeff() - P.minCoeff());
@@ -34,7 +36,7 @@ bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, std::optional
          std::max(n_errors.value_or(student_t_95(parabola.dof)) * error, kRounding);
 }
 
-/// A straight line through the points [first, first + n) of a branch.
+/// Straight line fitted to the points [first, first + n) of a branch.
 struct FittedPart {
   Eigen::Index first = 0;
   Eigen::Index n = 0;
@@ -49,12 +51,12 @@ FittedPart line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eige
   return {first, n, fit_linear(columns, y.segment(first, n))};
 }
 
-/// Whether its line has a positive modulus.
+/// Returns whether the line fitted to the whole branch has a positive modulus.
 bool falls_as_a_whole(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   return line_through(P, y, 0, P.size()).fit.coefficients[1] > 0.0;
 }
 
-/// Smallest and largest modulus between neighbouring points of a part.
+/// Returns the smallest and the largest modulus between neighbouring points of a part of a branch.
 std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   double low = secant(P, y, part.first), high = low;
   for (Eigen::Index i = part.first; i + 1 < part.first + part.n; ++i) {
@@ -64,23 +66,26 @@ std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorX
   return {low, high};
 }
 
-/// Whether moduli between neighbouring points of a part are those of its line.
+/// Returns whether all moduli between neighbouring points of a part of a branch are within 15 % of the modulus
+/// of its fitted line.
 bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   constexpr double kEqual = 0.15;
   const auto [low, high] = secants(P, y, part);
   return low > (1.0 - kEqual) * part.B() && high < (1.0 + kEqual) * part.B();
 }
 
-/// Whether Phi falls from every point of a part to the next lower pressure.
+/// Returns whether the solid fraction Phi falls from every point of a part of a branch to the next lower
+/// pressure.
 bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   return secants(P, y, part).first > 0.0;
 }
 
-/// The longest straight part that begins or ends the branch; of two as long the one at low pressures. Of a branch
-/// that does not fall as a whole, every step of the part does.
+/// Returns the longest straight part at either end of a branch; of two parts of equal length, the part at low
+/// pressures. If the line through the whole branch has no positive modulus, Phi must fall at every step of the
+/// part.
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
-  constexpr double kErrors = 2.0;  // 95 % of few points would hide any curve
+  constexpr double kErrors = 2.0;  // standard errors; a 95 % interval from few points would hide any curvature
   const bool falls = P[0] > P[P.size() - 1], whole = falls_as_a_whole(P, y);
   for (Eigen::Index n = P.size(); n >= kFewest; --n)
     for (const bool at_end : {falls, !falls}) {
@@ -98,7 +103,8 @@ FittedParameter not_identified(const std::string& name) {
   return bounded_below(name, std::nullopt);
 }
 
-/// B and phi_unloaded of a part, whose interval holds every modulus between neighbouring points.
+/// Sets the parameters B and phi_unloaded from the line through a part of a branch. If the branch is curved and
+/// the part nearly straight, the interval of B is widened to contain every modulus between neighbouring points.
 void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part,
                     ElasticFit& fit) {
   const double t95 = student_t_95(part.fit.dof);
@@ -131,21 +137,22 @@ std::string words_of_curved(bool falls, const ElasticFit& fit) {
       fit.secant_low, fit.secant_high);
 }
 
-/// Moduli of a curved branch, which has no one modulus.
-/// @param part  its straight part, if it has one
+/// Adds the moduli of a curved branch, which has no single modulus, and a warning.
+/// @param part  the longest straight part of the branch; absent if no part is straight
 void fit_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const std::optional<FittedPart>& part,
                 ElasticFit& fit) {
   fit.is_curved = true;
   const std::string curved = words_of_curved(falls_as_a_whole(P, y), fit);
   if (!part) {
     fit.parameters = {not_identified("B"), not_identified("phi_unloaded")};
-    fit.warnings.push_back(curved + "; no part of it is straight, and B is not identified");
+    fit.warnings.push_back(curved + "; no part of the branch is straight, so that B is not identified");
     return;
   }
   set_parameters(P, y, *part, fit);
   const auto ends = std::minmax(P[part->first], P[part->first + part->n - 1]);
-  fit.warnings.push_back(fmt::format("{}; B is that of its straight part, from {:.4g} to {:.4g}", curved,
-                                     ends.first, ends.second));
+  fit.warnings.push_back(
+      fmt::format("{}; B is the modulus of the straight part of the branch, at pressures from {:.4g} to {:.4g}",
+                  curved, ends.first, ends.second));
 }
 
 }  // namespace
@@ -156,7 +163,8 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   ElasticFit fit;
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures) {
-    fit.failure_reason = fmt::format("{} pressures on the branch, expected at least {}", n, kMinPressures);
+    fit.failure_reason =
+        fmt::format("there are {} pressures on the branch, but the fit needs at least {}", n, kMinPressures);
     return fit;
   }
   const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(P.data(), n);
@@ -164,7 +172,7 @@ ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& 
   const bool is_line = falls_as_a_whole(x, y) && !is_curved(x, y);
   const std::optional<FittedPart> part = is_line ? line_through(x, y, 0, n) : straight_part(x, y);
   if (!part && !falls_as_a_whole(x, y)) {
-    fit.failure_reason = "the solid fraction does not fall as the pressure falls: no elastic branch";
+    fit.failure_reason = "the branch is not elastic: its solid fraction does not fall as the pressure falls";
     return fit;
   }
   const bool falls = x[0] > x[n - 1];
@@ -182,11 +190,10 @@ void hold_against(double B_first, double B_last, ElasticFit& fit) {
   if (!B.value || !B.low95) return;
   const auto [low, high] = std::minmax(B_first, B_last);
   if (high >= *B.low95 && (!B.high95 || low <= *B.high95)) return;
-  fit.warnings.push_back(
-      fmt::format("B = {:.4g} of the part fitted is not that of its states, {:.4g} to {:.4g}: the branch is "
-                  "not elastic there, "
-                  "and B is not identified",
-                  *B.value, low, high));
+  fit.warnings.push_back(fmt::format(
+      "B = {:.4g} from the slope of the fitted part of the branch disagrees with the bulk moduli computed from "
+      "its states, {:.4g} to {:.4g}: the branch is not elastic there, and B is not identified",
+      *B.value, low, high));
   B = not_identified("B");
 }
 

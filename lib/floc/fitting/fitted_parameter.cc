@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// A parameter known to less than this factor either way is not identified.
+/// A parameter whose 95 % interval extends beyond this factor above or below its value is not identified.
 constexpr double kIdentifiedFactor = 10.0;
 
 }  // namespace
@@ -50,8 +50,8 @@ std::string keep_in_range(const PhysicalRange& range, FittedParameter& p) {
                                  ? fmt::format("at least {:g}", range.low)
                                  : fmt::format("between {:g} and {:g}", range.low, range.high);
   const std::string why = fmt::format(
-      "{} is not identified by these data: the law meets them best with {:.5g}, and it must be {}; "
-      "the law does not describe them, and the other parameters are what they are with that one",
+      "{} is not identified by these data: its value in the best fit is {:.5g}, but it must be {}. The law "
+      "does not describe the data, and the other parameters belong to this best fit",
       p.name, *p.value, limits);
   p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
   if (std::isfinite(range.low)) p.low95 = range.low;

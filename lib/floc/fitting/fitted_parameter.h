@@ -5,25 +5,25 @@
 
 namespace floc {
 
-/// One parameter of a fit. Intervals are made in coordinates that keep the parameter in its range, so they need
-/// not be symmetric.
+/// One parameter of a fit. Its interval is computed in a coordinate that keeps the parameter in its range, such
+/// as its logarithm, and may therefore be asymmetric.
 struct FittedParameter {
   std::string name;
-  std::optional<double> value;           ///< absent if the data only bound the parameter
-  std::optional<double> standard_error;  ///< absent for a held parameter
-  std::optional<double> low95, high95;   ///< 95 % interval; a bound where there is no value
-  bool identified = true;                ///< whether it is known to within a factor of ten either way
+  std::optional<double> value;           ///< fitted value; absent if the data only bound the parameter
+  std::optional<double> standard_error;  ///< absent for a parameter that was given, not fitted
+  std::optional<double> low95, high95;   ///< ends of the 95 % interval; bounds if there is no value
+  bool identified = true;                ///< whether the data determine the parameter to within a factor of ten
 };
 
-/// Returns the parameter exp(c), from c and its standard error; the interval is symmetric in c.
+/// Returns the parameter exp(c) from c and its standard error. The interval is symmetric in c.
 /// @param t95  half width of a 95 % interval in standard errors
 FittedParameter from_logarithm(const std::string& name, double c, double error, double t95);
 
-/// Returns the parameter 1/y, from y > 0 and its standard error; the interval is symmetric in y, and open above
-/// where it reaches y = 0.
+/// Returns the parameter 1/y from y > 0 and its standard error. The interval is symmetric in y, and has no
+/// upper end if it reaches y = 0.
 FittedParameter from_inverse(const std::string& name, double y, double error, double t95);
 
-/// Returns a parameter that may have either sign.
+/// Returns a parameter that may have either sign, with an interval symmetric about its value.
 FittedParameter from_value(const std::string& name, double value, double error, double t95);
 
 /// Returns a parameter that was given, not fitted.
@@ -34,8 +34,8 @@ struct PhysicalRange {
   double low, high;
 };
 
-/// Cuts an interval at the range of its parameter. A value outside the range, as of a law that does not
-/// describe the data, is removed, and the parameter counts as not identified.
+/// Limits the interval of a parameter to its physical range. A value outside the range, from a law that does
+/// not describe the data, is removed, and the parameter counts as not identified.
 /// @return the reason of the removal, in words; empty if the value is inside
 std::string keep_in_range(const PhysicalRange& range, FittedParameter& p);
 

@@ -15,8 +15,8 @@ namespace floc {
 namespace {
 
 constexpr int kMinForces = 10;
-/// Half the 95 % quantile of chi squared with one degree of freedom: drop of the log-likelihood at an
-/// interval's end.
+/// Drop of the log-likelihood from its maximum to the ends of a 95 % interval: half the 95 % quantile of chi
+/// squared with one degree of freedom.
 constexpr double kDrop95 = 0.5 * 3.841458820694124;
 constexpr double kNormal95 = 1.959963984540054;
 
@@ -26,14 +26,16 @@ double log_likelihood(const ForceLaw& law, double parameter, const std::vector<d
   return sum;
 }
 
-/// Place of the largest log-likelihood, which has one maximum: golden section.
+/// Returns the parameter of largest log-likelihood by golden-section search; the log-likelihood has one
+/// maximum.
 double maximize(const ForceLaw& law, const std::vector<double>& f) {
   constexpr double kGolden = 0.6180339887498949;
   double low = law.low, high = law.high;
   double inner = high - kGolden * (high - low), outer = low + kGolden * (high - low);
   double at_inner = log_likelihood(law, inner, f), at_outer = log_likelihood(law, outer, f);
   while (high - low > 1e-9 * (law.high - law.low)) {
-    // A place outside the range of the law (-infinity, at its upper end) loses against any other.
+    // If the parameter is outside the range of the law, at its upper end, the log-likelihood is -infinity. The
+    // comparison then discards that side.
     if (at_inner >= at_outer) {
       high = outer, outer = inner, at_outer = at_inner;
       inner = high - kGolden * (high - low);
@@ -60,7 +62,7 @@ std::optional<double> interval_end(const ForceLaw& law, const std::vector<double
   return inside;
 }
 
-/// Largest difference between the cumulative distributions of the sorted forces and of a law.
+/// Returns the largest difference between the cumulative distribution of the sorted forces and that of a law.
 template <class Cumulative>
 double distance_of(const std::vector<double>& sorted, const Cumulative& cumulative) {
   const auto n = static_cast<double>(sorted.size());
@@ -76,7 +78,7 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Divides by the mean, which is returned, and sorts.
+/// Divides the forces by their mean, sorts them, and returns the mean.
 double normalize(std::vector<double>& forces) {
   const double mean = mean_of(forces);
   for (double& f : forces) f /= mean;
@@ -84,7 +86,8 @@ double normalize(std::vector<double>& forces) {
   return mean;
 }
 
-/// Share of `n_draws` samples from `draw` whose distance, by `distance`, is at least `found`.
+/// Returns the p-value of a fit: the share of `n_draws` random samples of `n` forces whose distance from their
+/// own fit is at least `found`.
 template <class Draw, class Distance>
 double share_as_far(const ForceFitOptions& options, int n, double found, const Draw& draw,
                     const Distance& distance) {
@@ -104,7 +107,8 @@ ForceFit refused(const std::string& form, int n, const char* what) {
   ForceFit fit;
   fit.form = form;
   fit.n = n;
-  fit.failure_reason = fmt::format("{} forces {}, expected at least {}", n, what, kMinForces);
+  fit.failure_reason =
+      fmt::format("there are {} forces {}, but the fit needs at least {}", n, what, kMinForces);
   return fit;
 }
 
@@ -156,7 +160,8 @@ ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>
   fit.mean = threshold;
   const auto cumulative = [](double f) { return -std::expm1(-f); };
   const double scale = normalize(excess);
-  // Of n exponential excesses the mean is the estimate, and 1/sqrt(n) the error of its logarithm.
+  // For n exponentially distributed excesses the maximum-likelihood estimate of f_0 is their mean, and the
+  // standard error of its logarithm is 1/sqrt(n).
   fit.parameters = {from_logarithm("f_0", std::log(scale), 1.0 / std::sqrt(n), kNormal95)};
   fit.log_likelihood = -n * (1.0 + std::log(scale));
   fit.distance = distance_of(excess, cumulative);

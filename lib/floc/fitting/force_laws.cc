@@ -14,7 +14,8 @@ double exponential(double rate, RandomStream& random) {
   return -std::log(1.0 - random.uniform()) / rate;
 }
 
-/// Constants of the power law joined to an exponential at f = 1.
+/// Force distribution power_exponential(): a power law below f = 1 joined to an exponential above, with its
+/// constants.
 struct PowerExponential {
   double alpha, beta, k;
   explicit PowerExponential(double a)
@@ -33,7 +34,8 @@ struct PowerExponential {
   }
 };
 
-/// Constants of the quadratic-exponential form: with I_m the integrals of f^m exp(-f^2 - beta f),
+/// Force distribution quadratic_exponential() with its constants. They follow from norm and mean, with I_m the
+/// integral of f^m exp(-f^2 - beta f) over f:
 ///   norm  a (1/beta - b I_0) = 1,  mean  a (1/beta^2 - b I_1) = 1
 struct QuadraticExponential {
   double beta, b, a;
@@ -81,7 +83,7 @@ const ForceLaw& power_exponential() {
 }
 
 const ForceLaw& quadratic_exponential() {
-  // b = 1, where the density vanishes at f = 0, is reached at 2.19093.
+  // The upper limit of beta is just below 2.19093, where b = 1 and the density vanishes at f = 0.
   static const ForceLaw law = law_of<QuadraticExponential>("quadratic_exponential", "beta", 0.05, 2.19092);
   return law;
 }

@@ -18,13 +18,15 @@ double residual_variance(const LawEstimate& estimate) {
   return estimate.solution.sum_of_squares / static_cast<double>(dof);
 }
 
-/// Unit vectors of the coordinates.
+/// Returns the unit vector of coordinate `k`: the gradient of this coordinate.
 Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
   return Eigen::VectorXd::Unit(n, k);
 }
 
-/// P0* and Phi0, where the line of regime II, through y at log_P, starts: at the plateau or at the first point.
-/// The gradients of y and log_P to the coordinates are given.
+/// Adds Phi0 and P0*, the solid fraction and pressure at which the line of regime II begins. This is where the
+/// line meets the plateau; without a plateau, P0* is the first pressure and only Phi0 is added. The line passes
+/// through y = 1/Phi at ln P* = log_P; `to_y` and `to_log_P` are the gradients of y and log_P with respect to
+/// the coordinates.
 void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
                              const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
   const double lambda = std::exp(e.solution.theta[0]);
@@ -41,7 +43,8 @@ void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::Ve
       {"Phi0", true, y - lambda * distance, to_y + lambda * to_log_P - lambda * distance * unit(n, 0)});
 }
 
-/// Best sum of squares with one coordinate held, followed from solution to solution.
+/// Returns the function of the smallest sum of squares at a fixed value of one coordinate. Each call starts
+/// from the solution of the call before.
 ProfileFunction profile_of(const LawEstimate& estimate, int coordinate) {
   return [&estimate, coordinate, theta = estimate.solution.theta](double value) mutable {
     Eigen::VectorXd start = theta;
@@ -76,8 +79,9 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
   const double first = e.points.log_P[0];
   std::vector<Quantity> found;
-  // Each parameter is given as a function of the coordinates (see LawSolution) with its gradient, from which
-  // fitted_parameter() gets its error. P0* and Phi0 follow from the others and from the level of the plateau.
+  // Each parameter is a function of the coordinates (see LawSolution). Its gradient serves fitted_parameter()
+  // to compute its standard error. P0* and Phi0 follow from the other parameters and from the level of the
+  // plateau.
   switch (e.law) {
     case Law::log:
       found.push_back({"lambda", false, theta[0], unit(n, 0)});
@@ -121,7 +125,7 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
   Eigen::MatrixXd finite = unscaled;
   for (Eigen::Index k = 0; k < n; ++k)
     if (!std::isfinite(finite(k, k))) finite.row(k).setZero(), finite.col(k).setZero();
-  // Change of the coordinates with each sample's deviation, coordinates x samples.
+  // Change of the coordinates due to the deviation of each sample (coordinates x samples).
   Eigen::MatrixXd change(n + (n_plateau > 0 ? 1 : 0), deviations.cols());
   change.topRows(n) =
       finite * e.solution.jacobian.transpose() * e.points.weight.asDiagonal() * deviations.bottomRows(n_window);
@@ -153,7 +157,7 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const double center = estimate.solution.theta[coordinate];
   const double t95 = student_t_95(covariance.dof);
   const double error = std::sqrt(covariance.matrix(coordinate, coordinate));
-  // Below this the sum of squares is rounding, and the interval is that of the covariance.
+  // With a smaller error the sum of squares is rounding, and the interval follows from the covariance.
   constexpr double kRounding = 1e-9;
   if (error < kRounding) return {center - t95 * error, center + t95 * error};
   const Covariance own = covariance_from_residuals(estimate);
@@ -161,8 +165,8 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const bool finite = std::isfinite(own_variance) && std::isfinite(error);
   const double ratio = finite ? error * error / own_variance : 1.0;
   const double allowed = estimate.solution.sum_of_squares + t95 * t95 * ratio * residual_variance(estimate);
-  // Values of alpha outside 1/100 to 100 have no meaning for the law; 1/Phi_max ends where Phi_max is infinite,
-  // and far above any curve.
+  // The search for the ends of the interval is limited to values with a meaning: alpha from 1/100 to 100, and
+  // 1/Phi_max from 1/1000 to 1000.
   const bool is_inverse = coordinate == 2;
   const double low_end = is_inverse ? 1e-3 : std::log(1e-2);
   const double high_end = is_inverse ? 1e3 : std::log(1e2);

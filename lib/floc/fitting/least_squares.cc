@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Ceres reports through glog; outcomes are returned in words instead.
+/// Turns off the log messages of Ceres, which writes them through glog.
 void silence_ceres() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -21,7 +21,7 @@ void silence_ceres() {
   });
 }
 
-/// All residuals as one block of a Ceres problem.
+/// Cost function of Ceres that contains all residuals as one block.
 class ResidualBlock final : public ceres::CostFunction {
  public:
   explicit ResidualBlock(const ResidualFunction& function) : function_(function) {
@@ -37,8 +37,8 @@ class ResidualBlock final : public ceres::CostFunction {
   const ResidualFunction& function_;
 };
 
-/// The residuals as Ceres' TinySolver asks for them. Their number of parameters is left open: each that is fixed costs
-/// ten seconds to compile.
+/// Cost function in the form that Ceres' TinySolver requires. The number of parameters is dynamic, because each
+/// number fixed at compile time costs ten seconds of compilation.
 class TinyFunction {
  public:
   using Scalar = double;
@@ -98,7 +98,8 @@ std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function, c
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  // Down to rounding: problems are tiny, and errors are read off the Jacobian at the solution.
+  // The tolerances are at rounding, because the problems are tiny and the standard errors come from the
+  // Jacobian at the solution.
   options.max_num_iterations = 400;
   options.function_tolerance = 1e-16;
   options.gradient_tolerance = 1e-18;

@@ -9,38 +9,40 @@
 
 namespace floc {
 
-/// A minimum of a sum of squares.
+/// Minimum of a sum of squared residuals.
 struct LeastSquaresSolution {
   Eigen::VectorXd theta;
   Eigen::VectorXd residuals;
-  Eigen::MatrixXd jacobian;  ///< residuals x parameters; empty when a parameter was held
+  /// Derivatives of the residuals (residuals x parameters); empty if a parameter was held fixed.
+  Eigen::MatrixXd jacobian;
   double sum_of_squares = 0.0;
 };
 
-/// Range that a parameter may not leave.
+/// Limits of one parameter in a minimisation.
 struct ParameterLimits {
   int parameter;
   double low, high;
 };
 
-/// Returns (J^T J)^-1, parameters x parameters. A parameter with a component along a direction that the data do
-/// not determine has infinite variance.
+/// Returns (J^T J)^-1 of a Jacobian J (residuals x parameters). A parameter that the residuals do not determine
+/// has infinite variance.
 [[nodiscard]] Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian);
 
-/// Interface of the residuals of a problem, so that the solvers are compiled once for all problems.
+/// Interface of the residuals of a least-squares problem. It lets the solvers be compiled once for all
+/// problems.
 class ResidualFunction {
  public:
   virtual ~ResidualFunction() = default;
   virtual int n_residuals() const = 0;
   virtual int n_parameters() const = 0;
   /// Computes the residuals and, if `jacobian` is not null, their derivatives.
-  /// @param jacobian  residuals x parameters, row after row; may be null
+  /// @param jacobian  derivatives (residuals x parameters, in row-major order); may be null
   virtual void evaluate(const double* theta, double* values, double* jacobian) const = 0;
 };
 
-/// Minimises a sum of squares by Levenberg-Marquardt (Ceres), to rounding, from one start.
-/// @param limits  ranges of the parameters that are limited
-/// @param held    index of a parameter kept at its start; -1 for none
+/// Minimises a sum of squares by Levenberg-Marquardt (Ceres), to rounding, from one starting point.
+/// @param limits  limits of parameters; a parameter not listed has none
+/// @param held    index of a parameter that is held fixed; -1 to fit all
 /// @return the minimum; absent if the solver fails
 [[nodiscard]] std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function,
                                                            const Eigen::VectorXd& start,
@@ -48,13 +50,14 @@ class ResidualFunction {
                                                            int held = -1);
 
 /// Minimises a sum of squares by normal equations (Ceres' TinySolver), ten times faster than minimize() and
-/// accurate to half the digits. Used for searches among starts.
-/// @param theta  the start; replaced by the end
+/// accurate to half the digits. It serves to compare many starting points.
+/// @param theta  the starting point; replaced by the minimum
 /// @return the sum of squares reached, which may be NaN
 double descend(const ResidualFunction& function, Eigen::VectorXd& theta);
 
-/// Residuals with automatic derivatives.
-/// @tparam Residual  has `kParameters` and `T operator()(const T* theta)` on any scalar
+/// Residuals whose derivatives are computed by automatic differentiation.
+/// @tparam Residual type of one residual, with the number `kParameters` and `T operator()(const T* theta)` for
+/// any scalar type T
 template <class Residual>
 class DifferentiatedResiduals final : public ResidualFunction {
  public:

@@ -32,7 +32,7 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
       step = PathStep::unloading;
     else if (turned)
       step = P > largest * (1 + kSamePressure) ? PathStep::later_virgin : PathStep::reloading;
-    // P* = 0 before the first pressure is the assembly, after it an unloading.
+    // P* = 0 before the first positive pressure belongs to the assembly, P* = 0 after it to an unloading.
     turned = turned || step == PathStep::unloading || step == PathStep::test || (P == 0.0 && largest > 0.0);
     largest = std::max(largest, P);
     before = P;
@@ -42,7 +42,7 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
 }
 
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows) {
-  int direction = 0;  // of the branch so far
+  int direction = 0;  // sign of the pressure steps of the branch so far: 1, -1 or 0
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const int row = static_cast<int>(i);
     const double change = rows[i].P_star - rows[i - 1].P_star;
@@ -52,15 +52,17 @@ std::optional<PathFault> path_fault(const std::vector<PathRow>& rows) {
       continue;
     }
     if (rows[i].branch.empty()) {
-      if (change == 0.0) return PathFault{row, "a pressure other than that of the row before"};
+      if (change == 0.0) return PathFault{row, "a pressure that differs from the pressure of the row before"};
       continue;
     }
     const int step = change > 0.0 ? 1 : change < 0.0 ? -1 : 0;
     const bool is_first = i < 2 || rows[i - 2].branch != rows[i].branch;
     if (!is_first && step != direction)
-      return PathFault{row, direction > 0   ? "a pressure that grows along its branch"
-                            : direction < 0 ? "a pressure that falls along its branch"
-                                            : "the pressure of the row before, as its branch holds it"};
+      return PathFault{row,
+                       direction > 0 ? "a pressure that grows along its branch"
+                       : direction < 0
+                           ? "a pressure that falls along its branch"
+                           : "the pressure of the row before, because the pressure of this branch is constant"};
     if (rows[i].branch == "load" && step <= 0) return PathFault{row, "a pressure that grows along its branch"};
     if (rows[i].branch == "unload" && step >= 0)
       return PathFault{row, "a pressure that falls along its branch"};
@@ -123,7 +125,7 @@ std::vector<Loading> unloadings(const std::vector<PathRow>& rows) {
 ConsolidationCurve mean_curve(const std::vector<ConsolidationCurve>& samples) {
   ConsolidationCurve mean;
   if (samples.empty()) return mean;
-  std::vector<double> values;  // of all samples at each common pressure
+  std::vector<double> values;  // values of 1/Phi of all samples at each common pressure
   for (const double P : samples.front().P_star) {
     std::vector<double> here;
     for (const ConsolidationCurve& sample : samples) {

@@ -7,74 +7,78 @@
 
 namespace floc {
 
-/// Pressures that differ by less than this share are the same one.
+/// Relative difference below which two pressures count as equal.
 inline constexpr double kSamePressure = 1e-3;
 
-/// Kind of load of a row of a path.
+/// Kind of load in one row of the table of a load path.
 enum class PathLoad {
   isotropic,
-  oedometric,  ///< one axis is driven, the others keep their lengths; P_star may be the driven stress
-  other,       ///< axes are loaded differently in another way: no consolidation
+  /// One axis is driven, the others keep their lengths; P_star may be the stress on the driven axis.
+  oedometric,
+  other,  ///< the axes are loaded differently in any other way; the row is no consolidation
 };
 
-/// One row of a path table.
+/// One row of the table of a load path.
 struct PathRow {
-  std::string branch;  ///< empty in a table without branches
+  std::string branch;  ///< name of the branch; empty if the table has no branches
   double P_star;
   double phi;
   PathLoad load = PathLoad::isotropic;
-  double driven_over_mean = 1.0;  ///< driven over mean stress, of an oedometric row
+  double driven_over_mean = 1.0;  ///< stress on the driven axis over mean stress, for an oedometric row
 };
 
-/// Kind of step of a row of a path.
+/// Kind of the step of pressure that leads to a row of a load path.
 enum class PathStep {
   zero_pressure,  ///< P* = 0
   first_loading,  ///< assembly and the first loading
   unloading,
-  reloading,     ///< later loading, up to the largest earlier pressure
-  later_virgin,  ///< later loading, beyond the largest earlier pressure
-  hold,          ///< pressure kept
-  test,          ///< axes are loaded differently, not as in an oedometer
+  reloading,     ///< loading after an unloading, up to the largest earlier pressure
+  later_virgin,  ///< loading after an unloading, beyond the largest earlier pressure
+  hold,          ///< the pressure is constant
+  test,          ///< the axes are loaded differently, but not as in an oedometer
 };
 
-/// Returns the kinds of all rows from their pressures alone; a row at which the pressure turns begins a new
-/// branch.
+/// Returns the kinds of the steps of all rows, from the kind of load and the pressures alone, not from the
+/// names of branches.
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
 
-/// A fault of a path: the row, and the value expected there.
+/// A row of a load path whose pressure does not fit its branch, and a description of the pressure expected
+/// there.
 struct PathFault {
   int row;
   std::string expected;
 };
 
-/// Returns the first row that does not fit its branch, or nothing. In a run of rows with one name, pressures
-/// must strictly grow, strictly fall, or all be the same (a hold); without names no pressure may be repeated.
-/// Rows with different loads on the axes always fit, since the stress on a strained axis may fall.
+/// Returns the first row whose pressure does not fit its branch, or nothing. In consecutive rows with one
+/// branch name, the pressures must strictly grow, strictly fall, or all be equal. If branches have no names, no
+/// two consecutive pressures may be equal. Rows with different loads on the axes always fit, because the stress
+/// on a strained axis may fall.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
-/// Rows that consolidation is fitted to.
+/// Rows of a load path as a consolidation curve.
 struct Loading {
   ConsolidationCurve curve;
   std::vector<int> rows;  ///< index of the row of each point
 };
 
-/// Returns the rows of the first loading; with `virgin`, also those of later loadings beyond the largest
-/// pressure before. The first loading is found from the pressures; where branches are named and one is "load",
-/// it consists of "assembly" and the first run of "load" only.
+/// Returns the rows of the first loading; with `virgin`, also the rows of later loadings beyond the largest
+/// earlier pressure. The first loading is found from the pressures. If the branches are named and one is named
+/// "load", it consists of the rows of "assembly" and of the first consecutive rows of "load" only.
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
-/// A loading that starts again from a smaller pressure.
+/// A loading that starts again after an unloading.
 struct Reloading {
-  Loading loading;        ///< rows from the point where the pressure turns: reloading, and loading beyond it
-  double largest_before;  ///< largest pressure before it
+  Loading loading;        ///< rows from the lowest pressure on: reloading, and loading beyond `largest_before`
+  double largest_before;  ///< largest pressure before the reloading
 };
 std::vector<Reloading> reloadings(const std::vector<PathRow>& rows);
 
-/// Returns the runs of falling pressure, each from the point where the pressure turns; P* = 0 is left out.
+/// Returns the unloadings of a load path, each with the row of largest pressure before it. Rows with P* = 0 are
+/// left out.
 std::vector<Loading> unloadings(const std::vector<PathRow>& rows);
 
-/// Returns the mean of 1/Phi over samples at each pressure that all of them have (to 0.1 %); no points if there
-/// is none.
+/// Returns the mean of 1/Phi over samples (Phi is the solid fraction) at each pressure that all samples have
+/// (to 0.1 %). The result is empty if there is no such pressure.
 ConsolidationCurve mean_curve(const std::vector<ConsolidationCurve>& samples);
 
 }  // namespace floc

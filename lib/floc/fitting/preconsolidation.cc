@@ -22,13 +22,14 @@ Eigen::MatrixXd columns_of_lines(const Eigen::ArrayXd& x, double bend) {
   return columns;
 }
 
-/// Best lines on both sides of ln P_c = `bend`; coefficients y_c, -kappa, kappa - lambda.
+/// Fits two lines of 1/Phi against ln P that meet at ln P_c = `bend`. The coefficients are y_c, -kappa and
+/// kappa - lambda.
 LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend) {
   return fit_linear(columns_of_lines(x, bend), y);
 }
 
-/// Returns the correlation of neighbouring residuals where it exceeds that of independent ones, as for a round
-/// bend, which leaves a smooth curve of residuals. Returns 0 elsewhere, and where the residuals are rounding.
+/// Returns the correlation of neighbouring residuals, or 0 if it is no larger than chance allows for
+/// independent residuals or if the residuals are rounding. A round bend leaves correlated residuals.
 double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = residuals.size();
@@ -38,7 +39,8 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
-/// Sum of squares against the place of the bend, on a fine grid: its minimum need not be alone.
+/// Sum of squared residuals of two lines that meet at a bend, as a function of the place of the bend on a fine
+/// grid, because it may have several minima.
 struct BendProfile {
   static constexpr int kSteps = 4000;
   Eigen::VectorXd bend, left;
@@ -61,11 +63,12 @@ PreconsolidationFit refused(std::string why) {
 
 PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std::vector<double>& phi) {
   assert(P.size() == phi.size());
-  constexpr int kMinPressures = 5;  // four numbers are fitted
+  constexpr int kMinPressures = 5;  // one more than the four parameters fitted
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures)
-    return refused(
-        fmt::format("{} pressures on the reloading branch and beyond, expected at least {}", n, kMinPressures));
+    return refused(fmt::format(
+        "there are {} pressures on the reloading branch and beyond it, but the fit needs at least {}", n,
+        kMinPressures));
   const Eigen::ArrayXd x = Eigen::Map<const Eigen::ArrayXd>(P.data(), n).log();
   const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).inverse();
   const BendProfile profile(x, y);
@@ -85,16 +88,15 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
         "the reloading branch does not bend towards a steeper line: it does not reach the preconsolidation "
         "pressure");
   PreconsolidationFit fit;
-  // Correlated residuals are as good as fewer independent ones.
+  // Correlated residuals count as a smaller number of independent residuals.
   constexpr double kMostCorrelated = 0.9;
   const double r = correlation_of_neighbours(y - columns_of_lines(x, bend) * lines.coefficients);
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));
   const double within = lines.sum_of_squares + fewer * t95 * t95 * variance;
   if (r > 0.0)
     fit.warnings.push_back(
-        fmt::format("neighbouring residuals are correlated ({:.2f}): the bend is round, or the curve moves in "
-                    "steps, and the "
-                    "interval of P_c is widened for it",
+        fmt::format("neighbouring residuals are correlated ({:.2f}), because the bend is round or the curve "
+                    "moves in steps: the interval of P_c is widened to allow for this",
                     r));
   Eigen::Index low = profile.best, high = profile.best;
   for (Eigen::Index k = 0; k < profile.left.size(); ++k)
@@ -109,7 +111,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
     fit.warnings.push_back(
         "the preconsolidation pressure may lie at an end of the branch: its interval is open there");
   }
-  // The bend was fitted too, so that the variance has one degree of freedom less than that of the lines.
+  // The place of the bend was fitted too, which takes one degree of freedom from the residual variance of the
+  // lines.
   const Eigen::MatrixXd c = lines.covariance * (static_cast<double>(lines.dof) / dof);
   fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),
                     from_value("lambda", lambda, std::sqrt(c(1, 1) + c(2, 2) + 2 * c(1, 2)), t95)};

@@ -6,7 +6,8 @@
 namespace floc {
 namespace {
 
-/// The rows before the one where the pressure turns at which it grows or is held, and that one.
+/// Returns the loading that ends at the row `turn`: this row and the rows before it along which the pressure
+/// grows or is constant.
 Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   int first = turn;
   while (first > 0 && rows[first - 1].P_star > 0.0 && rows[first - 1].P_star <= rows[first].P_star) --first;
@@ -19,14 +20,15 @@ Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   return up;
 }
 
-/// Index of the last point of a curve at a pressure; where it was held, what it led to counts.
+/// Returns the index of the last point of a curve at pressure `P`, which is the end of a hold if the pressure
+/// was held there.
 std::optional<std::size_t> last_at(const ConsolidationCurve& curve, double P) {
   for (std::size_t k = curve.P_star.size(); k-- > 0;)
     if (std::abs(curve.P_star[k] - P) <= kSamePressure * P) return k;
   return std::nullopt;
 }
 
-/// Work from the lowest common pressure up and back.
+/// Returns the work of a cycle from the lowest pressure that loading and unloading share, up and back to it.
 double closed_work(const PressureCycle& cycle) {
   const std::size_t start = *last_at(cycle.up.curve, cycle.P.front());
   const std::size_t end = *last_at(cycle.down.curve, cycle.P.front());

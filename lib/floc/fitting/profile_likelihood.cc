@@ -6,10 +6,10 @@
 namespace floc {
 namespace {
 
-/// Returns the coordinate at which the profile crosses `allowed` on one side of the solution: by growing steps,
-/// the first of which is `step` (signed), then by the rule of false position in the square root of the excess,
-/// which is nearly linear. Absent if there is no crossing up to `end`, or up to the point where the solver
-/// fails.
+/// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of
+/// the solution. The crossing is bracketed by growing steps, the first of which is `step` (signed), then found
+/// by false position in the square root of the increase of the sum of squares, which is nearly linear. The
+/// result is absent if the profile does not reach this value before `end`, or before the solver fails.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);
@@ -28,7 +28,8 @@ std::optional<double> crossing(const ProfileSearch& search, double step, double 
     miss_outside = miss(outside);
   }
   constexpr int kRounds = 40;
-  constexpr double kAccuracy = 1e-3;  // of the interval's width, far below its statistical meaning
+  // Relative accuracy of the width of the interval, far below its statistical uncertainty.
+  constexpr double kAccuracy = 1e-3;
   for (int round = 0; round < kRounds; ++round) {
     const double share = std::isfinite(miss_outside) ? miss_inside / (miss_inside - miss_outside) : 0.5;
     const double middle = inside + std::clamp(share, 0.05, 0.95) * (outside - inside);

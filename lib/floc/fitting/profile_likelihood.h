@@ -5,27 +5,29 @@
 
 namespace floc {
 
-/// An interval by the profile of a sum of squares. An end is absent if the data allow any value on that side, as
-/// far as the profile can be followed.
+/// Interval of a coordinate of a least-squares fit, from the profile of the sum of squares. An end is absent if
+/// the data allow any value on that side, as far as the profile can be computed.
 struct ProfileInterval {
   std::optional<double> low, high;
 };
 
-/// Settings of the search for the ends of such an interval.
+/// Settings of the search for the ends of a ProfileInterval.
 struct ProfileSearch {
   double center;             ///< coordinate at the solution
   double least;              ///< sum of squares at the solution
   double allowed;            ///< sum of squares at the ends of the interval, > least
-  double low_end, high_end;  ///< beyond these the coordinate no longer means anything
+  double low_end, high_end;  ///< limits of the search: values of the coordinate beyond them have no meaning
   double step;               ///< first step away from the solution, > 0
 };
 
-/// Function that returns the least sum of squares with the coordinate held at a value; infinite where the
-/// solver fails. It may start from the solution of the call before.
+/// Function that returns the smallest sum of squares with the coordinate fixed at a value; infinite if the
+/// solver fails. It may start the solver from the solution of the call before.
 using ProfileFunction = std::function<double(double value)>;
 
-/// Finds the ends of the interval, where the profile reaches `search.allowed`, to 1e-3 of its width.
-/// @param profile_from_solution  returns a profile that starts at the solution; called once for each side
+/// Finds the ends of the interval, at which the profile of the sum of squares reaches `search.allowed`, to 1e-3
+/// of the width of the interval.
+/// @param profile_from_solution  returns a profile whose first call starts from the solution of the fit; called
+/// once for each side
 [[nodiscard]] ProfileInterval profile_interval(const ProfileSearch& search,
                                                const std::function<ProfileFunction()>& profile_from_solution);
 

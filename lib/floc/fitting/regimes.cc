@@ -13,10 +13,12 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Residuals of 1/Phi below this are rounding of the table, not information about its model.
+/// Residuals of 1/Phi below this value are rounding of the numbers in the table, and do not distinguish between
+/// laws.
 constexpr double kRounding = 1e-9;
 
-/// Bayesian information criterion of a least-squares model, up to a constant of the data.
+/// Returns the Bayesian information criterion of a least-squares fit, up to a constant that depends on the data
+/// only.
 double information(double sum_of_squares, int n, int n_free) {
   const double floor = n * kRounding * kRounding;
   return n * std::log(std::max(sum_of_squares, floor) / n) + n_free * std::log(n);
@@ -26,7 +28,7 @@ int n_below(const LawPoints& points, double log_P) {
   return static_cast<int>((points.log_P.array() < log_P).count());
 }
 
-/// Returns the weighted sum of squares that a constant leaves.
+/// Returns the weighted sum of squared residuals of 1/Phi if a constant is fitted.
 double residual_of_constant(const LawPoints& points) {
   if (points.size() == 0) return 0.0;
   const Eigen::ArrayXd w2 = points.weight.array().square();
@@ -34,7 +36,8 @@ double residual_of_constant(const LawPoints& points) {
   return (w2 * (points.y.array() - mean).square()).sum();
 }
 
-/// One place of a change and the information that it leaves.
+/// A possible place of a change between regimes, with the information criterion of the fit that splits the
+/// curve there.
 struct Place {
   int first;
   double information;
@@ -44,7 +47,8 @@ bool less_information(const Place& a, const Place& b) {
   return a.information < b.information;
 }
 
-/// The best place, and the places around it with their probabilities; `shift` is added to all indices.
+/// Returns the most probable place of a change, and all other places with their probabilities; `shift` is added
+/// to all indices.
 ChangePoint change_among(std::vector<Place> places, int shift) {
   constexpr double kWorthNaming = 0.01;
   std::stable_sort(places.begin(), places.end(), less_information);
@@ -66,9 +70,9 @@ ChangePoint change_among(std::vector<Place> places, int shift) {
   return change;
 }
 
-/// Returns the weighted sum of squares that a plateau of the first `k` points leaves. The plateau ends where
-/// the law after it reaches its level, between its last point and the next one. `theta` solves the law on the
-/// rest.
+/// Returns the weighted sum of squared residuals of the first `k` points about the level of their plateau. The
+/// level is limited to values that the law takes between the last point of the plateau and the next point.
+/// `theta` is the solution of the law on the points after the plateau.
 double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
   if (k == 0) return 0.0;
   const double first = points.log_P[k];
@@ -77,16 +81,19 @@ double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen:
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
-/// The split before point `k`, whose law leaves `left` of the rest.
+/// Returns the end of the plateau before point `k` with its information criterion; `left` is the sum of squared
+/// residuals of the law on the points after the plateau.
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
-  // Beside the law, the end of the plateau is fitted.
+  // The end of the plateau counts as one more fitted parameter.
   return {k, information(left + residual_of_plateau(law, points, k, theta), points.size(),
                          n_parameters(law) + (k > 0 ? 1 : 0))};
 }
 
-/// Splits into a plateau and a rest that follows the full law; none if no split leaves a regime II.
+/// Returns the possible ends of a plateau after which the points follow the full law. A place is left out if
+/// fewer than three points remain before P1*, the beginning of regime III.
 std::vector<Place> ends_before_full_law(const LawPoints& points) {
-  // Beyond P1* no split leaves a regime II any more.
+  // Number of consecutive places without a regime II after which the search ends: if the plateau reaches P1*,
+  // where regime III begins, a longer plateau leaves no regime II either.
   constexpr int kGiveUp = 3;
   std::vector<Place> places;
   std::optional<Eigen::VectorXd> theta;
@@ -94,7 +101,8 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   int n_failed = 0;
   for (int k = 0; n - k > n_parameters(Law::full) && n_failed < kGiveUp; ++k) {
     const LawPoints rest = points.range(k, n - k);
-    // The law bends where it did with one point more, unless that point kept it from bending at all.
+    // The fit to one point fewer starts from the solution before, and also from a new starting point, in case
+    // the point left out had hidden the bend of the law.
     double left = kInfinity;
     if (theta) left = minimize_law(Law::full, rest, *theta);
     if (auto other = start_of_law(Law::full, rest, theta ? 1 : 4)) {
@@ -109,7 +117,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   return places;
 }
 
-/// Splits into a plateau and a line.
+/// Returns the possible ends of a plateau after which the points follow the line of regime II.
 std::vector<Place> ends_before_line(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
@@ -119,20 +127,21 @@ std::vector<Place> ends_before_line(const LawPoints& points) {
   return places;
 }
 
-/// Splits into a line and a power law, on each one point more than it has parameters.
+/// Returns the possible beginnings of regime III of a consolidation curve. The points before follow a line in
+/// ln P*, the points after follow a power law. Each law has at least one point more than parameters.
 std::vector<Place> onsets_of_three(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
   for (int k = kMinInRegimeTwo; n - k > n_parameters(Law::power); ++k) {
     const auto line = residual_of_line(points.range(0, k));
     const auto power = residual_of_power_law(points.range(k, n - k));
-    // Two numbers of the line, three of the power law, and the place.
+    // The six parameters are two of the line, three of the power law, and the place of the change.
     if (line && power) places.push_back({k, information(*line + *power, n, 6)});
   }
   return places;
 }
 
-/// Returns the weighted sum of squares that 1/Phi linear in P* leaves.
+/// Returns the weighted sum of squared residuals of 1/Phi if a linear function of P* is fitted.
 double residual_of_elasticity(const LawPoints& points) {
   Eigen::MatrixXd columns(points.size(), 2);
   columns.col(0) = points.weight;
@@ -179,8 +188,8 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
     return places.empty() ? kInfinity
                           : std::min_element(places.begin(), places.end(), less_information)->information;
   };
-  // Data that stop before P1* do not determine the full law; the line, with fewer parameters, then has the
-  // smaller criterion.
+  // Data that end before P1*, where regime III begins, do not determine the full law. The line, with fewer
+  // parameters, then has the smaller information criterion.
   if (least(line_ends) < least(ends)) ends = line_ends;
   if (ends.empty()) return std::nullopt;
   const ChangePoint end = change_among(ends, 0);
@@ -192,7 +201,8 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const std::vector<Place> onsets = onsets_of_three(rest);
   if (onsets.empty()) return regimes;
   const auto best = std::min_element(onsets.begin(), onsets.end(), less_information);
-  // Regime III is reported only if its split has a smaller criterion than a line through all of the rest.
+  // Regime III is reported only if a line followed by a power law has a smaller information criterion than one
+  // line through all points after the plateau.
   const auto line = residual_of_line(rest);
   if (line && information(*line, rest.size(), n_parameters(Law::log)) <= best->information) return regimes;
   regimes.onset_three = change_among(onsets, end.first);

@@ -7,51 +7,58 @@
 
 namespace floc {
 
-/// A possible change from one regime to the next, before the point `first`.
+/// A possible place of the change from one regime of consolidation to the next, just before the point `first`.
 struct ChangePlace {
   int first;
   double probability;
 };
 
-/// Change from one regime to the next, between two neighbouring points.
+/// Change from one regime of consolidation to the next, between two neighbouring points.
 struct ChangePoint {
-  int first;                        ///< index of the first point after the most probable change
-  int low95, high95;                ///< range of that index over the most probable places, 95 % together
+  int first;  ///< index of the first point after the most probable change
+  /// Range of `first` over the most probable places, which have 95 % of the probability.
+  int low95, high95;
   std::vector<ChangePlace> places;  ///< all places more probable than 1 %, the most probable first
 };
 
-/// The regimes of a curve: a plateau (I), a line in ln P* (II), a power law (III).
+/// Regimes of a consolidation curve of 1/Phi: a plateau (I), a line in ln P* (II), a power law of P* (III).
 struct Regimes {
-  /// A constant, or a solid fraction linear in P* (elastic), explains the points better than any law of
+  /// True if a constant, or 1/Phi linear in P* (elastic), explains the points better than any law of
   /// consolidation.
   bool all_in_one = false;
-  int n_plateau = 0;                       ///< points of regime I
-  std::optional<ChangePoint> plateau_end;  ///< present if there is, or may be, a plateau
-  std::optional<ChangePoint> onset_three;  ///< present if the points distinguish regime III from the line
-  int end_of_two = 0;                      ///< index after the last point of regime II
+  int n_plateau = 0;                       ///< number of points of regime I
+  std::optional<ChangePoint> plateau_end;  ///< end of regime I; absent if there is surely no plateau
+  /// Beginning of regime III; absent if the points do not distinguish it from the line of regime II.
+  std::optional<ChangePoint> onset_three;
+  int end_of_two = 0;  ///< index after the last point of regime II
 };
 
-/// Finds the regimes by a change-point search with least squares. The end of the plateau is the split into a
-/// constant and the full law (or the line, where that explains more) of least Bayesian information criterion;
-/// the level of the plateau has to be one that the law takes between the plateau's last point and the next. The
-/// onset of III is the split of the rest into a line and a power law of least criterion. Places are weighted by
-/// exp(-criterion/2).
-/// @return the regimes; absent if no split leaves three points to regime II
+/// Finds the regimes of a consolidation curve by a change-point search with least squares. At the end of the
+/// plateau, a constant followed by the full law (or by the line of regime II, if this explains the points
+/// better) has the smallest Bayesian information criterion. The level of the plateau must be a value of the law
+/// between the last point of the plateau and the next point. At the beginning of regime III, a line followed by
+/// a power law has the smallest criterion for the points after the plateau. The probability of a place is in
+/// proportion to exp(-criterion/2).
+/// @return the regimes; absent if no choice leaves three points for regime II
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
-/// True if the points distinguish the full law, whose solution on them is given, from the line of regime II.
+/// Returns true if the points show the bend of the full consolidation law: the full law, whose solution is
+/// given, explains them better than the line of regime II.
 [[nodiscard]] bool detects_bend(const LawPoints& points, const LawSolution& full);
 
-/// True if the points distinguish the full law from the line and also reach beyond its P1*.
+/// Returns true if the points show the bend of the full consolidation law and also reach beyond P1*, where
+/// regime III begins.
 [[nodiscard]] bool detects_regime_three(const LawPoints& points, const LawSolution& full);
 
-/// Number of points at pressures below the P1* of a solution of the full law.
+/// Returns the number of points at pressures below P1*, where regime III begins according to a solution of the
+/// full law.
 [[nodiscard]] int n_before_regime_three(const LawPoints& points, const LawSolution& full);
 
-/// False for a solution of the full law that has lost regime II: fewer than three points before its P1*.
+/// Returns false for a solution of the full law that leaves no regime II, because fewer than three points are
+/// below P1*, where regime III begins.
 [[nodiscard]] bool keeps_regime_two(ConsolidationLaw law, const LawPoints& points, const LawSolution& solution);
 
-/// Fewest pressures in regime II from which its slope is taken.
+/// Smallest number of pressures in regime II from which its slope lambda is determined.
 inline constexpr int kMinInRegimeTwo = 3;
 
 }  // namespace floc

@@ -4,15 +4,16 @@
 
 namespace floc {
 
-/// Loss function of the residuals. Their scale is the median absolute residual, converted to a normal
-/// deviation.
+/// Loss function of a least-squares fit. The scale of the residuals is their median absolute value, converted
+/// to the standard deviation of a normal distribution.
 enum class Loss {
   squared,  ///< least squares
-  huber,    ///< linear beyond 1.345 scales: 95 % efficient for normal errors
-  cauchy,   ///< logarithmic beyond 2.385 scales: the same efficiency, and gross outliers count for nothing
+  huber,    ///< linear for residuals beyond 1.345 scales: 95 % efficient for normal errors
+  /// Logarithmic for residuals beyond 2.385 scales: also 95 % efficient, and outliers have almost no weight.
+  cauchy,
 };
 
-/// Returns the weights by which residuals are multiplied so that least squares minimises the loss.
+/// Returns the weights with which least squares of the weighted residuals minimises the loss.
 Eigen::VectorXd loss_weights(Loss loss, const Eigen::VectorXd& residuals);
 
 }  // namespace floc

@@ -15,10 +15,11 @@ namespace floc {
 namespace {
 
 constexpr int kMinBins = 6;
-/// Mean squares of residuals, in those of speckles, beyond which the law is not that of the data.
+/// Value of chi squared per degree of freedom above which a warning says that the data do not follow the law.
 constexpr double kFarOff = 9.0;
 
-/// ln I - model, over its standard deviation; theta is ln I0, ln xi, dF.
+/// Residual of ln I in one bin of wave numbers, over its standard deviation. The parameters theta are ln I0, ln
+/// xi and dF.
 struct ScatteringResidual {
   static constexpr int kParameters = 3;
   double k, log_I, weight;
@@ -31,8 +32,8 @@ struct ScatteringResidual {
   }
 };
 
-/// Mean of the logarithm of a mean of n exponential variables of mean 1: digamma(n) - ln n (Abramowitz and
-/// Stegun 6.3.18, from the recurrence for small n).
+/// Returns the mean of ln of the average of n exponential variables of mean 1: digamma(n) - ln n (Abramowitz
+/// and Stegun 6.3.18, and the recurrence for small n).
 double log_bias(double n) {
   double shift = 0.0, m = n;
   for (; m < 6.0; m += 1.0) shift -= 1.0 / m;
@@ -50,7 +51,8 @@ std::vector<ScatteringResidual> residuals_of(const std::vector<ScatteredPoint>& 
   return data;
 }
 
-/// The best of starts that put the crossover anywhere in the range.
+/// Fits the scattering law from starting points whose crossover length xi lies anywhere in the fitted range,
+/// and returns the best solution.
 std::optional<LeastSquaresSolution> solve(const std::vector<ScatteringResidual>& data) {
   Eigen::VectorXd best;
   double least = std::numeric_limits<double>::infinity();
@@ -75,13 +77,16 @@ double scattered_intensity(double I0, double xi, double dF, double k) {
 ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double low, double high) {
   if (!(low < high) || !std::isfinite(low) || !std::isfinite(high))
     throw InputError(
-        "", fmt::format("fit_range = {},{}: expected two finite numbers, the lower one first", low, high));
+        "", fmt::format(
+                "fit_range = {},{}: the range of wave numbers must be two finite numbers, the lower one first",
+                low, high));
   ScatteringFit fit;
   const std::vector<ScatteringResidual> data = residuals_of(points, low, high);
   fit.n_points = static_cast<int>(data.size());
   if (fit.n_points < kMinBins) {
-    fit.failure_reason = fmt::format("{} bins of k between {:.4g} and {:.4g}, the law needs {}", fit.n_points,
-                                     low, high, kMinBins);
+    fit.failure_reason =
+        fmt::format("there are {} bins of wave numbers k between {:.4g} and {:.4g}, but the law needs {}",
+                    fit.n_points, low, high, kMinBins);
     return fit;
   }
   fit.low = data.front().k;
@@ -102,24 +107,31 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.parameters = {from_logarithm("I0", solution->theta[0], error(0), t95),
                     from_logarithm("xi", solution->theta[1], error(1), t95),
                     from_value("dF", solution->theta[2], error(2), t95)};
-  fit.parameters[2].identified = fit.parameters[1].identified;  // a slope beyond a length that is anywhere
+  // The exponent dF is the slope of I(k) at wavelengths below the length xi, and has no meaning if xi may have
+  // any value.
+  fit.parameters[2].identified = fit.parameters[1].identified;
   const double xi = *fit.parameters[1].value;
   if (xi * fit.low > 2.0 * std::numbers::pi)
-    fit.warnings.push_back(fmt::format(
-        "the intensity does not level off: xi = {:.4g} is beyond the largest wavelength fitted, {:.4g}", xi,
-        2.0 * std::numbers::pi / fit.low));
+    fit.warnings.push_back(
+        fmt::format("the intensity does not level off at small k: the length xi = {:.4g} is larger than the "
+                    "largest wavelength fitted, {:.4g}",
+                    xi, 2.0 * std::numbers::pi / fit.low));
   if (xi * fit.high < 4.0 * std::numbers::pi)
-    fit.warnings.push_back("hardly any wavelengths lie below xi: dF says little");
+    fit.warnings.push_back(
+        "hardly any fitted wavelengths lie below the length xi, so that the fractal dimension dF is not "
+        "reliable");
   if (fit.chi_square > kFarOff)
     fit.warnings.push_back(
-        fmt::format("the intensity does not follow the law: {:.3g} times the scatter of speckles",
+        fmt::format("the intensity does not follow the law: its residuals are {:.3g} times as large as the "
+                    "scatter of speckles",
                     std::sqrt(fit.chi_square)));
   for (FittedParameter& p : fit.parameters) {
     if (p.identified) continue;
     fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));
     p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
   }
-  constexpr double kPorod = 4.0;  // slope of smooth surfaces in 3D, and no law falls faster
+  // Slope of scattering by smooth surfaces in 3D (Porod's law), the steepest possible.
+  constexpr double kPorod = 4.0;
   if (const std::string beyond = keep_in_range({0.0, kPorod}, fit.parameters[2]); !beyond.empty())
     fit.warnings.push_back(beyond);
   return fit;

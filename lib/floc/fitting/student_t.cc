@@ -7,7 +7,8 @@
 namespace floc {
 namespace {
 
-/// Probability of |t| <= sqrt(dof) tan(theta).
+/// Returns the probability that a Student variable t of `dof` degrees of freedom has |t| <= sqrt(dof)
+/// tan(theta).
 double probability_within(double theta, int dof) {
   const double cos2 = std::cos(theta) * std::cos(theta);
   const bool odd = dof % 2 == 1;

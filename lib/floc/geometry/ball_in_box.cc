@@ -7,19 +7,21 @@
 namespace floc {
 namespace {
 
-/// Part of the unit disk with x > p and y > q; p, q >= 0 and p^2 + q^2 < 1.
+/// Returns the area of the part of the unit disk with x > p and y > q; p, q >= 0 and p^2 + q^2 < 1.
 double beyond_corner(const Vec<2>& t) {
   const double p = t[0], q = t[1];
   return p * q + 0.5 * (std::acos(p) - std::asin(q) - p * std::sqrt(1.0 - p * p) - q * std::sqrt(1.0 - q * q));
 }
 
-/// Part of the unit ball with x > a, y > b and z > c; all >= 0, and the corner inside.
+/// Returns the volume of the part of the unit ball with x > a, y > b and z > c; a, b, c >= 0, and (a, b, c) lies inside
+/// the ball.
 double beyond_corner(const Vec<3>& t) {
   double sphere = 2.0 * std::numbers::pi, faces = 0.0;
   for (int k = 0; k < 3; ++k) {
     const double a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     const double rho = std::sqrt(1.0 - a * a);
-    // The arc of the plane x = a, its curvature along the sphere, and the angle at its end on y = b.
+    // Gauss-Bonnet terms of the plane x = a: the geodesic curvature of its arc on the sphere, and the angle at the end
+    // of the arc on the plane y = b.
     sphere -= a * (std::acos(std::min(1.0, b / rho)) - std::asin(std::min(1.0, c / rho)));
     sphere -= std::acos(std::max(-1.0, -a * b / (rho * std::sqrt(1.0 - b * b))));
     faces += a * rho * rho * beyond_corner(Vec<2>(std::min(1.0, b / rho), std::min(1.0, c / rho)));
@@ -27,7 +29,8 @@ double beyond_corner(const Vec<3>& t) {
   return (sphere - faces) / 3.0;
 }
 
-/// Part of the unit ball beyond the planes at t along each axis, from the first axis on those >= 0.
+/// Returns the area or volume of the part of the unit disk or ball with x_a > t_a along every axis a. The coordinates
+/// of t before `axis` must be >= 0.
 template <int Dim>
 double beyond(Vec<Dim> t, int axis = 0) {
   for (; axis < Dim; ++axis) {

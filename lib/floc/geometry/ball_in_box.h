@@ -4,14 +4,14 @@
 
 namespace floc {
 
-/// Returns the volume (in 2D the area) that a ball and a box have in common, in closed form.
+/// Returns the volume (in 2D the area) of the intersection of a ball and a box, in closed form. The absolute rounding
+/// error is about 1e-15 radius^Dim.
 ///
-/// The part of a unit sphere beyond three planes x = a, y = b, z = c >= 0 has, by the divergence theorem, the
-/// volume (S - a A_a - b A_b - c A_c)/3: A are its flat faces, parts of disks beyond two lines, and S is its
-/// part of the sphere, by the Gauss-Bonnet theorem. A box is a signed sum of eight such parts.
-/// @param centre, radius  of the ball (length)   @param low, high  corners of the box, its edges along the axes
-/// (length); an axis from -infinity to infinity is not bounded
-/// Absolute rounding error of some 1e-15 radius^Dim.
+/// By the divergence theorem, the part of a unit ball beyond the three planes x = a, y = b, z = c >= 0 has the volume
+/// (S - a A_a - b A_b - c A_c)/3. A_a, A_b, A_c are the areas of its flat faces, which are parts of disks beyond two
+/// lines; S is the area of its spherical face, by the Gauss-Bonnet theorem. A box is a signed sum of eight such parts.
+/// @param centre, radius  centre and radius of the ball (length)
+/// @param low, high       corners of the box, whose edges are along the axes (length); infinite coordinates are allowed
 template <int Dim>
 double ball_in_box(const Vec<Dim>& centre, double radius, const Vec<Dim>& low, const Vec<Dim>& high);
 

@@ -7,26 +7,26 @@
 
 namespace floc {
 
-/// Periodic cell: any lattice, skewed or not.
+/// Periodic cell, spanned by any lattice vectors, skewed or not.
 template <int Dim>
 struct Cell {
-  /// Rows are the lattice vectors (length).
+  /// Lattice vectors of the cell, one per row (length).
   Mat<Dim> matrix = Mat<Dim>::Identity();
   /// Time derivative of `matrix` (length/time).
   Mat<Dim> velocity = Mat<Dim>::Zero();
 
-  /// Area (2D) or volume (3D), positive whatever the handedness of the lattice vectors.
+  /// Returns the area (2D) or volume (3D), which is positive also for a left-handed lattice.
   double volume() const { return std::abs(matrix.determinant()); }
 
-  /// Returns the displacement of an image: image * matrix (length).
+  /// Returns the displacement image * matrix of a periodic image (length).
   Vec<Dim> shift(const Vec<Dim, int>& image) const {
     return matrix.transpose() * image.template cast<double>();
   }
 
-  /// Returns coordinates in units of the lattice vectors.
+  /// Returns the coordinates of a point in units of the lattice vectors.
   Vec<Dim> reduced(const Vec<Dim>& x) const { return matrix.transpose().inverse() * x; }
 
-  /// Returns the point of the cell that is equivalent to x, with reduced coordinates in [0, 1).
+  /// Returns the periodic image of x that lies in the cell, with coordinates in [0, 1) in units of the lattice vectors.
   Vec<Dim> wrapped(const Vec<Dim>& x) const {
     Vec<Dim, int> image;
     const Vec<Dim> s = reduced(x);

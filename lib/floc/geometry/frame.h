@@ -6,12 +6,12 @@
 
 namespace floc {
 
-/// Number of components of a tangential displacement: in 2D one, along the tangent; in 3D the three of a vector
-/// in space that stays normal to n, for which no pair of tangents has to be chosen.
+/// Number of components of a tangential displacement: one in 2D, along the tangent; three in 3D, as a vector in space
+/// normal to the contact normal, so that no pair of tangents has to be chosen.
 template <int Dim>
 inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
 
-/// Tangential displacement of a contact, in its own frame.
+/// Tangential displacement (or force) of a contact, in the frame of the contact.
 template <int Dim, class T = double>
 using Shear = Eigen::Matrix<T, kShearComponents<Dim>, 1>;
 
@@ -21,7 +21,7 @@ inline Vec<2, T> tangent(const Vec<2, T>& n) {
   return {-n[1], n[0]};
 }
 
-/// Returns spin x arm, the velocity of the point at `arm` from a centre that turns at `spin`.
+/// Returns spin x arm: the velocity of the point at `arm` from a centre that rotates with angular velocity `spin`.
 template <class T>
 inline Vec<2, T> cross(const RotationVector<2, T>& spin, const Vec<2, T>& arm) {
   return spin[0] * tangent(arm);
@@ -52,17 +52,18 @@ inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
   return displacement - n * n.dot(displacement);
 }
 
-/// Returns the vector in space of a tangential quantity given in the contact's frame.
+/// Returns the vector in space for a tangential quantity given in the contact's frame.
 template <class T>
 inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
   return tangent(n) * shear[0];
 }
 template <class T>
 inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
-  return {shear[0], shear[1], shear[2]};  // GCC would copy the whole vector through memory
+  // component by component, because GCC would copy the whole vector through memory
+  return {shear[0], shear[1], shear[2]};
 }
 
-/// Returns the rolling part of a relative rotation: in 2D all of it, in 3D the part normal to n.
+/// Returns the rolling part of a relative rotation: in 2D the whole rotation, in 3D its part normal to n.
 template <class T>
 inline RotationVector<2, T> rolling_part(const Vec<2, T>&, const RotationVector<2, T>& rotation) {
   return rotation;
@@ -72,12 +73,12 @@ inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVecto
   return to_shear<T>(n, rotation);
 }
 
-/// Carries the history of a contact (its tangential or rolling spring) from the frame of normal n0 to that of
-/// n1. In 2D the frame turns with the normal and the scalar stays as it is; in 3D the vector is turned by the
-/// smallest rotation that takes n0 to n1, then about the normal by the mean spin of the two grains. Without
-/// both, the force of a rigidly rotating pair would change.
+/// Transports the history of a contact (the elongation of its tangential or rolling spring) from the frame of normal n0
+/// to the frame of normal n1. In 2D the frame turns with the normal and the scalar does not change. In 3D the vector is
+/// turned by the smallest rotation that takes n0 to n1, then about the normal by the mean spin of the two grains.
+/// Without both rotations, the force of a rigidly rotating pair of grains would change.
 ///
-/// The last argument is the rotation about the normal, mean of the two grains (radians; ignored in 2D).
+/// The last argument is the rotation about the normal, averaged over the two grains (radians; ignored in 2D).
 template <class T>
 inline Shear<2, T> transport(const Shear<2, T>& shear, const Vec<2, T>&, const Vec<2, T>&, const T&) {
   return shear;
@@ -92,7 +93,7 @@ inline Shear<3, T> transport(const Shear<3, T>& shear, const Vec<3, T>& n0, cons
   // Rodrigues' formula for the rotation n0 -> n1; 1 + c vanishes only for a turn by 180 degrees in one step.
   const Vec<3, T> turned =
       c * shear + moment<T>(axis, Vec<3, T>(shear)) + axis * (axis.dot(shear) / (T(1) + c));
-  // The twist leaves a part along the normal as it is.
+  // The rotation about the normal does not change the component along the normal.
   const Vec<3, T> along = n1 * n1.dot(turned);
   return along + cos(twist) * (turned - along) + sin(twist) * moment<T>(n1, turned);
 }

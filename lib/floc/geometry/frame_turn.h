@@ -4,18 +4,19 @@
 
 namespace floc {
 
-/// Rotation of the frame of a 3D contact in a short step, applied to the tangential history of the contact: the
-/// smallest rotation that takes the old normal n0 to the new one, n1, then a rotation about n1 by the mean
-/// rotation of the two grains. Lengths stay as they are, and the angle about the normal is right to second
-/// order. Powers of the angle (radians) from the sixth on are left out, so that no root or division is needed.
+/// Rotation of the frame of a 3D contact in a short time step, applied to the tangential history of the contact. It is
+/// the smallest rotation that takes the old normal n0 to the new normal n1, followed by a rotation about n1 by the mean
+/// rotation of the two grains. The rotation keeps lengths, and its angle about the normal is correct to second order.
+/// Powers of the angle (radians) from the sixth on are neglected, so that no root or division is needed.
 template <class T>
 class FrameTurn {
  public:
   FrameTurn() = default;
-  /// @param normal         after the step
-  /// @param along, across  displacement of the branch in the step over its length after it: along the normal, and
-  ///                       the rest, a vector
-  /// @param spins          sum of the spins of the two grains (radians/time)
+  /// @param normal     unit normal after the step
+  /// @param along      displacement of the branch in the step along the normal, over the branch length after the step
+  /// @param across     displacement of the branch in the step normal to the normal, over the same length
+  /// @param spins      sum of the spins of the two grains (radians/time)
+  /// @param time_step  duration of the step (time)
   FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
             const T& time_step)
       : n_(normal), across_(across) {
@@ -34,20 +35,23 @@ class FrameTurn {
     cos_ = (T(1) - squared) * scale;
   }
 
-  /// Half way between the old normal and the new, of length 1 up to the square of the angle between them.
+  /// Returns the normal half way between the old and the new one; its length is 1 up to the square of the angle between
+  /// them.
   const Vec<3, T>& mean_normal() const { return mean_normal_; }
 
-  /// Slip of two surfaces across the mean normal m, seen across the new one: with the displacement d of the branch,
-  /// P1 Pm (d - s x m) and Pi u = u - ni ni.u.
-  /// @param length    of the branch after the step
-  /// @param surfaces  s, the displacement of the surface of i against that of j by rotation: arms times rotations
+  /// Returns the slip of the two surfaces in the step: measured across the mean normal m, then projected across the new
+  /// normal n1. With the displacement d of the branch it is P1 Pm (d - s x m), where Pi u = u - ni ni.u projects across
+  /// ni.
+  /// @param length    length of the branch after the step
+  /// @param surfaces  s, displacement of the surface of grain i relative to grain j by rotation: sum of arms times
+  ///                  rotations
   Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
     // m = n1 - lean across, so that P1 Pm d = (1 + lean m.d) across and P1 (s x m) = (s + lean (s.n1) across) x n1.
     const RotationVector<3, T> about = surfaces + (lean_ * surfaces.dot(n_)) * across_;
     return (length * (T(1) + lean_ * along_middle_)) * across_ - cross<T>(about, n_);
   }
 
-  /// Returns a vector after the rotation. @param v  normal to the old normal
+  /// Returns a vector after the rotation. @param v  vector normal to the old normal
   Vec<3, T> operator()(const Vec<3, T>& v) const {
     const Vec<3, T> turned = v - v.dot(n_) * mean_normal_;
     return cos_ * turned + sin_ * moment<T>(n_, turned);
@@ -57,8 +61,8 @@ class FrameTurn {
   Vec<3, T> n_, mean_normal_;
   T cos_, sin_;
   Vec<3, T> across_;
-  T lean_;          // m = n1 - lean across
-  T along_middle_;  // displacement along m
+  T lean_;          // coefficient in the mean normal m = n1 - lean across
+  T along_middle_;  // displacement of the branch along m over the branch length
 };
 
 }  // namespace floc

@@ -8,24 +8,24 @@
 
 namespace floc {
 
-/// Lattice of a cell, spanned by shorter vectors: row a of `cell.matrix` is the sum over b of combination(a, b)
-/// times lattice vector b of the given cell.
+/// Lattice of a cell, spanned by shorter vectors. Row a of `cell.matrix` is the sum over b of combination(a, b) times
+/// lattice vector b of the original cell.
 template <int Dim>
 struct ReducedLattice {
   Cell<Dim> cell;
   Mat<Dim, std::int64_t> combination = Mat<Dim, std::int64_t>::Identity();
   bool is_original = true;
 
-  /// Image in the original lattice with the same displacement as `image` in this one.
+  /// Returns the image in the original lattice that has the same displacement as `image` in this lattice.
   Vec<Dim, std::int64_t> original(const Vec<Dim, int>& image) const {
     return combination.transpose() * image.template cast<std::int64_t>();
   }
 };
 
 /// Reduces a lattice by the method of Lagrange and Gauss, pair by pair in 3D: each vector is shortened by whole
-/// multiples of the others until none gets shorter. This keeps a neighbour search short, whose cost depends on
-/// the widths of the cell, however slanted the given cell is. Lattices whose vectors are short already are left
-/// as they are.
+/// multiples of the others until none becomes shorter. The cost of a neighbour search depends on the widths of the
+/// cell; the reduction keeps it low even if the original cell is strongly slanted. Lattices whose vectors are already
+/// short do not change.
 template <int Dim>
 ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};

@@ -5,8 +5,9 @@
 
 namespace floc {
 
-/// A point whose coordinates are double-double numbers: a double alone resolves them to half a unit in the last
-/// place, which matters to a stiff contact (at 40 a from the origin 4e-15 a, or 4e-6 F0 at kappa = 1e9).
+/// Point or vector whose coordinates are double-double numbers (unevaluated sums of two doubles). A single double
+/// resolves a coordinate to half a unit in the last place, which matters for a stiff contact: 40 diameters a from the
+/// origin the error is 4e-15 a, or a force of 4e-6 F0 at a dimensionless stiffness kappa = 1e9.
 template <int Dim>
 struct DoubleDoubleVec {
   DoubleDouble component[Dim];
@@ -29,7 +30,7 @@ Vec<Dim> rounded(const DoubleDoubleVec<Dim>& v) {
   return out;
 }
 
-/// Returns x displaced to an image: x + image * cell.matrix.
+/// Returns x displaced to a periodic image: x + image * cell.matrix.
 template <int Dim>
 DoubleDoubleVec<Dim> displaced(DoubleDoubleVec<Dim> x, const Cell<Dim>& cell, const Vec<Dim, int>& image) {
   for (int b = 0; b < Dim; ++b)

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Returns p q^-1 of two upper triangular matrices, by substitution; for diagonal matrices these are plain
+/// Returns p q^-1 for two upper triangular matrices, by substitution. For diagonal matrices the entries are plain
 /// quotients.
 template <int Dim>
 Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
@@ -18,7 +18,7 @@ Mat<Dim> right_quotient(const Mat<Dim>& p, const Mat<Dim>& q) {
   return x;
 }
 
-/// Returns p q of two upper triangular matrices.
+/// Returns the product p q of two upper triangular matrices.
 template <int Dim>
 Mat<Dim> upper_product(const Mat<Dim>& p, const Mat<Dim>& q) {
   Mat<Dim> x = Mat<Dim>::Zero();

@@ -13,29 +13,30 @@
 namespace floc {
 namespace {
 
-/// Tolerance of the equilibrium of another program's packing, in the units of EquilibriumTolerance. Contact points of
-/// other programs differ from those of floc by up to the overlap, which leaves moments of that order. These programs
-/// are usually run to unbalanced forces of 1e-3.
+/// Default tolerance of the equilibrium of a packing of another program, in the units of EquilibriumTolerance. Such
+/// packings are usually relaxed to unbalanced forces of 1e-3. Besides, the contact points of other programs differ from
+/// the contact points of floc by up to the overlap, which leaves moments of this order.
 constexpr double kForeignTolerance = 1e-3;
 
-/// Returns the tolerances of the equilibrium: the one that the user gives or, for a format that gives law and load
-/// exactly, the default for states of floc, and kForeignTolerance for other formats. The energy scales with the
-/// force.
+/// Returns the tolerances of the equilibrium of an imported packing. Those of force, moment and stress are the
+/// tolerance given by the user. If none is given, they are the defaults of floc if the file gives the imposed stress,
+/// otherwise kForeignTolerance. The tolerance of the energy is proportional to the tolerance of the force.
 EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional<double>& tolerance) {
   const EquilibriumTolerance own;
   const double force = tolerance.value_or(imported.target_stress_known ? own.force : kForeignTolerance);
   return {force, force, force, own.energy * (force / own.force)};
 }
 
-/// @throws InputError if the grains fill more than the cell, which is impossible for hard grains
+/// Checks the solid fraction. @throws InputError if it is above 1, which is impossible for hard grains
 template <int Dim>
 void refuse_impossible_density(const std::string& place, const Packing<Dim>& packing) {
   const double phi = solid_fraction(packing);
   if (phi <= 1.0) return;
   throw InputError(
-      place, fmt::format("the solid fraction would be {:.4g}, expected at most 1: are the radii diameters "
-                         "(--columns diameter=...), or is the cell too small or in another unit of length?",
-                         phi));
+      place,
+      fmt::format("the solid fraction would be {:.4g}, expected at most 1: are the radii in fact diameters "
+                  "(--columns diameter=...), or is the cell too small or in another unit of length?",
+                  phi));
 }
 
 template <int Dim>
@@ -46,7 +47,7 @@ void set_target_stress(const Imported& imported, const ImportCompletion& complet
   }
   if (completion.stress.size() != Dim)
     throw InputError(completion.stress_place,
-                     fmt::format("has {} numbers, expected {}", completion.stress.size(), Dim));
+                     fmt::format("the stress has {} numbers, expected {}", completion.stress.size(), Dim));
   for (int a = 0; a < Dim; ++a) state.target_stress[a] = completion.stress[a];
 }
 
@@ -75,7 +76,8 @@ std::string complete_import(const std::string& place, const Imported& imported,
     state.n_bridges_unsettled = spread_liquid(shared).n_changed();
     return "";
   }
-  return "the file does not hold the volumes of the liquid bridges; they and the forces follow from the law";
+  return "the file does not hold the volumes of the liquid bridges; the volumes and the forces are computed by "
+         "the law";
 }
 
 template std::string complete_import(const std::string&, const Imported&, const ImportCompletion&, State<2>&);

@@ -13,32 +13,32 @@
 namespace floc {
 namespace {
 
-/// Difference of normal forces from the law, relative to their mean, above which it is reported. Programs print six
-/// digits or more, and forces that they compute by the same law agree within rounding.
+/// Smallest difference between a listed normal force and the law, relative to the mean normal force, that is reported.
+/// Programs print six digits or more, so smaller differences can be rounding errors.
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
-  summary.lines.push_back(
-      fmt::format("contacts: {} read, {} kept, left out {} without force across a gap and {} that "
-                  "pull, moved to the nearest image {}",
-                  listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
+  summary.lines.push_back(fmt::format(
+      "contacts: {} read, {} kept, {} left out because they have a gap and no force, {} left out because "
+      "they pull, {} moved to the nearest image",
+      listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
   if (listed.n_neighbors > 0)
-    summary.inconsistencies.push_back(
-        fmt::format("{} of the {} contacts listed have a gap, no force and no attraction in the law: they are "
-                    "neighbours and are left out",
-                    listed.n_neighbors, listed.n_read));
+    summary.inconsistencies.push_back(fmt::format(
+        "{} of the {} contacts listed have a gap, no force and no attraction in the law: they are pairs of "
+        "neighbours that do not touch, and are left out",
+        listed.n_neighbors, listed.n_read));
   if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(
         fmt::format("{} of the {} contacts listed pull, and are left out", listed.n_tensile, listed.n_read));
   if (listed.n_other_image > 0)
-    summary.inconsistencies.push_back(
-        fmt::format("{} of the {} images listed contradict the positions, as happens where these were wrapped "
-                    "into the cell: the nearest image is taken",
-                    listed.n_other_image, listed.n_read));
+    summary.inconsistencies.push_back(fmt::format(
+        "{} of the {} images listed contradict the positions, perhaps because the positions were moved into "
+        "the cell and the images were not updated: the nearest images are taken",
+        listed.n_other_image, listed.n_read));
 }
 
-/// Reports stiffnesses that differ from those of the law. If the law has their mean, they differ without
-/// contradicting it.
+/// Reports listed stiffnesses that differ from the stiffnesses of the law. This is not an inconsistency if the
+/// stiffnesses of the law are the means of the listed stiffnesses.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
   std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
@@ -47,8 +47,8 @@ void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
 
 void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& summary) {
   summary.lines.push_back(fmt::format(
-      "of these {} have a gap, {} pull, {} are at their cap; normal forces differ from "
-      "the law by at most {:.1e} of their mean",
+      "contacts: {} have a gap, {} pull, {} have a tangential force or moment at its limit; normal forces "
+      "differ from the law by at most {:.1e} of their mean",
       check.n_with_gap + check.n_distant, check.n_pulling, check.n_mobilised, check.largest_difference));
   if (check.n_with_gap > 0)
     summary.inconsistencies.push_back(
@@ -57,8 +57,8 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
     summary.inconsistencies.push_back(
         fmt::format("{} contacts pull, but the law has no adhesion", check.n_pulling));
   if (check.n_beyond_cap > 0)
-    summary.inconsistencies.push_back(
-        fmt::format("{} tangential forces or rolling moments are above the law's cap", check.n_beyond_cap));
+    summary.inconsistencies.push_back(fmt::format(
+        "{} tangential forces or rolling moments are above their limit in the law", check.n_beyond_cap));
   if (check.n_different > 0)
     summary.inconsistencies.push_back(
         fmt::format("{} normal forces differ from the law, by up to {:.2g} of their mean (grains {}): the law "
@@ -69,13 +69,13 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
-/// Reports a packing without contacts, which has no network. Most often its lengths are not the intended ones, so the
-/// message names the likely cause.
+/// Reports a packing without any contacts. Usually a length (radius, cell) is wrong, so the message names a likely
+/// cause.
 template <int Dim>
 void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
   if (!packing.contacts.empty()) return;
   const std::optional<NearestPair> nearest = nearest_pair(packing);
-  if (nearest && nearest->gap < 0.0) return;  // missing from a list, which another message reports
+  if (nearest && nearest->gap < 0.0) return;  // the file lacks this contact, which another message reports
   constexpr double kHard = 1e-3, kDoubled = 0.1;
   std::string cause = "are the radii and the cell in the same unit of length?";
   std::string where;
@@ -83,9 +83,13 @@ void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& sum
     const auto& radius = packing.grains.radius;
     const double radii = radius[nearest->i] + radius[nearest->j];
     if (nearest->gap <= kHard * radii)
-      cause = "hard grains at contact end a little apart; radii larger by more than half of this gap touch";
+      cause =
+          "simulations of hard grains end with small gaps; grains touch if each radius is increased by more "
+          "than half of this gap";
     else if (std::abs(nearest->gap - radii) <= kDoubled * radii)
-      cause = "twice as large, the nearest would touch: are radii given as diameters?";
+      cause =
+          "the nearest grains would touch if their radii were twice as large: are the values read as diameters "
+          "in fact radii?";
     where =
         fmt::format(" (the smallest gap is {:.3g}, {:.2g} of a mean diameter, of grains {}-{})", nearest->gap,
                     nearest->gap / radii, packing.grains.name(nearest->i), packing.grains.name(nearest->j));
@@ -107,7 +111,7 @@ ConversionSummary summarize(const Imported& imported, const State<Dim>& state) {
     add_stiffnesses(imported, summary);
   }
   add_contacts(check, state.packing.law.adheres(), summary);
-  const Mat<Dim> by_rows = state.stress.transpose();  // matrices are stored by columns
+  const Mat<Dim> by_rows = state.stress.transpose();  // transposed: Eigen stores columns
   summary.lines.back() +=
       fmt::format("; stress {:.6g}", fmt::join(by_rows.data(), by_rows.data() + Dim * Dim, " "));
   add_absence_of_contacts(state.packing, summary);

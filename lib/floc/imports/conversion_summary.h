@@ -9,13 +9,13 @@ namespace floc {
 
 /// Summary of a packing that was read from a file of another program, in lines of text.
 struct ConversionSummary {
-  std::vector<std::string> lines;            ///< data read and kept, and their comparison with the law
-  std::vector<std::string> inconsistencies;  ///< disagreements of list, geometry, forces, law and equilibrium
+  std::vector<std::string> lines;            ///< contacts read and kept, and their comparison with the law
+  std::vector<std::string> inconsistencies;  ///< sentences about contradictions in the data of the packing
 };
 
-/// Compares the contacts that a file lists with its geometry, and its forces with the law. Returns nothing for a
-/// state of floc, which `floc verify` compares.
-/// @param state  state held by `imported`, completed
+/// Compares the contacts that a file lists with the positions and radii of the grains, and the listed forces with the
+/// contact law. Returns an empty summary for a state of floc, for which `floc verify` makes this comparison.
+/// @param state  state in `imported` after complete_import()
 template <int Dim>
 ConversionSummary summarize(const Imported& imported, const State<Dim>& state);
 

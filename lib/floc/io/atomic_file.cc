@@ -16,7 +16,8 @@
 namespace floc {
 namespace {
 
-/// Makes the rename itself durable. Some file systems cannot sync a directory; they order renames themselves.
+/// Syncs the directory of a file, so that a renaming of the file survives a power cut. A directory that cannot be read
+/// or synced is not an error. @return false, with errno set, if the system reports any other error
 bool sync_directory_of(const std::string& path) {
   std::filesystem::path directory = std::filesystem::path(path).parent_path();
   if (directory.empty()) directory = ".";
@@ -25,7 +26,8 @@ bool sync_directory_of(const std::string& path) {
   return ::fsync(fd.get()) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
-/// Whether a path is a stream, which cannot be replaced by a file of its name: stdout, a device or a pipe.
+/// Whether a path names a stream: standard output ("-"), a device or a pipe. Content is written to a stream directly,
+/// because no file can be renamed to a stream.
 bool is_stream(const std::string& path) {
   std::error_code unknown;
   return path == "-" ||
@@ -38,10 +40,11 @@ IoError refused(const std::string& path, int error) {
           std::string("cannot be written: ") + std::strerror(error != 0 ? error : EIO)};
 }
 
-/// Writes the pieces that `content` passes to its argument to a stream.
+/// Writes content to the stream `path`. @param content  produces the content: it is called with a function that writes
+/// one piece of the content to the stream
 void write_to_stream(const std::string& path,
                      const std::function<void(const std::function<void(std::string_view)>&)>& content) {
-  std::fflush(stdout);  // earlier output of the program precedes the content
+  std::fflush(stdout);  // earlier output of the program comes before the content
   Descriptor stream(path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!stream.valid()) throw refused(path, errno);
   content([&](std::string_view piece) {
@@ -53,13 +56,13 @@ void write_to_stream(const std::string& path,
 }  // namespace
 
 AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), opened_(-1) {
-  if (path_.empty()) throw InputError("\"\"", "expected the name of a file to write, but it is empty");
+  if (path_.empty()) throw InputError("\"\"", "the name of the file to write is empty");
   if (is_stream(path_)) {
     temporary_ = std::make_unique<TemporaryFile>();
     return;
   }
   if (std::error_code unknown; std::filesystem::is_directory(path_, unknown))
-    throw InputError(path_, "is a directory, expected the name of a file to write");
+    throw InputError(path_, "this path is a directory, expected the name of a file to write");
   const std::string part = path_ + ".part";
   opened_ = Descriptor(::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!opened_.valid()) throw cannot_be_written(errno);

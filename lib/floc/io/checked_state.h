@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Reads a state as read_state() does, but without a check of its seal. The caller guarantees that another process
-/// has checked the seal (SealedFile).
-/// @throws InputError as read_state(), except for a missing or wrong seal
+/// Reads a state file without verifying its seal, the checksum at the end of the file (SealedFile). The caller
+/// guarantees that another process has verified the seal.
+/// @throws InputError under the conditions of read_state(), except for a missing or wrong seal
 AnyState read_checked_state(const std::string& path);
 
 }  // namespace floc

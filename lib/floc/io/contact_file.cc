@@ -10,7 +10,7 @@ std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions&
                                                             std::optional<std::int64_t> timestep) {
   check_contact_columns("--contact-columns", options.contact_columns);
   if (options.contacts.empty()) return std::nullopt;
-  const bool on_stdin = options.contacts == "-";  // stdin cannot be read twice to find its format
+  const bool on_stdin = options.contacts == "-";  // stdin can be read only once, so its format is not guessed
   if (!on_stdin && is_lammps_dump(options.contacts)) return read_dump_contacts(options, dimension, timestep);
   if (!on_stdin && is_yade_interactions(options.contacts)) return read_yade_contacts(options, dimension);
   const CsvTable table = CsvTable::read(options.contacts);

@@ -8,12 +8,13 @@
 
 namespace floc {
 
-/// Reads contacts from the file `options.contacts`, for grains of any format. The content of the file decides on its
-/// format: a `dump local` of LAMMPS, interactions of YADE, or else a csv with the columns of read_contacts().
-/// `options.contact_columns` renames the columns of the first and the last of these.
-/// @param timestep  time step of the grains; the frame of a dump with this time step is read, or without it the last
-/// frame
-/// @return the contacts; nothing if no file is named
+/// Reads contacts from the file `options.contacts`; the file of the grains may have any format. The format of the
+/// contacts is recognised from the content of their file: a `dump local` of LAMMPS, a list of interactions of YADE or,
+/// otherwise, a csv table with the columns of read_contacts(). `options.contact_columns` renames the columns of a
+/// LAMMPS dump or of a csv table.
+/// @param timestep  time step of the grains. Of a LAMMPS dump, the frame with this time step is read, or the last frame
+/// if no time step is given.
+/// @return the contacts; nothing if `options.contacts` is empty
 /// @throws InputError naming file, line and column
 std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,
                                                             std::optional<std::int64_t> timestep = {});

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// Cells of one line. `place` names the line in messages.
+/// Splits one line of a table into its cells. `place` names the line in messages.
 std::vector<std::string> split(const std::string& place, std::string_view line, char separator) {
   std::vector<std::string> cells;
   for (bool more = true; more;) {
@@ -27,7 +27,7 @@ std::vector<std::string> split(const std::string& place, std::string_view line, 
         cell += line[at];
         if (line[at] == '"') ++at;
       }
-      if (at >= line.size()) throw InputError(place, "a quoted cell does not end");
+      if (at >= line.size()) throw InputError(place, "a quoted cell has no closing quotation mark");
       line.remove_prefix(at + 1);
     }
     const std::size_t end = line.find(separator);
@@ -39,8 +39,8 @@ std::vector<std::string> split(const std::string& place, std::string_view line, 
   return cells;
 }
 
-/// Largest number that may be read as an integer: below it every integer is a double, so a whole number was meant as
-/// such.
+/// Largest magnitude of a real number, such as 3.0, that is accepted as an integer. Up to this limit a double
+/// represents every integer exactly.
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
 char separator_of(std::string_view header) {
@@ -58,7 +58,7 @@ const char* count_hint(const std::vector<std::string>& cells, const CsvTable& ta
   if (may_be_decimal_commas && std::all_of(cells.begin(), cells.end(), is_number))
     return "; numbers are written with a decimal point, not a comma";
   if (table.n_rows() == 0 && std::none_of(cells.begin(), cells.end(), is_number))
-    return "; if what stands above this line is a title, remove it or put # before it";
+    return "; if the line above this one is a title, remove it or put # before it";
   return "";
 }
 
@@ -67,11 +67,13 @@ const char* count_hint(const std::vector<std::string>& cells, const CsvTable& ta
 std::string header_hint(const CsvTable& table, const std::string& name) {
   const std::vector<std::string>& columns = table.columns();
   if (columns.size() == 1 && columns[0].find_first_of(" \t") != std::string::npos)
-    return ": the first line names the columns, which need a comma, semicolon or tab between them, not blanks";
+    return ": the names of the columns in the first line have to be separated by a comma, semicolon or tab, "
+           "not blanks";
   for (int k = 0; k < static_cast<int>(columns.size()) && table.n_rows() > 0; ++k)
     if (table.text(0, k).starts_with(name))
-      return fmt::format("; line {} has it: if what stands above is a title, remove it or put # before it",
-                         table.line(0));
+      return fmt::format(
+          "; line {} contains this name: if the line above it is a title, remove it or put # before it",
+          table.line(0));
   return "";
 }
 
@@ -88,8 +90,8 @@ void CsvTable::add_row(int line, const std::vector<std::string>& cells) {
 
 void CsvTable::refuse_count(int line, std::size_t n_cells, const char* hint) const {
   throw InputError(fmt::format("{}:{}", place_, line),
-                   fmt::format("has {} cells, expected {} as in the header of the csv table{}", n_cells,
-                               columns_.size(), hint));
+                   fmt::format("the line has {} cells, expected {} as in the header of the csv table{}",
+                               n_cells, columns_.size(), hint));
 }
 
 CsvTable CsvTable::read(const std::string& path) {
@@ -115,8 +117,10 @@ CsvTable CsvTable::parse(const std::string& place, std::istream& in) {
       table.refuse_count(number, cells.size(), count_hint(cells, table, separator));
     table.add_row(number, cells);
   }
-  if (number == 0) throw InputError(place, "is empty, expected a table whose first line names its columns");
-  if (table.columns_.empty()) throw InputError(place, "has no header: the first line names the columns");
+  if (number == 0)
+    throw InputError(place, "the file is empty, expected a table whose first line names its columns");
+  if (table.columns_.empty())
+    throw InputError(place, "the table has no header: its first line has to name the columns");
   return table;
 }
 
@@ -127,7 +131,7 @@ bool CsvTable::has(const std::string& name) const {
 int CsvTable::column(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
   if (found == columns_.end())
-    throw InputError(place_, fmt::format("has no column \"{}\"; its columns are {}{}", name,
+    throw InputError(place_, fmt::format("the table has no column \"{}\"; its columns are {}{}", name,
                                          fmt::join(columns_, ", "), header_hint(*this, name)));
   if (const auto second = std::find(found + 1, columns_.end(), name); second != columns_.end())
     throw InputError(place_,

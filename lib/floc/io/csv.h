@@ -14,21 +14,21 @@ namespace floc {
 /// A table of text cells with named columns, as read from a csv file. The first line names the columns; they are
 /// separated by commas, tabs or semicolons (the first of these that the line contains). Empty lines and lines that
 /// begin with # are skipped. A cell that contains separators is in double quotes. Readers of other text formats fill
-/// a table line by line.
+/// such a table row by row with add_row().
 class CsvTable {
  public:
   CsvTable() = default;
 
-  /// Makes an empty table. @param place  name of the table in messages
+  /// Makes a table without rows. @param place  name of the table in messages
   CsvTable(std::string place, std::vector<std::string> columns);
 
-  /// Adds a row. @param line  number of its line in the file
-  /// @throws InputError if it has too many or too few cells
+  /// Adds a row. @param line  number of the line in the file that holds the row, from 1
+  /// @throws InputError if the number of cells is not the number of columns
   void add_row(int line, const std::vector<std::string>& cells);
 
   /// Reads a file. @param path  the file; "-" reads stdin
-  /// @throws InputError naming file and line if it cannot be read, has no header, or a line has too many or too few
-  /// cells
+  /// @throws InputError naming file and line if the file cannot be read or has no header, or if a line has too many or
+  /// too few cells
   static CsvTable read(const std::string& path);
 
   /// Reads a table from a stream. @param place  name of the table in messages
@@ -39,7 +39,7 @@ class CsvTable {
   bool has(const std::string& name) const;
 
   /// Returns the index of a column.
-  /// @throws InputError listing the columns of the table if none has this name, or if two have it
+  /// @throws InputError listing the columns of the table if no column, or more than one, has this name
   int column(const std::string& name) const;
 
   std::string text(int row, int column) const { return std::string(cell(row, column)); }
@@ -49,7 +49,8 @@ class CsvTable {
   /// as real numbers.
   /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer
   double number(int row, int column) const;
-  /// Returns a number with the digits that a double cannot hold: see decimal(). @throws InputError as number()
+  /// Returns a cell as a sum of two doubles, which keeps more digits than one double: see decimal().
+  /// @throws InputError under the conditions of number()
   DoubleDouble double_double_number(int row, int column) const;
   std::int64_t integer(int row, int column) const;
 
@@ -68,8 +69,8 @@ class CsvTable {
 
   std::string place_;
   std::vector<std::string> columns_;
-  std::vector<int> lines_;  ///< line in the file of each row
-  PackedStrings cells_;     ///< row by row
+  std::vector<int> lines_;  ///< for each row, number of its line in the file
+  PackedStrings cells_;     ///< texts of all cells, row after row
 };
 
 }  // namespace floc

@@ -22,8 +22,8 @@ class Descriptor {
 
   bool valid() const { return fd_ >= 0; }
   int get() const { return fd_; }
-  /// Closes the descriptor now, because some errors show only then. @return false with errno if the system reports an
-  /// error
+  /// Closes the descriptor. Some errors of earlier writes are reported only by this call. @return false, with errno
+  /// set, if the system reports an error
   bool close();
 
  private:
@@ -33,7 +33,7 @@ class Descriptor {
 /// A new, empty file in the directory of temporary files. The destructor removes it.
 class TemporaryFile {
  public:
-  /// @throws IoError with the message of the system if the file cannot be made
+  /// Creates the file. @throws IoError with the message of the system if the file cannot be created
   TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -46,7 +46,8 @@ class TemporaryFile {
   Descriptor descriptor_;
 };
 
-/// Writes all bytes at the present position. @return false with errno if the system reports an error
+/// Writes all bytes at the current position of a file descriptor. @return false, with errno set, if the system reports
+/// an error
 bool write_all(int fd, std::string_view bytes);
 
 }  // namespace floc

@@ -17,7 +17,7 @@ void write_own_state(const std::string& path, const AnyState& any) {
   std::visit([&](const auto& state) { write_state(path, state); }, any);
 }
 
-/// Writes the text that a format makes of a state.
+/// Writes a state to the file `path` as text. The template parameter `text` converts the state into this text.
 template <std::string (*text)(const AnyState&)>
 void write_text(const std::string& path, const AnyState& state) {
   write_bytes_atomically(path, text(state));
@@ -30,7 +30,7 @@ const std::vector<ExportFormat>& export_formats() {
       {"state", "state file of floc", ".h5", write_own_state},
       {"vtu", "VTK's unstructured grid: grains and contacts, for ParaView", ".vtu", write_text<vtu_text>},
       {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>},
-      {"lammps-data", "LAMMPS' data file, atom_style sphere", ".data", write_text<lammps_data_text>},
+      {"lammps-data", "data file of LAMMPS, atom_style sphere", ".data", write_text<lammps_data_text>},
   };
   return formats;
 }
@@ -45,7 +45,9 @@ const ExportFormat& find_export_format(const std::string& keyword, const std::st
                          format.description);
   }
   if (keyword.empty())
-    throw InputError(path, fmt::format("expected a name that ends in one of {}, or --to", known));
+    throw InputError(path, fmt::format("the format is not known from the extension: expected a name that ends "
+                                       "in one of {}, or the option --to",
+                                       known));
   throw InputError("--to", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }
 

@@ -18,9 +18,9 @@
 namespace floc {
 namespace {
 
-/// Lines of one frame.
+/// One frame of an extended XYZ file: its comment line, and one line for each grain (`rows`).
 struct XyzFrame {
-  int line = 0;  ///< number of its first line in the file
+  int line = 0;  ///< number of the first line of the frame in the file, from 1
   std::string comment;
   std::vector<std::string> rows;
 };
@@ -35,23 +35,25 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
     const auto n = parse_number<std::int64_t>(line);
     if (!n || *n < 0)
       throw InputError(fmt::format("{}:{}", path, number),
-                       fmt::format("\"{}\", expected the number of grains", line));
+                       fmt::format("a frame begins with \"{}\", expected the number of grains", line));
     XyzFrame frame;
     frame.line = number;
     if (!std::getline(in, frame.comment))
-      throw InputError(path, "ends before its comment line with Properties=");
+      throw InputError(path,
+                       "the file ends before the comment line of a frame, which has to contain Properties=");
     for (std::int64_t k = 0; k < *n; ++k) {
-      if (!std::getline(in, line)) throw InputError(path, fmt::format("ends after {} of {} grains", k, *n));
+      if (!std::getline(in, line))
+        throw InputError(path, fmt::format("the file ends after {} of {} grains of a frame", k, *n));
       frame.rows.push_back(line);
     }
     number += 1 + static_cast<int>(*n);
     frames.push_back(std::move(frame));
   }
-  if (frames.empty()) throw InputError(path, "has no grains");
+  if (frames.empty()) throw InputError(path, "the file has no grains");
   return frames;
 }
 
-/// The keys of a comment line: key=value, or key="value with spaces".
+/// Returns the keys of the comment line of a frame with their values: key=value, or key="value with spaces".
 std::map<std::string, std::string> keys_of(const std::string& place, std::string_view text) {
   std::map<std::string, std::string> keys;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
@@ -64,14 +66,16 @@ std::map<std::string, std::string> keys_of(const std::string& place, std::string
     if (quoted) text.remove_prefix(1);
     const std::size_t end = text.find(quoted ? '"' : ' ');
     if (quoted && end == std::string_view::npos)
-      throw InputError(place, key + ": its quoted value does not end");
+      throw InputError(place,
+                       key + ": the value of this key begins with a quotation mark but has no closing one");
     if (!keys.emplace(key, text.substr(0, end)).second) throw InputError(place, key + " is given twice");
     text.remove_prefix(std::min(end == std::string_view::npos ? text.size() : end + 1, text.size()));
   }
   return keys;
 }
 
-/// Names of the columns that "name:type:count:..." describes; pos is x, y, z.
+/// Returns the names of the columns that a value "name:type:count:..." of the key Properties describes. Three columns
+/// pos are named x, y and z.
 std::vector<std::string> columns_of(const std::string& place, const std::string& properties) {
   std::vector<std::string> fields;
   std::istringstream in(properties);
@@ -80,7 +84,8 @@ std::vector<std::string> columns_of(const std::string& place, const std::string&
   for (std::size_t k = 0; k < fields.size(); k += 3) {
     const auto count = k + 2 < fields.size() ? parse_number<int>(fields[k + 2]) : std::nullopt;
     if (!count || *count < 1 || *count > 100)
-      throw InputError(place, fmt::format("Properties={}, expected name:type:count for each", properties));
+      throw InputError(place,
+                       fmt::format("Properties={}, expected name:type:count for each property", properties));
     if (fields[k] == "pos" && *count == 3)
       columns.insert(columns.end(), {"x", "y", "z"});
     else if (*count == 1)
@@ -106,7 +111,7 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
   return cell;
 }
 
-/// Reads pbc="T T F": whether the packing is periodic along each lattice vector.
+/// Reads the value of the key pbc, such as "T T F": whether the packing is periodic along each lattice vector.
 std::vector<bool> periodic_of(const std::string& place, const std::string& text) {
   std::vector<bool> periodic;
   for (std::string token : tokenize(text)) {
@@ -154,11 +159,12 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   const std::vector<XyzFrame> frames = read_frames(path);
   const int n = static_cast<int>(frames.size());
   const int index = options.index.value_or(n - 1);
-  if (index >= n) throw InputError(path, fmt::format("index = {}, but it holds frames 0 to {}", index, n - 1));
+  if (index >= n)
+    throw InputError(path, fmt::format("index = {}, but the file holds frames 0 to {}", index, n - 1));
   const XyzFrame& frame = frames[static_cast<std::size_t>(index)];
   const std::string place = fmt::format("{}:{}", path, frame.line + 1);
   std::map<std::string, std::string> keys = keys_of(place, frame.comment);
-  if (!keys.contains("Properties")) throw InputError(place, "has no Properties=");
+  if (!keys.contains("Properties")) throw InputError(place, "the comment line of the frame has no Properties=");
   CsvTable table(path, columns_of(place, keys["Properties"]));
   for (std::size_t k = 0; k < frame.rows.size(); ++k)
     table.add_row(frame.line + 2 + static_cast<int>(k), tokenize(frame.rows[k]));
@@ -172,7 +178,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   const int dimension = settle_space(space_of(place, keys, options), options, listed);
   listed.contacts = read_contact_file(options, dimension);
   Imported imported = assemble(listed);
-  imported.remarks.push_back(fmt::format("frame {} of 0 to {}", index, n - 1));
+  imported.remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read", index, n - 1));
   return imported;
 }
 

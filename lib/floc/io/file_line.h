@@ -8,12 +8,12 @@
 
 namespace floc {
 
-/// Place of one of many items in a file, for messages: the text before its number, shared by all items, and the
-/// number. The text is shared because a file may hold millions of items.
+/// Place of one item of a file, such as a line, for messages. It consists of a text and the number of the item. All
+/// items of a file share the text, because a file may hold millions of items.
 class FileLine {
  public:
   FileLine() = default;
-  /// @param before  text before the number: "file:" for a line, "array, point " for an entry
+  /// @param before  text before the number: "file:" for a line of a file, "array, point " for an entry of an array
   FileLine(std::shared_ptr<const std::string> before, int number)
       : before_(std::move(before)), number_(number) {}
 

@@ -40,15 +40,16 @@ class Handle {
   Close close_;
 };
 
-/// Prepares the HDF5 library. It prints nothing, because failures are reported by exceptions. It does not clean up at
-/// the end of the program either: there it would repeat a write that failed on a full disk, and crash.
+/// Configures the HDF5 library. Its printing of errors is switched off, because failures are reported by exceptions.
+/// Its clean-up at the end of the program is switched off as well, because the clean-up would repeat a write that
+/// failed on a full disk, and crash.
 void begin_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
 /// Returns the access properties of a file. Small arrays are not buffered, because an error in writing the buffer
-/// when the file is closed would be lost. The library does not lock files; the program does so where needed.
+/// when the file is closed would be lost. The library does not lock files; the program locks them itself where needed.
 Handle file_access() {
   const hid_t access = checked(H5Pcreate(H5P_FILE_ACCESS));
   checked(H5Pset_sieve_buf_size(access, 0));
@@ -67,7 +68,7 @@ Handle scalar() {
   return {checked(H5Screate(H5S_SCALAR)), H5Sclose};
 }
 
-/// Properties that keep the time of creation out of the file.
+/// Returns creation properties of an HDF5 object that keep its time of creation out of the file.
 Handle untimed(hid_t property_class) {
   const hid_t properties = checked(H5Pcreate(property_class));
   H5Pset_obj_track_times(properties, false);
@@ -133,10 +134,11 @@ void write_array(hid_t file, const std::string& path, const Shape& shape, const 
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
 }
 
-/// Number of rows of an array that are written or read at a time.
+/// Number of rows of an array that are written or read at a time, so that buffers stay small.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
-/// Calls visit(number of the first row, number of values, space in memory, space in the file) for each block.
+/// Calls visit(number of the first row, number of values, HDF5 dataspace in memory, dataspace in the file) for each
+/// block of rows of an array with this shape.
 template <class Visit>
 void for_each_block(const Shape& shape, const Visit& visit) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
@@ -174,26 +176,28 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
   return extent;
 }
 
-/// Checks that an array is not longer than its file, so that a damaged length does not allocate memory.
-/// @throws InputError naming `place` if it is longer
+/// Checks that an array is not longer than its file, so that no memory is allocated for a damaged length.
+/// @throws InputError naming `place` if the array is longer
 void check_length(hid_t file, const std::string& place, double bytes) {
   hsize_t size = 0;
   checked(H5Fget_filesize(file, &size));
   if (bytes > static_cast<double>(size))
-    throw InputError(place, fmt::format("claims {:.3g} bytes in a file of {}", bytes, size));
+    throw InputError(place, fmt::format("the dataset claims {:.3g} bytes in a file of {} bytes", bytes, size));
 }
 
-/// Opens an array. @throws InputError unless it exists with this shape and numbers of this kind
+/// Opens a dataset. @throws InputError unless the dataset exists, has this shape, and holds real numbers or integers as
+/// T does
 template <class T>
 Handle open_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape) {
   Handle dataset = open_dataset(file, place, path);
   const std::vector<hsize_t> extent = extent_of(dataset);
   if (!std::equal(extent.begin(), extent.end(), shape.begin(), shape.end()))
-    throw InputError(place, fmt::format("its shape is ({}), expected ({})", fmt::join(extent, ", "),
-                                        fmt::join(shape, ", ")));
+    throw InputError(place, fmt::format("the shape of the dataset is ({}), expected ({})",
+                                        fmt::join(extent, ", "), fmt::join(shape, ", ")));
   const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
   if (H5Tget_class(type) != NativeType<T>::kClass)
-    throw InputError(place, fmt::format("holds values of another type, expected {}", NativeType<T>::kName));
+    throw InputError(
+        place, fmt::format("the dataset holds values of another type, expected {}", NativeType<T>::kName));
   check_length(
       file, place,
       std::accumulate(shape.begin(), shape.end(), static_cast<double>(H5Tget_size(type)), std::multiplies<>()));
@@ -208,7 +212,7 @@ void read_array(hid_t file, const std::string& place, const std::string& path, c
   for (const std::uint64_t size : shape) n *= size;
   values.resize(n);
   if (n > 0 && H5Dread(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-    throw InputError(place, "cannot be read");
+    throw InputError(place, "the dataset cannot be read");
 }
 
 Handle open_attribute(hid_t file, const std::string& place, const std::string& path, const std::string& name,
@@ -219,7 +223,8 @@ Handle open_attribute(hid_t file, const std::string& place, const std::string& p
   const Handle type(checked(H5Aget_type(id)), H5Tclose);
   const Handle space(checked(H5Aget_space(id)), H5Sclose);
   if (H5Tget_class(type) != expected || H5Sget_simple_extent_npoints(space) != 1)
-    throw InputError(place, fmt::format("attribute {} is not {}", name, kind));
+    throw InputError(place,
+                     fmt::format("attribute {} is not a single value of the expected type ({})", name, kind));
   return attribute;
 }
 
@@ -231,7 +236,7 @@ void read_attribute(hid_t file, const std::string& place, const std::string& pat
     throw InputError(place, fmt::format("attribute {} cannot be read", name));
 }
 
-/// Reads a text, of variable or fixed length, through `read(type, buffer)`.
+/// Returns a string of variable or fixed length, which `read(type, buffer)` reads from a dataset or an attribute.
 template <class Read>
 std::string text_of_dataset(hid_t type, const Read& read) {
   if (H5Tis_variable_str(type) > 0) {
@@ -335,7 +340,7 @@ void Hdf5Writer::close() {
 Hdf5Reader::Hdf5Reader(std::string place, const std::string& path) : place_(std::move(place)) {
   begin_library();
   file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, file_access());
-  if (file_ < 0) throw InputError(place_, "is not a floc state: the HDF5 library cannot open it");
+  if (file_ < 0) throw InputError(place_, "the file is not a floc state: the HDF5 library cannot open it");
 }
 
 Hdf5Reader::~Hdf5Reader() {
@@ -349,7 +354,7 @@ bool Hdf5Reader::has(const std::string& path) const {
 std::uint64_t Hdf5Reader::n_rows(const std::string& path) const {
   const Handle dataset = open_dataset(file_, place(path), path);
   const std::vector<hsize_t> extent = extent_of(dataset);
-  if (extent.empty()) throw InputError(place(path), "is a single value, expected an array");
+  if (extent.empty()) throw InputError(place(path), "the dataset is a single value, expected an array");
   check_length(file_, place(path), static_cast<double>(extent[0]));
   return extent[0];
 }
@@ -372,7 +377,7 @@ void Hdf5Reader::rows(const std::string& path, const Shape& shape,
   for_each_block(shape, [&](hsize_t first, hsize_t n, hid_t memory, hid_t file) {
     values.resize(n);
     if (H5Dread(dataset, NativeType<T>::memory(), memory, file, H5P_DEFAULT, values.data()) < 0)
-      throw InputError(place(path), "cannot be read");
+      throw InputError(place(path), "the dataset cannot be read");
     take(first, values);
   });
 }
@@ -391,7 +396,7 @@ std::string Hdf5Reader::text(const std::string& path) const {
   const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
   const Handle space(checked(H5Dget_space(dataset)), H5Sclose);
   if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1)
-    throw InputError(place(path), "is not a string");
+    throw InputError(place(path), "the dataset is not a string");
   return text_of_dataset(type, [&](hid_t memory, void* buffer) {
     return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
   });

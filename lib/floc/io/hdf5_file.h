@@ -28,7 +28,7 @@ using Shape = std::vector<std::uint64_t>;
 /// Members throw Hdf5Failure if the HDF5 library fails.
 class Hdf5Writer {
  public:
-  /// @param path  file to write; an older one is replaced
+  /// @param path  file to write; an existing file is replaced
   explicit Hdf5Writer(const std::string& path);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
@@ -46,7 +46,7 @@ class Hdf5Writer {
             const std::function<void(std::uint64_t, std::span<T>)>& fill);
   void text(const std::string& path, const std::string& value);
 
-  /// Attributes of the group or dataset `path`, which exists ("/" is the root).
+  /// Writes an attribute of the group or dataset `path`, which has to exist ("/" is the root group).
   void attribute(const std::string& path, const std::string& name, const std::string& value);
   void attribute(const std::string& path, const std::string& name, double value);
   void attribute(const std::string& path, const std::string& name, std::int64_t value);
@@ -59,11 +59,11 @@ class Hdf5Writer {
   void close();
 
  private:
-  std::int64_t file_;  ///< -1: closed
+  std::int64_t file_;  ///< HDF5 identifier of the file; -1: closed
 };
 
 /// Reads an HDF5 file. Every fault of its content is reported as an InputError that names file and dataset.
-/// @pre the file is known to be whole, because the HDF5 library can crash on a damaged one
+/// @pre the file is known to be undamaged, because the HDF5 library can crash on a damaged file
 class Hdf5Reader {
  public:
   /// @param place  name of the file in messages
@@ -85,7 +85,7 @@ class Hdf5Reader {
   void array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const;
   /// Reads an array in blocks of rows.
-  /// @param take  called with the number of the first row of a block and its values
+  /// @param take  called with the number of the first row of a block and the values of the block
   template <class T>
   void rows(const std::string& path, const Shape& shape,
             const std::function<void(std::uint64_t, std::span<const T>)>& take) const;

@@ -29,9 +29,10 @@ bool is_csv(const std::string& path) {
 Imported read_own_state(const std::string& path, const ImportOptions& options) {
   if (options.law || !options.cell.empty() || !options.contacts.empty() || !options.columns.empty() ||
       !options.contact_columns.empty() || options.index || options.dimension)
-    throw InputError(path,
-                     "a state file holds all of this itself: leave out --law, --cell, --columns, --contacts, "
-                     "--contact-columns, --index, --dimension");
+    throw InputError(
+        path,
+        "a state file of floc describes its packing completely: leave out --law, --cell, --columns, "
+        "--contacts, --contact-columns, --index, --dimension");
   Imported imported;
   imported.state = read_state(path);
   imported.complete = true;
@@ -47,13 +48,14 @@ bool begins_with(const std::string& path, const std::string& text) {
 const std::vector<ImportFormat>& import_formats() {
   static const std::vector<ImportFormat> formats = {
       {"state", "state file of floc, .h5", is_state, read_own_state},
-      {"csv", "one grain a line, columns x, y[, z] and radius or diameter[, mass, id]", is_csv,
+      {"csv", "one grain per line, columns x, y[, z] and radius or diameter[, mass, id]", is_csv,
        read_csv_packing},
-      {"vtu", "VTK's unstructured grid, points with a radius", is_vtu, read_vtu},
+      {"vtu", "VTK's unstructured grid whose points have a radius", is_vtu, read_vtu},
       {"lammps-dump", "LAMMPS dump of style custom, contacts from a dump of style local", is_lammps_dump,
        read_lammps_dump},
       {"lammps-data", "LAMMPS data file, atom_style sphere", is_lammps_data, read_lammps_data},
-      {"yade", "spheres x y z r written by a script of YADE, and interactions", is_yade_text, read_yade_text},
+      {"yade", "text files of spheres (x y z r) and of interactions, written by a script of YADE", is_yade_text,
+       read_yade_text},
       {"extended-xyz", "extended XYZ with Lattice, pos and radius", is_extended_xyz, read_extended_xyz},
       {"jambashbulk", "text file of the jamBashbulk code (2D, linear repulsion)", is_jambashbulk,
        read_jambashbulk},
@@ -69,7 +71,8 @@ const ImportFormat& find_import_format(const std::string& keyword, const std::st
   }
   if (keyword.empty()) {
     require_text(path, read_file(path));
-    throw InputError(path, fmt::format("its format is not recognised; name one of {} with --from", known));
+    throw InputError(
+        path, fmt::format("the format of the file is not recognised; give it with --from, one of {}", known));
   }
   throw InputError("--from", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }

@@ -31,7 +31,7 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
     if (text.empty()) return values;
     const std::string_view token = text.substr(0, text.find_first_of(kSeparators));
     const auto value = parse_number<double>(token);
-    if (!value) throw InputError(place, fmt::format("\"{}\", expected a finite number", token));
+    if (!value) throw InputError(place, fmt::format("the text is \"{}\", expected a finite number", token));
     values.push_back(*value);
     text.remove_prefix(token.size());
   }
@@ -48,7 +48,7 @@ const char* comma_hint(std::string_view text) {
   return "";
 }
 
-/// Returns the `count` numbers after "key =" in a header, up to the next key.
+/// Returns the `count` numbers that follow "key =" in the header of a packing, up to the next key.
 std::vector<double> header_numbers(const std::string& place, std::string_view header, const std::string& key,
                                    std::size_t count) {
   std::vector<double> found;
@@ -68,11 +68,11 @@ std::vector<double> header_numbers(const std::string& place, std::string_view he
       throw InputError(
           place, fmt::format("{} has {} numbers, expected {}{}", key, found.size(), count, comma_hint(value)));
   }
-  if (found.empty()) throw InputError(place, fmt::format("{} is missing", key));
+  if (found.empty()) throw InputError(place, fmt::format("{} is missing in the header of the packing", key));
   return found;
 }
 
-/// Lines of a file, numbered, without comments.
+/// Reads the lines of a file one by one, counts them, and skips comments and empty lines.
 class Lines {
  public:
   explicit Lines(const std::string& path) : path_(path), in_(read_text(path)) {}
@@ -95,28 +95,28 @@ class Lines {
   int number_ = 0;
 };
 
-/// Advances to the header of packing `index`.
+/// Advances `lines` to the header of the packing number `index` (from 0).
 void find_packing(const std::string& path, Lines& lines, int index) {
   int n_packings = 0;
   while (lines.next())
     if (is_header(lines.line()) && n_packings++ == index) return;
   if (n_packings == 0)
-    throw InputError(path, "holds no packing of jamBashbulk: no line \"N = ... ,L1= { ...\"");
-  throw InputError(path, fmt::format("index = {}, but it holds packings 0 to {}", index, n_packings - 1));
+    throw InputError(path, "the file holds no packing of jamBashbulk: it has no line \"N = ... ,L1= { ...\"");
+  throw InputError(path, fmt::format("index = {}, but the file holds packings 0 to {}", index, n_packings - 1));
 }
 
-/// Reads the listed grains and moves each into the cell.
+/// Reads the `n` grains that follow the header of a packing, and moves each into the periodic cell.
 Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
-  // Columns x, y and radius. The numbers are counted before memory is reserved for the number of grains in the
-  // header.
+  // Each row is x, y and radius of a grain. Memory for `n` grains is reserved only after that many rows were read,
+  // because the number in the header may be wrong.
   std::vector<Eigen::Vector3d> rows;
   while (static_cast<int>(rows.size()) < n && lines.next()) {
     if (lines.line().find('}') != std::string::npos || is_header(lines.line())) break;
     const std::vector<double> row = numbers(lines.place(), lines.line());
     if (row.empty()) continue;
     if (row.size() != 3)
-      throw InputError(lines.place(), fmt::format("has {} numbers, expected x, y and the radius{}", row.size(),
-                                                  comma_hint(lines.line())));
+      throw InputError(lines.place(), fmt::format("the line has {} numbers, expected x, y and the radius{}",
+                                                  row.size(), comma_hint(lines.line())));
     if (!(row[2] > 0.0)) throw InputError(lines.place(), fmt::format("radius = {}, must be positive", row[2]));
     const Vec<2> x(row[0], row[1]);
     if (!(cell.reduced(x).cwiseAbs().maxCoeff() < 1e9))
@@ -127,7 +127,8 @@ Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell
     rows.emplace_back(wrapped[0], wrapped[1], row[2]);
   }
   if (static_cast<int>(rows.size()) != n)
-    throw InputError(path, fmt::format("has {} grains, but its header says N = {}", rows.size(), n));
+    throw InputError(path,
+                     fmt::format("the packing has {} grains, but its header says N = {}", rows.size(), n));
   Grains<2> grains = Grains<2>::with_size(n);
   for (int i = 0; i < n; ++i) {
     grains.position[i] = rows[i].head<2>();
@@ -140,11 +141,14 @@ Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell
 void refuse_options(const std::string& path, const ImportOptions& options) {
   if (options.law || !options.cell.empty() || !options.contacts.empty() || !options.columns.empty() ||
       !options.contact_columns.empty())
-    throw InputError(path,
-                     "a file of jamBashbulk holds law, cell and columns itself: leave out --law, --cell, "
-                     "--columns, --contacts");
-  if (options.dimension.value_or(2) != 2) throw InputError(path, "jamBashbulk is two-dimensional");
-  if (options.units != "reduced") throw InputError(path, "jamBashbulk is in reduced units");
+    throw InputError(
+        path,
+        "the format jamBashbulk determines the law, the cell, the columns and the contacts: leave out "
+        "--law, --cell, --columns, --contacts");
+  if (options.dimension.value_or(2) != 2)
+    throw InputError(path, "packings of jamBashbulk are two-dimensional: leave out --dimension");
+  if (options.units != "reduced")
+    throw InputError(path, "files of jamBashbulk are in reduced units: leave out --units");
 }
 
 }  // namespace
@@ -162,14 +166,17 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   const std::string place = lines.place();
   const double n = header_numbers(place, header, "N", 1)[0];
   if (n < 1 || n > 1e9 || n != static_cast<int>(n))
-    throw InputError(place, fmt::format("N = {}, expected a number of grains", n));
+    throw InputError(
+        place, fmt::format("N = {}, expected a number of grains, which is a whole number from 1 to 1e9", n));
 
   State<2> state;
   const auto l1 = header_numbers(place, header, "L1", 2);
   const auto l2 = header_numbers(place, header, "L2", 2);
   state.packing.cell.matrix << l1[0], l1[1], l2[0], l2[1];
-  if (!(state.packing.cell.volume() > 0.0)) throw InputError(place, "L1 and L2 span no area");
-  // The format is frictionless and linear with K_N = 1 in its own units, so the law need not be given.
+  if (!(state.packing.cell.volume() > 0.0))
+    throw InputError(place, "the lattice vectors L1 and L2 span no area");
+  // Packings of jamBashbulk have no friction and a linear repulsion with the stiffness K_N = 1 in the units of the
+  // format, so the user does not give a law.
   LawParameters law;
   law.normal = LinearRepulsion{kNormalStiffness};
   state.packing.law = law;
@@ -179,7 +186,8 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.provenance.source = path;
   Imported imported;
   imported.state = std::move(state);
-  // P0 is the pressure that the packing was relaxed to, so its equilibrium is held to floc's own tolerance.
+  // P0 is the pressure to which jamBashbulk relaxed the packing, so the tolerance of equilibrium is as strict as for
+  // packings of floc.
   imported.target_stress_known = true;
   return imported;
 }

@@ -26,11 +26,11 @@ double sphere_volume(double radius) {
   return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
 }
 
-/// Header and atoms of a data file.
+/// Header and atoms of a LAMMPS data file.
 struct DataFile {
   LammpsBox box;
   std::string box_place;
-  std::string title;  ///< the first line, which LAMMPS ignores
+  std::string title;  ///< first line of the file, which LAMMPS ignores
   std::int64_t n_atoms = -1;
   CsvTable atoms;
   std::set<std::string> given;  ///< keys of the header lines and names of the sections read so far
@@ -40,29 +40,31 @@ std::string without_comment(const std::string& line) {
   return std::string(trimmed(line.substr(0, line.find('#'))));
 }
 
-/// Reads one line of the header, "numbers keywords".
+/// Reads one line of the header of a LAMMPS data file: numbers, then a keyword, as in "0 5 xlo xhi".
 void read_header_line(const std::string& place, const std::vector<std::string>& tokens, DataFile& data) {
   std::vector<double> values;
   std::string key;
   for (const std::string& token : tokens) {
-    // A number with a decimal comma would become part of the keyword, and the line would be ignored: it is an error.
+    // A number with a decimal comma is an error: as a part of the keyword, it would make floc ignore the line.
     if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
     else if (const std::string hint = decimal_comma_hint(token); !hint.empty())
-      throw InputError(place, fmt::format("\"{}\", expected a finite number{}", token, hint));
+      throw InputError(place, fmt::format("the line contains \"{}\", expected a finite number{}", token, hint));
     else
       key += (key.empty() ? "" : " ") + token;
   }
-  if (!data.given.insert(key).second) throw InputError(place, fmt::format("\"{}\" is given twice", key));
+  if (!data.given.insert(key).second)
+    throw InputError(place, fmt::format("the header line \"{}\" is given twice", key));
   const auto expect = [&](std::size_t count) {
     if (values.size() != count)
-      throw InputError(place,
-                       fmt::format("{} finite numbers before \"{}\", expected {}", values.size(), key, count));
+      throw InputError(place, fmt::format("the line has {} finite numbers before \"{}\", expected {}",
+                                          values.size(), key, count));
   };
   if (key == "atoms") {
     expect(1);
     const auto n = whole_number(values[0]);
-    if (!n) throw InputError(place, fmt::format("{} atoms, expected a whole number", values[0]));
+    if (!n)
+      throw InputError(place, fmt::format("the header says {} atoms, expected a whole number", values[0]));
     data.n_atoms = *n;
   } else if (key == "xy xz yz") {
     expect(3);
@@ -74,22 +76,28 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
     data.box.side[a] = values[1] - values[0];
     data.box_place = place;
   } else if (key.ends_with("xy xz yz")) {
-    // Other lines of the header (numbers of types, bonds, ...) do not affect the packing and are ignored. A line of
-    // the box with a misspelt keyword or a number that is not finite is an error, because its values would be lost.
-    throw InputError(place, fmt::format("\"{}\", expected three finite numbers and xy xz yz", key));
+    // Other lines of the header (numbers of types, bonds, ...) do not affect the packing and are ignored. A line that
+    // describes the box must not be ignored, so a misspelt keyword or a number that is not finite is an error.
+    throw InputError(
+        place,
+        fmt::format("the header line has the words \"{}\", expected three finite numbers and xy xz yz", key));
   } else if (key.find("lo ") != std::string::npos) {
-    throw InputError(place,
-                     fmt::format("\"{}\", expected two finite numbers and xlo xhi, ylo yhi or zlo zhi", key));
+    throw InputError(
+        place,
+        fmt::format(
+            "the header line has the words \"{}\", expected two finite numbers and xlo xhi, ylo yhi or zlo zhi",
+            key));
   }
 }
 
-/// Checks the style in "Atoms # sphere", because other styles have no radii.
+/// Checks the atom style in the line "Atoms # sphere", because other styles have no radii.
 void check_style(const std::string& place, const std::string& line) {
   const std::size_t comment = line.find('#');
   if (comment == std::string::npos) return;
   const std::string style(trimmed(line.substr(comment + 1)));
-  if (style == "sphere" || style == "granular") return;  // the older name of sphere
-  throw InputError(place, fmt::format("atom_style{} has no radii, expected sphere", line.substr(comment + 1)));
+  if (style == "sphere" || style == "granular") return;  // granular: older name of sphere
+  throw InputError(
+      place, fmt::format("atom_style{} has no radii, expected atom_style sphere", line.substr(comment + 1)));
 }
 
 DataFile read_data(const std::string& path) {
@@ -106,30 +114,30 @@ DataFile read_data(const std::string& path) {
     if (std::isalpha(static_cast<unsigned char>(text[0]))) {
       section = text;
       if (!data.given.insert(section).second)
-        throw InputError(place, fmt::format("the section {} is there twice", section));
+        throw InputError(place, fmt::format("the section {} occurs twice", section));
       if (section == "Atoms") check_style(place, line);
     } else if (section.empty()) {
       read_header_line(place, tokens, data);
     } else if (section == "Atoms") {
       if (tokens.size() != 7 && tokens.size() != 10)
-        throw InputError(place,
-                         fmt::format("has {} cells, expected id type diameter density x y z [ix iy iz] of "
-                                     "atom_style sphere",
-                                     tokens.size()));
+        throw InputError(
+            place, fmt::format("the line has {} cells, expected id type diameter density x y z [ix iy iz] of "
+                               "atom_style sphere",
+                               tokens.size()));
       tokens.resize(7);
       if (data.atoms.columns().empty())
         data.atoms = CsvTable(path, {"id", "type", "diameter", "density", "x", "y", "z"});
       data.atoms.add_row(number, tokens);
     }
   }
-  if (data.box_place.empty()) throw InputError(path, "has no box: no line \"... xlo xhi\"");
+  if (data.box_place.empty()) throw InputError(path, "the file has no box: it lacks a line \"... xlo xhi\"");
   if (data.n_atoms != data.atoms.n_rows())
-    throw InputError(path, fmt::format("has {} atoms in its section Atoms, but its header says {}",
+    throw InputError(path, fmt::format("the file has {} atoms in its section Atoms, but its header says {}",
                                        data.atoms.n_rows(), data.n_atoms));
   return data;
 }
 
-/// Returns the words of the title after a given one, without punctuation.
+/// Returns the words of the title that follow `word`, without punctuation.
 std::vector<std::string> words_after(const std::string& title, const std::string& word) {
   std::string words = title;
   std::replace_if(
@@ -140,8 +148,8 @@ std::vector<std::string> words_after(const std::string& title, const std::string
   return tokens;
 }
 
-/// Returns the box, with the dimension and boundary in the title of floc ("dimension 2", "boundary f f p"). LAMMPS
-/// reads these two from its input script, not from a data file.
+/// Returns the cell, periodicity and dimension of the packing. A title written by floc contains the dimension and the
+/// boundary ("dimension 2", "boundary f f p"), which LAMMPS takes from its input script, not from a data file.
 ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grains) {
   ListedSpace space;
   space.place = data.box_place;
@@ -156,8 +164,9 @@ ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grain
   };
   if (boundary.size() < 3 || !std::all_of(boundary.begin(), boundary.begin() + 3, is_style)) return space;
   for (int a = 0; a < 3; ++a) space.periodic.push_back(boundary[a] == "p" || boundary[a] == "pp");
-  space.boundary = fmt::format("its title says \"boundary {} {} {}\", expected p in every direction",
-                               boundary[0], boundary[1], boundary[2]);
+  space.boundary =
+      fmt::format("the title of the file says \"boundary {} {} {}\", expected p in every direction",
+                  boundary[0], boundary[1], boundary[2]);
   return space;
 }
 
@@ -171,15 +180,17 @@ bool is_lammps_data(const std::string& path) {
 
 Imported read_lammps_data(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
-    throw InputError(path, fmt::format("index = {}, but it holds one packing", *options.index));
-  if (!options.columns.empty()) throw InputError("--columns", "the columns of a LAMMPS data file are fixed");
+    throw InputError(
+        path, fmt::format("index = {}, but the file holds one packing, with the index 0", *options.index));
+  if (!options.columns.empty())
+    throw InputError("--columns", "the columns of a LAMMPS data file are fixed: leave this option out");
   const DataFile data = read_data(path);
   ListedPacking listed;
   listed.place = path;
   listed.law = required_law(path, options);
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
-  if (data.n_atoms == 0) throw InputError(path, "has no grains");
+  if (data.n_atoms == 0) throw InputError(path, "the file has no grains");
   listed.grains = read_grains(NamedColumns(data.atoms, {}));
   for (int i = 0; i < data.atoms.n_rows(); ++i) {
     const double density = data.atoms.number(i, 3);
@@ -195,8 +206,10 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
 
 namespace {
 
-/// Returns the lattice vectors as rows: the first along x, the second in the x-y plane, with a positive diagonal.
-/// @param rotation  set to the rotation of vectors of the packing into these axes
+/// Rotates the lattice vectors, which are the rows of `matrix`, so that the first is along x, the second in the x-y
+/// plane, and the diagonal of the result is positive.
+/// @param rotation  set to the matrix that rotates vectors of the packing in the same way
+/// @return matrix whose rows are the rotated lattice vectors
 template <int Dim>
 Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
   if (matrix.isLowerTriangular(0.0) && (matrix.diagonal().array() > 0.0).all()) {
@@ -206,7 +219,7 @@ Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
   Mat<Dim> rows = Mat<Dim>::Zero();
   for (int a = 0; a < Dim; ++a) {
     Vec<Dim> rest = matrix.row(a).transpose();
-    for (int pass = 0; pass < 2; ++pass)  // the second takes away what rounding of the first left
+    for (int pass = 0; pass < 2; ++pass)  // the second pass removes rounding errors of the first
       for (int b = 0; b < a; ++b) {
         const double part = rotation.row(b).dot(rest);
         rows(a, b) += part;
@@ -218,15 +231,15 @@ Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
   return rows;
 }
 
-/// Replaces the vectors by ones of the same lattice whose tilts are at most half a side.
+/// Replaces the lattice vectors, given as rows, by vectors of the same lattice whose tilts are at most half a side.
 template <int Dim>
 void reduce_tilts(Mat<Dim>& rows) {
   for (int a = 1; a < Dim; ++a)
     for (int b = a - 1; b >= 0; --b) rows.row(a) -= sides_in_tilt(rows(a, b), rows(b, b)) * rows.row(b);
 }
 
-/// Describes the dimension, boundary and walls in the words of LAMMPS' commands. They go into the title, because the
-/// format has no other place for them.
+/// Describes the dimension, boundary and walls in the words of LAMMPS' commands. This text is written into the title,
+/// because the format of data files has no other place for it.
 template <int Dim>
 std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
   std::string axes, boundary;
@@ -241,8 +254,8 @@ std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
                      boundary);
 }
 
-/// Returns the numbers of the atoms. LAMMPS requires numbers from 1 on, so identifiers are kept only if all are at
-/// least 1; otherwise atoms are numbered 1, 2, ...
+/// Returns the identifiers of the atoms for LAMMPS, which have to be 1 or more. The identifiers of the grains are kept
+/// if all of them are; otherwise the atoms are numbered 1, 2, ...
 template <int Dim>
 std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
   std::vector<std::int64_t> numbers = grains.id;

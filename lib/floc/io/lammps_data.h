@@ -6,21 +6,23 @@
 
 namespace floc {
 
-/// Whether a file has the lines of a LAMMPS data file: a number of atoms, xlo xhi, and Atoms.
+/// Whether a file contains " atoms", "xlo xhi" and a line that begins with "Atoms", as data files of LAMMPS do.
 bool is_lammps_data(const std::string& path);
 
-/// Reads a data file of LAMMPS with atom_style sphere: rows "id type diameter density x y z [ix iy iz]". The box is
-/// taken as periodic unless the title contains "boundary" with letters other than p, as lammps_data_text() writes it.
-/// The mass is that of a sphere of the given density, also in 2D, as in LAMMPS. In 2D, which "dimension 2" in the
-/// title or settle_space() decides, x, y and their part of the box are taken. `options.law` is required;
-/// `options.contacts` may name a csv file, as in read_csv_packing().
+/// Reads a data file of LAMMPS with atom_style sphere. Each line of its section Atoms contains "id type diameter
+/// density x y z [ix iy iz]". The box is taken as periodic unless the title contains "boundary" with letters other than
+/// p, as lammps_data_text() writes it. The mass of a grain is the mass of a sphere of the given density, also in 2D, as
+/// in LAMMPS. A packing is 2D if the title contains "dimension 2" or settle_space() decides so; then all z have to be
+/// equal, and the third lattice vector is ignored. `options.law` is required. `options.contacts` may name a file of
+/// contacts: see read_contact_file().
 /// @throws InputError naming file and line
 Imported read_lammps_data(const std::string& path, const ImportOptions& options);
 
-/// Returns a data file with atom_style sphere and every digit. LAMMPS requires the first lattice vector along x and
-/// the second in the x-y plane, with tilts of at most half a side. Any other cell is rotated (a left-handed one is
-/// also mirrored), and its vectors are replaced by shorter ones of the same lattice. In 2D z = 0. The title gives the
-/// dimension and the periodic sides. If an identifier is below 1, all are replaced by 1, 2, ...
+/// Returns a state as text of a LAMMPS data file with atom_style sphere. Numbers are printed with all digits needed to
+/// read them back exactly. LAMMPS requires the first lattice vector along x and the second in the x-y plane, with tilts
+/// of at most half a side. Any other cell is rotated (a left-handed cell is also mirrored), and its lattice vectors are
+/// replaced by shorter vectors of the same lattice. In 2D z = 0. The title gives the dimension and the periodic
+/// directions. If the identifier of a grain is below 1, all identifiers are replaced by 1, 2, ...
 std::string lammps_data_text(const AnyState& state);
 
 }  // namespace floc

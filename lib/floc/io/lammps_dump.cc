@@ -25,10 +25,10 @@ namespace {
 
 constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 
-/// Lines of one frame, and the first line of the next.
+/// Lines of one frame of a dump, and the first line of the next frame.
 class FrameText {
  public:
-  /// @param first  number of its first line in the file, from 1
+  /// @param first  number of the first line of the frame in the file, from 1
   FrameText(std::string path, int first) : path_(std::move(path)), first_(first) {}
 
   void add(std::string_view line) { lines_.push_back(line); }
@@ -40,14 +40,15 @@ class FrameText {
   /// Returns a line, which must exist. @param what  expected content of the line, for messages
   std::string_view line(std::size_t at, const std::string& what) const {
     if (at < lines_.size()) return lines_[at];
-    throw InputError(path_, fmt::format("ends at line {}, expected {}", number(lines_.size()) - 1, what));
+    throw InputError(path_,
+                     fmt::format("the file ends at line {}, expected {}", number(lines_.size()) - 1, what));
   }
 
   std::string_view operator[](std::size_t at) const { return lines_[at]; }
 
   std::int64_t integer(std::size_t at, const std::string& what) const {
     if (const auto value = parse_number<std::int64_t>(line(at, what))) return *value;
-    throw InputError(place(at), fmt::format("\"{}\", expected {}", (*this)[at], what));
+    throw InputError(place(at), fmt::format("the line is \"{}\", expected {}", (*this)[at], what));
   }
 
  private:
@@ -56,14 +57,13 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Reads the frames of a dump one by one, because the file may exceed the memory, and keeps the last of the selected
-/// ones.
+/// Reads the frames of a dump one by one, because the file may exceed the memory, and keeps the last selected frame.
 class FrameSearch {
  public:
-  /// @param wanted  selects a frame by its number, from 0, and the text of its time step
+  /// @param wanted  returns whether to select a frame, given its number (from 0) and the text of its time step
   FrameSearch(const std::string& path, std::function<bool(int, std::string_view)> wanted)
       : path_(path), wanted_(std::move(wanted)) {
-    std::string begun;  // a line of which the rest is in the next piece
+    std::string begun;  // beginning of a line that continues in the next piece
     bool first = true;
     read_pieces(path, [&](std::string_view piece) {
       if (std::exchange(first, false)) {
@@ -80,12 +80,12 @@ class FrameSearch {
     if (!begun.empty()) pass(trimmed(begun));
     if (begins_) pass_timestep("");
     if (timesteps_.empty())
-      throw InputError(path, "holds no frame of a LAMMPS dump: no line \"ITEM: TIMESTEP\"");
+      throw InputError(path, "the file holds no frame of a LAMMPS dump: it has no line \"ITEM: TIMESTEP\"");
   }
 
   int n_frames() const { return static_cast<int>(timesteps_.size()); }
   const std::vector<std::string>& timesteps() const { return timesteps_; }
-  /// Returns the frame kept; none if no frame was selected.
+  /// Returns the last selected frame, or nothing if no frame was selected.
   const std::optional<FrameText>& found() const { return found_; }
 
  private:
@@ -98,7 +98,7 @@ class FrameSearch {
     keeps_ = false;
   }
 
-  /// Takes in the line after the first one of a frame, which holds its time step.
+  /// Processes the second line of a frame, which contains the time step.
   void pass_timestep(std::string_view line) {
     begins_ = false;
     timesteps_.emplace_back(line);
@@ -114,27 +114,28 @@ class FrameSearch {
   std::optional<FrameText> found_;
   int n_lines_ = 0;
   bool begins_ = false;  ///< whether the previous line was the first of a frame
-  bool keeps_ = false;   ///< whether the present frame is kept
+  bool keeps_ = false;   ///< whether the current frame is kept
 };
 
-/// One frame: its time step, box and rows.
+/// One frame of a dump: time step, box, and table of grains or contacts.
 struct DumpFrame {
   std::int64_t timestep = 0;
   LammpsBox box;
   std::string box_place;
-  std::vector<std::string> flags;  ///< periodicity of x, y, z, "pp" each; may be incomplete
-  std::string header;              ///< line that holds the flags
+  std::vector<std::string> flags;  ///< boundary styles of x, y and z ("pp": periodic); may be fewer than three
+  std::string header;              ///< line that contains `flags`
   CsvTable table;
 
   [[noreturn]] void refuse_header() const {
     throw InputError(
         box_place,
-        fmt::format("\"{}\", expected BOX BOUNDS [xy xz yz] and three boundary styles such as pp", header));
+        fmt::format("the line is \"{}\", expected BOX BOUNDS [xy xz yz] and three boundary styles such as pp",
+                    header));
   }
 };
 
-/// Reads the three lines of a box whose header is at `at`: the bounds of the enclosing orthogonal box, each followed
-/// by a tilt.
+/// Reads a box. Its header is the line with the index `at`. Each of the three lines that follow contains a lower and
+/// an upper bound of the orthogonal box that encloses it, and a tilt if the box is triclinic.
 void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   const bool tilted = !tokens.empty() && tokens[0] == "xy";
@@ -150,12 +151,13 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
       const auto value = parse_number<double>(token);
       if (!value)
         throw InputError(dump.place(at + 1 + a),
-                         fmt::format("\"{}\", expected a finite number{}", token, decimal_comma_hint(token)));
+                         fmt::format("a bound or tilt of the box is \"{}\", expected a finite number{}", token,
+                                     decimal_comma_hint(token)));
       rows[a].push_back(*value);
     }
     if (rows[a].size() != (tilted ? 3u : 2u))
       throw InputError(dump.place(at + 1 + a),
-                       fmt::format("has {} numbers, expected {}", rows[a].size(), what));
+                       fmt::format("the line has {} numbers, expected {}", rows[a].size(), what));
   }
   const double xy = tilted ? rows[0][2] : 0.0, xz = tilted ? rows[1][2] : 0.0, yz = tilted ? rows[2][2] : 0.0;
   // The bounds of a triclinic box enclose the tilted box; its sides follow by subtracting the tilts (LAMMPS manual,
@@ -171,20 +173,22 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   frame.box.xy = xy, frame.box.xz = xz, frame.box.yz = yz;
 }
 
-/// Reads one frame: time step, box and rows. @param items  "ATOMS" or "ENTRIES"
+/// Reads one frame: time step, box, and table of grains or contacts.
+/// @param items  word before the names of the columns: "ATOMS" for grains, "ENTRIES" for contacts
 DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   DumpFrame frame;
   frame.timestep = dump.integer(1, "the time step");
   std::int64_t n = -1;
   std::size_t at = 2;
-  // Items may come in any order before the rows; TIME and UNITS, which LAMMPS writes on request, are skipped.
+  // The number of rows and the box may come in any order before the rows. The items TIME and UNITS, which LAMMPS writes
+  // on request, are skipped.
   for (;;) {
     const std::string_view line = dump.line(at, "ITEM: " + items);
     const bool counts = line.starts_with("ITEM: NUMBER OF "), bounds = line.starts_with("ITEM: BOX BOUNDS");
     if ((counts && n >= 0) || (bounds && !frame.box_place.empty()))
-      throw InputError(dump.place(at), fmt::format("\"{}\" is there twice in one frame", line));
+      throw InputError(dump.place(at), fmt::format("the line \"{}\" occurs twice in one frame", line));
     if (counts) {
-      n = dump.integer(at + 1, "how many rows follow");
+      n = dump.integer(at + 1, "the number of rows that follow");
       at += 2;
     } else if (bounds) {
       read_box(dump, at, frame);
@@ -194,49 +198,52 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
     } else if (line == "ITEM: TIME" || line == "ITEM: UNITS") {
       at += 2;
     } else {
-      throw InputError(dump.place(at), fmt::format("\"{}\", expected ITEM: {}", line, items));
+      throw InputError(dump.place(at), fmt::format("the line is \"{}\", expected ITEM: {}", line, items));
     }
   }
   if (n < 0 || frame.box_place.empty())
-    throw InputError(dump.place(at), "the frame does not give its number of rows and its box");
+    throw InputError(
+        dump.place(at),
+        "the frame gives no number of rows (ITEM: NUMBER OF ...) or no box (ITEM: BOX BOUNDS ...)");
   frame.table = CsvTable(dump.path(), tokenize(dump[at].substr(6 + items.size())));
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);
     const std::string_view line = dump.line(row, what);
-    // A frame that was cut short would otherwise take the header of the next frame as a row.
+    // If the frame was cut short, this line is the header of the next frame, not a row.
     if (line.starts_with("ITEM:"))
-      throw InputError(dump.place(row), fmt::format("\"{}\", expected {}", line, what));
+      throw InputError(dump.place(row), fmt::format("the line is \"{}\", expected {}", line, what));
     frame.table.add_row(dump.number(row), tokenize(line));
   }
   return frame;
 }
 
-/// Returns the frame with the given index, or the last one.
+/// Returns the frame number `options.index` of the dump (from 0) or, without this option, the last frame.
 DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options,
                            std::vector<std::string>& remarks) {
   const FrameSearch search(
       path, [&](int index, std::string_view) { return !options.index || index == *options.index; });
   const int n = search.n_frames();
   if (!search.found())
-    throw InputError(path, fmt::format("index = {}, but it holds frames 0 to {}", *options.index, n - 1));
+    throw InputError(path, fmt::format("index = {}, but the file holds frames 0 to {}", *options.index, n - 1));
   DumpFrame frame = read_frame(*search.found(), "ATOMS");
-  remarks.push_back(
-      fmt::format("frame {} of 0 to {}, time step {}", options.index.value_or(n - 1), n - 1, frame.timestep));
+  remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read, time step {}",
+                                options.index.value_or(n - 1), n - 1, frame.timestep));
   return frame;
 }
 
-/// Returns the frame of a `dump local` with a given time step or, without one, any; the last of several.
+/// Returns the last frame of a `dump local` or, if a time step is given, the last frame with this time step.
 CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t> timestep) {
   const FrameSearch search(path, [&](int, std::string_view line) {
     return !timestep || parse_number<std::int64_t>(line) == timestep;
   });
   if (search.found()) return read_frame(*search.found(), "ENTRIES").table;
-  throw InputError(path, fmt::format("has no frame of time step {}, that of the grains; it has {}", *timestep,
-                                     fmt::join(search.timesteps(), ", ")));
+  throw InputError(
+      path, fmt::format("the dump has no frame of time step {}, that of the grains; its time steps are {}",
+                        *timestep, fmt::join(search.timesteps(), ", ")));
 }
 
-/// Sets the names of the columns of positions: x, or its variant in this dump. @return whether the positions are
-/// scaled
+/// Sets in `names` which columns are the positions: x, xu, xs or xsu (also for y and z), the first of these that the
+/// dump has. @return whether the positions are scaled, in units of the lattice vectors
 bool find_positions(const CsvTable& table, std::map<std::string, std::string>& names) {
   for (const char* suffix : {"", "u", "s", "su"}) {
     if (names.contains("x") || !table.has(std::string("x") + suffix)) continue;
@@ -262,7 +269,7 @@ std::vector<ListedGrain> grains_of(const DumpFrame& frame, const ImportOptions& 
   return grains;
 }
 
-/// Reads cell and periodicity of a frame; empty if `options.cell` replaces the box, whatever its flags are.
+/// Returns cell and periodicity of a frame. Both are empty if `options.cell` replaces the box of the frame.
 ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& grains,
                      const ImportOptions& options) {
   ListedSpace space;
@@ -271,7 +278,8 @@ ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& gra
   if (frame.flags.size() != 3) frame.refuse_header();
   space.cell = frame.box.vectors();
   for (const std::string& flag : frame.flags) space.periodic.push_back(flag == "pp");
-  space.boundary = fmt::format("\"{}\", expected pp in every direction", fmt::join(frame.flags, " "));
+  space.boundary =
+      fmt::format("its boundary is \"{}\", expected pp in every direction", fmt::join(frame.flags, " "));
   space.mid_plane = frame.box.has_mid_plane(grains.empty() ? 0.0 : grains.front().position[2]);
   return space;
 }
@@ -297,7 +305,7 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   listed.drop_tensile = options.drop_tensile;
   DumpFrame frame = read_grain_frame(path, options, listed.remarks);
   listed.grains = grains_of(frame, options);
-  frame.table = {};  // releases the largest part of the memory
+  frame.table = {};  // releases the memory of the table, which is large
   const int dimension = settle_space(space_of(frame, listed.grains, options), options, listed);
   if (options.cell.empty()) frame.box.require_sides(frame.box_place, dimension);
   listed.contacts = read_contact_file(options, dimension, frame.timestep);

@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Index of the keyword that an attribute of the law holds.
+/// Reads an attribute of the law that contains a keyword. @return index of the keyword in `known`
+/// @throws InputError naming the attribute if the keyword is not in `known`
 int keyword_index(const Hdf5Reader& file, const std::string& group, const std::string& attribute,
                   const std::vector<std::string>& known) {
   std::string given;
@@ -23,8 +24,11 @@ int keyword_index(const Hdf5Reader& file, const std::string& group, const std::s
                                                   fmt::join(known, ", ")));
 }
 
-/// Returns the keys of the attributes of a slot, each once: those of its present model (-1: none) and of the models
-/// that are in every file.
+/// Returns the keys of the parameters that a file contains for a slot (a component of the contact law, such as
+/// friction), each once. These are the keys of the present model and of all models that are in every file (their
+/// parameters are zero if the law has another model).
+/// @param present  index of the model in the slot of the law, -1 if the slot is empty
+/// @param choices  true: keys of choices among keywords; false: keys of numbers
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
@@ -40,13 +44,13 @@ std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool cho
   return keys;
 }
 
-/// Name of an attribute: "adhesion.force" is kept as adhesion_force.
+/// Returns the name of the attribute of a parameter: adhesion_force for "adhesion.force".
 std::string attribute_name(const std::string& slot, const std::string& key) {
   return slot + "_" + key;
 }
 
-/// Whether files contain the keyword of the slot for every law, even if the slot is empty. This holds for all slots
-/// except those whose models were added to the format later.
+/// Whether files contain the keyword of this slot for every law, even if the slot is empty. They do, except for slots
+/// whose models were added to the file format later.
 bool is_named_in_every_file(const DeclaredSlot& slot) {
   return std::any_of(slot.models.begin(), slot.models.end(),
                      [](const DeclaredModel& model) { return model.is_in_every_file; });
@@ -71,9 +75,9 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
   }
 }
 
-/// Checks that parameters of models other than the present one are zero or "none". @param present  model of the slot;
-/// -1: none
-/// @throws InputError naming the attribute
+/// Checks that a file has the value zero or "none" for the parameters that the model in a slot does not have.
+/// @param present  index of the model in the slot, -1 if the slot is empty
+/// @throws InputError naming the attribute of a parameter with another value
 void require_nothing_else(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot,
                           int present) {
   const auto is_present = [&](const std::string& key) {
@@ -88,8 +92,8 @@ void require_nothing_else(const Hdf5Reader& file, const std::string& group, cons
     if (is_present(key) || !file.has_attribute(group, name)) return;
     file.attribute(group, name, value);
     if (value != expected)
-      throw InputError(file.place(group), fmt::format("attribute {} = {}, expected {} under {} = \"{}\"", name,
-                                                      value, expected, slot.key, model));
+      throw InputError(file.place(group), fmt::format("attribute {} = {}, expected {} because {} = \"{}\"",
+                                                      name, value, expected, slot.key, model));
   };
   for (const std::string& key : keys_of(slot, present, false)) require(key, 0.0, 0.0);
   for (const std::string& key : keys_of(slot, present, true)) require(key, std::string(), std::string("none"));

@@ -16,7 +16,8 @@
 namespace floc {
 namespace {
 
-/// Key of the model of a slot; it is needed only if the numbers of the slot do not identify the model.
+/// Key that names the model of a slot, as in "friction.law=coulomb". A text needs this key only if the other keys of
+/// the slot do not identify the model.
 constexpr const char* kLaw = "law";
 
 bool has_key(const DeclaredModel& model, const std::string& key) {
@@ -24,7 +25,7 @@ bool has_key(const DeclaredModel& model, const std::string& key) {
                                                      [&](const DeclaredChoice& c) { return c.key == key; });
 }
 
-/// Every key of every slot, each once.
+/// Returns all keys of all slots of a contact law ("normal.stiffness", ...), each once.
 std::vector<std::string> all_keys() {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& slot, const std::string& key) {
@@ -40,9 +41,10 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// Selects the model that the keys given for a slot describe. Preferred is a model that has all of these keys, then
-/// one that is compatible with the slots before it, then one of which no number is missing. If no model has all of
-/// the keys, the first of the slot is returned, so that the fault can be reported.
+/// Selects the model of a slot (a component of the contact law, such as friction) that has all of the keys given for
+/// this slot. If several models have them, a model that is compatible with the models chosen for the previous slots
+/// (`before`) is preferred, then a model of which no number is missing. If no model has all of the keys, the first
+/// model of the slot is returned, so that the caller can report the wrong key.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
                                      const LawParameters& before) {
   const auto has_all = [&](const DeclaredModel& m) {
@@ -75,7 +77,8 @@ class LawText {
 
   std::string keyword(const std::string& key) const { return values_.at(key); }
 
-  /// Returns the keys given for a slot, without its name and without the key of its model.
+  /// Returns the keys given for a slot, without the name of the slot ("stiffness", not "normal.stiffness") and without
+  /// the key "law".
   std::vector<std::string> keys_of(const std::string& slot) const {
     std::vector<std::string> keys;
     for (const auto& [key, value] : values_)
@@ -85,7 +88,11 @@ class LawText {
 
   double number(const std::string& key) const {
     if (!has(key))
-      throw InputError(place_, fmt::format("{} is missing; a law names all parameters of a part", key));
+      throw InputError(
+          place_,
+          fmt::format(
+              "{} is missing; give all parameters of each component of the contact law (normal, friction, ...)",
+              key));
     if (const auto value = parse_number<double>(values_.at(key))) return *value;
     throw InputError(place_, fmt::format("{} = \"{}\", expected a finite number", key, values_.at(key)));
   }
@@ -96,8 +103,8 @@ class LawText {
     const std::string key(trimmed(assignment.substr(0, equals)));
     const std::vector<std::string> keys = all_keys();
     if (std::find(keys.begin(), keys.end(), key) == keys.end())
-      throw InputError(place_, fmt::format("\"{}\" is not a parameter of a law; the parameters are {}", key,
-                                           fmt::join(keys, ", ")));
+      throw InputError(place_, fmt::format("\"{}\" is not a parameter of a contact law; the parameters are {}",
+                                           key, fmt::join(keys, ", ")));
     if (equals == std::string_view::npos)
       throw InputError(place_, fmt::format("{} has no value, expected {}=...", key, key));
     if (!values_.emplace(key, trimmed(assignment.substr(equals + 1))).second)
@@ -125,8 +132,8 @@ const DeclaredModel& model_given(const std::string& place, const LawText& given,
                                                : described_model(slot, keys, before);
   for (const std::string& key : keys)
     if (!has_key(model, key))
-      throw InputError(place,
-                       fmt::format("{}.{}: {} = {} has no such parameter", slot.key, key, name, model.keyword));
+      throw InputError(place, fmt::format("{}.{} is given, but {} = {} has no such parameter", slot.key, key,
+                                          name, model.keyword));
   return model;
 }
 

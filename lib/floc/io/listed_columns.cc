@@ -19,12 +19,12 @@ double positive(const CsvTable& table, int row, int column) {
   throw InputError(table.place(row), fmt::format("{} = {}, must be positive", table.columns()[column], value));
 }
 
-/// Returns the column of a name, or -1.
+/// Returns the index of the column with this name, or -1 if there is no such column.
 int column_if(const NamedColumns& columns, const std::string& name) {
   return columns.has(name) ? columns.column(name) : -1;
 }
 
-/// Returns the columns name1, name2, ...; none if the first one does not exist.
+/// Returns the indices of the columns name1, name2, ... (`count` columns); nothing if there is no column name1.
 std::vector<int> numbered(const NamedColumns& columns, const std::string& name, int count) {
   std::vector<int> found;
   if (columns.has(name + "1"))
@@ -52,7 +52,7 @@ int image_of(const CsvTable& table, int row, int column) {
                                                  table.columns()[column], image));
 }
 
-/// Columns of a list of contacts; -1 or empty if the list lacks them.
+/// Indices of the columns of a table of contacts; -1 or empty if the table does not have them.
 struct ContactColumns {
   int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment;
   std::vector<int> image, force, shear_force, rolling_moment;
@@ -86,13 +86,13 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.force = vector_of(table, row, columns.force);
   c.normal_force = number_of(table, row, columns.normal_force);
   c.shear_force = vector_of(table, row, columns.shear_force);
-  // force1.. is the normal part alone if the shear force is listed as well; `force` holds their sum.
+  // If the table also has shear_force1.., force1.. is the normal force alone; `force` then becomes the sum of both.
   if (c.force && c.shear_force) {
     *c.force += *c.shear_force;
     c.shear_force.reset();
   }
   c.rolling_moment = vector_of(table, row, columns.rolling_moment);
-  // In two dimensions the moment is a scalar, stored as the third component.
+  // In two dimensions the rolling moment is a scalar, stored as the third component of a vector.
   if (columns.rolling_moment_2d >= 0)
     c.rolling_moment = Eigen::Vector3d(0.0, 0.0, table.number(row, columns.rolling_moment_2d));
   c.twisting_moment = number_of(table, row, columns.twisting_moment);
@@ -108,8 +108,8 @@ void check_columns(const std::string& option, const std::string& what, const std
                    const std::map<std::string, std::string>& given) {
   for (const auto& [name, column] : given)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(option, fmt::format("\"{}\" is not a column of a {}; the columns are {}", name, what,
-                                           fmt::join(known, ", ")));
+      throw InputError(option, fmt::format("\"{}\" is not a column of a {} that floc reads; the columns are {}",
+                                           name, what, fmt::join(known, ", ")));
 }
 
 }  // namespace
@@ -130,8 +130,8 @@ void require_same_size(const FileLine& place, const SizeColumn& one, double radi
   if (std::abs(other_radius - radius) <= kSixDigits * radius) return;
   throw InputError(
       place.text(),
-      fmt::format("{} = {}, but {} = {}: these contradict each other; say which column counts "
-                  "(--columns radius=... or --columns diameter=...)",
+      fmt::format("{} = {}, but {} = {}: these contradict each other; choose the column of the size with "
+                  "--columns radius=... or --columns diameter=...",
                   one.name, radius / one.radius_of_one, other.name, other_radius / other.radius_of_one));
 }
 
@@ -146,7 +146,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   for (const SizeColumn& size :
        size_columns([&](const std::string& name) { return columns.has(name); }, columns.names()))
     sizes.emplace_back(size, columns.column(size.name));
-  // Throws the error about the missing column "radius", which lists the columns of the table.
+  // Without any column for the size, this call throws the error that the column "radius" is missing.
   if (sizes.empty()) columns.column("radius");
   const int mass = column_if(columns, "mass");
   const int id = column_if(columns, "id");
@@ -160,7 +160,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
     for (std::size_t k = 0; k < axis.size(); ++k) {
       const DoubleDouble x = table.double_double_number(row, axis[k]);
       grain.position[k] = x.high;
-      // Offsets that the file gives replace those that follow from the digits of x.
+      // If the file has a column x_low, its value replaces the remainder that follows from the digits of x.
       grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) : x.low;
     }
     for (const auto& [size, column] : sizes) {

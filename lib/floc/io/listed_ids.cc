@@ -15,8 +15,8 @@ std::string counting_hint(const ListedPacking& listed) {
   std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
   for (const ListedContact& c : *listed.contacts) lowest = std::min({lowest, c.id1, c.id2});
   if (lowest != 1) return "";
-  return "; the list looks as if it counted the grains from 1, but they are counted from 0: give their ids, or "
-         "subtract 1";
+  return "; the list of contacts seems to number the grains from 1, but they are numbered from 0: add a "
+         "column id to the grains, or subtract 1 from id1 and id2";
 }
 
 Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
@@ -24,7 +24,7 @@ Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
   index_.reserve(grains.size());
   for (const ListedGrain& grain : grains) index_.emplace_back(grain.id, static_cast<int>(index_.size()));
   std::sort(index_.begin(), index_.end());
-  // The error names the repeated identifier that comes first in the file.
+  // If several identifiers are repeated, the error names the first repetition in the file.
   int twice = static_cast<int>(grains.size());
   for (std::size_t k = 1; k < index_.size(); ++k)
     if (index_[k].first == index_[k - 1].first) twice = std::min(twice, index_[k].second);
@@ -35,10 +35,11 @@ Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
 int Identifiers::index(const FileLine& place, const char* name, std::int64_t id) const {
   const auto found = std::lower_bound(index_.begin(), index_.end(), std::pair(id, 0));
   if (found != index_.end() && found->first == id) return found->second;
-  throw InputError(place.text(),
-                   fmt::format("{} = {}: no grain has this id; they are from {} to {} (contacts with walls "
-                               "and other bodies are not read: packings have to be periodic){}",
-                               name, id, index_.front().first, index_.back().first, counting_hint(listed_)));
+  throw InputError(
+      place.text(),
+      fmt::format("{} = {}: no grain has this id; the ids of grains are from {} to {} (floc reads periodic "
+                  "packings only, without contacts with walls or other bodies){}",
+                  name, id, index_.front().first, index_.back().first, counting_hint(listed_)));
 }
 
 }  // namespace floc

@@ -21,24 +21,25 @@
 namespace floc {
 namespace {
 
-/// Relative distance from its limit below which a tangential force counts as mobilised: files print six digits or
-/// more.
+/// A tangential force counts as mobilised (at the limit of friction) if it is below this limit by at most this fraction
+/// of the limit. Files print six digits or more.
 constexpr double kCapTolerance = 1e-6;
-/// A tangential force below this fraction of the normal one is rounding.
+/// A tangential force below this fraction of the normal force is taken for a rounding error.
 constexpr double kNoShear = 1e-9;
 /// Rounding error of a scalar product, relative to the product of the lengths of the two vectors.
 constexpr double kRounding = 1e-15;
-/// Images farther away, in cells, do not fit an integer.
+/// Largest distance of a periodic image, in numbers of cells; larger numbers may not fit an int.
 constexpr double kFarthest = 1e9;
-/// A force below this fraction of the largest listed is rounding.
+/// A force below this fraction of the largest listed force is taken for a rounding error.
 constexpr double kNoForce = 1e-9;
-/// Surfaces farther apart than the range of the law plus this fraction of the mean diameter do not touch, even if
-/// the file has few digits.
+/// Two grains cannot be in contact if their gap exceeds the range of the law by more than this fraction of their mean
+/// diameter. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
-/// Largest difference of the normal part of a force and the normal force listed beside it, relative to the force:
-/// positions with six digits rotate the branch by less.
+/// Largest difference between a listed normal force and the normal component of the force listed for the same contact,
+/// relative to this force. Rounding of positions to six digits rotates the contact normal by less.
 constexpr double kSameForce = 1e-3;
-/// Relative volume of the cell below which its vectors are parallel within rounding.
+/// If the volume of a cell, divided by the product of the lengths of its lattice vectors, is below this value, the
+/// vectors are parallel within rounding.
 constexpr double kFlat = 1e-12;
 
 template <int Dim>
@@ -47,14 +48,14 @@ Cell<Dim> make_cell(const std::string& place, const std::vector<std::vector<doub
   double box = 1.0;
   for (int a = 0; a < Dim; ++a) {
     if (vectors[a].size() != Dim)
-      throw InputError(place,
-                       fmt::format("vector {} has {} components, expected {}", a + 1, vectors[a].size(), Dim));
+      throw InputError(place, fmt::format("lattice vector {} has {} components, expected {}", a + 1,
+                                          vectors[a].size(), Dim));
     for (int b = 0; b < Dim; ++b) cell.matrix(a, b) = vectors[a][b];
     box *= cell.matrix.row(a).norm();
   }
   if (!(cell.volume() > kFlat * box))
-    throw InputError(place,
-                     fmt::format("the cell is degenerate: its vectors span no volume ({:.3g})", cell.volume()));
+    throw InputError(place, fmt::format("the cell is degenerate: its lattice vectors span no volume ({:.3g})",
+                                        cell.volume()));
   return cell;
 }
 
@@ -76,12 +77,15 @@ Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
   return grains;
 }
 
-/// Converts numbers of cells along the lattice vectors to integers. @throws InputError beyond kFarthest
+/// Converts a displacement, in numbers of cells along each lattice vector, to integers. @throws InputError if a number
+/// exceeds kFarthest
 template <int Dim>
 Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
   if (!(cells.cwiseAbs().maxCoeff() < kFarthest))
-    throw InputError(place.text(),
-                     "lies more than 1e9 cells away from the cell: --cell is too small, or a coordinate wrong");
+    throw InputError(
+        place.text(),
+        "a grain lies more than 1e9 cells away from the cell: --cell is too small, or a coordinate is "
+        "wrong");
   return cells.template cast<int>();
 }
 
@@ -92,9 +96,9 @@ double smallest_width(const Cell<Dim>& cell) {
   return 1.0 / cell.matrix.inverse().colwise().norm().maxCoeff();
 }
 
-/// Returns the image of j that is nearest to i. It is searched among the neighbours of the image that is nearest in
-/// reduced coordinates: in a skewed cell the two can differ, by at most one step per direction unless the cell is so
-/// skewed that it should be reduced first.
+/// Returns the periodic image of grain j that is nearest to grain i. The image that is nearest in reduced coordinates
+/// and its neighbours are compared, because in a skewed cell the nearest image can be one of these neighbours. In an
+/// extremely skewed cell, which should be reduced first, the nearest image may be missed.
 template <int Dim>
 Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];
@@ -114,8 +118,8 @@ Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, 
   return best;
 }
 
-/// Whether the two grains must be exchanged: the grain of lower index comes first, and of two opposite images of one
-/// grain the one that find_pairs() uses is kept.
+/// Whether the two grains of a contact have to be exchanged so that the grain with the lower index comes first. A
+/// contact of a grain with its own image is exchanged if find_pairs() uses the opposite image.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
   if (c.i != c.j) return c.i > c.j;
@@ -123,13 +127,13 @@ bool is_reversed(const Contact<Dim>& c) {
   return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
 }
 
-/// Forces that a list gives, acting on the first grain of the contact.
+/// Forces of a contact that the file lists. They act on the first grain of the contact.
 template <int Dim>
 struct GivenForces {
   std::optional<double> normal;
   std::optional<Vec<Dim>> shear;
   std::optional<RotationVector<Dim>> rolling;
-  std::optional<double> twisting;  ///< independent of the order of the two grains
+  std::optional<double> twisting;  ///< twisting moment, which does not depend on the order of the two grains
 };
 
 template <int Dim>
@@ -140,7 +144,7 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   if (listed.shear_force) {
     const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
     const double along = normal.dot(on_first);
-    // A force that is tangential within rounding keeps all of its digits.
+    // The normal component is removed only if it exceeds rounding, so that a tangential force keeps all of its digits.
     given.shear = on_first;
     if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
   }
@@ -149,10 +153,11 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
     given.normal = -normal.dot(on_first);
     if (listed.normal_force &&
         !(std::abs(*listed.normal_force - *given.normal) <= kSameForce * on_first.norm()))
-      throw InputError(listed.place.text(),
-                       fmt::format("normal_force = {:.6g}, but the force listed beside it has a normal part of "
-                                   "{:.6g}: leave one of them out",
-                                   *listed.normal_force, *given.normal));
+      throw InputError(
+          listed.place.text(),
+          fmt::format("normal_force = {:.6g}, but the force listed for the same contact has the normal "
+                      "component {:.6g}: leave one of them out",
+                      *listed.normal_force, *given.normal));
     given.shear = on_first + *given.normal * normal;
   }
   if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
@@ -160,8 +165,8 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   return given;
 }
 
-/// Replaces forces of the law by the forces and stiffnesses that the list gives.
-/// @throws InputError for a force or stiffness of a kind that the law lacks
+/// Replaces the forces and stiffnesses of a contact, computed by the law, by those that the file lists.
+/// @throws InputError for a listed force or stiffness (tangential, rolling, twisting) that the law does not have
 template <int Dim>
 void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
                 Contact<Dim>& c) {
@@ -188,7 +193,8 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
   if (listed.ktw && law.has_twisting() && !c.distant) c.ktw = *listed.ktw;
 }
 
-/// @throws InputError for a stiffness that is impossible for surfaces in contact
+/// Checks one stiffness of a contact. @param name  column of the stiffness  @param right  whether the value is possible
+/// @throws InputError if a value is listed and is not possible
 void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
                        bool right, const char* expected) {
   if (value && !right)
@@ -201,7 +207,7 @@ void require_stiffnesses(const ListedContact& listed) {
   require_stiffness(listed, "ktw", listed.ktw, listed.ktw >= 0.0, "a twisting stiffness >= 0");
 }
 
-/// Makes contacts from the rows of a list, and counts those that need special treatment.
+/// Makes contacts from the rows of a table of contacts, and counts the rows that need special treatment.
 template <int Dim>
 class ListedContacts {
  public:
@@ -214,8 +220,8 @@ class ListedContacts {
     for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
 
-  /// Makes the contact of a row: forces that the list gives replace those of the law. Returns none if the contact is
-  /// dropped.
+  /// Makes the contact of one row of the table. Listed forces replace the forces of the law. Returns nothing if the
+  /// contact is dropped.
   std::optional<Contact<Dim>> place(const ListedContact& row) {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
@@ -230,8 +236,7 @@ class ListedContacts {
       if (!row.force && !row.normal_force)
         throw InputError(
             row.place.text(),
-            fmt::format("the gap is {}, at which the law does not act, and no normal_force says otherwise",
-                        gap) +
+            fmt::format("the gap is {}, at which the law does not act, and no normal_force is listed", gap) +
                 counting_hint(listed_));
       ++counts_.n_neighbors;
       return std::nullopt;
@@ -247,14 +252,14 @@ class ListedContacts {
       throw InputError(row.place.text(), "the grains have the same centre: their contact has no direction");
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal && row.has_stiffness())
-      throw InputError(row.place.text(), "a stiffness is given without the normal force that goes with it");
+      throw InputError(row.place.text(), "a stiffness is listed, but the normal force of the contact is not");
     if (given.normal && *given.normal < -kNoForce * largest_force_ && !packing_.law.adheres()) {
       if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
       return std::nullopt;
     }
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
-    // kn of an attraction across a gap is negative, so its sign is tested only for surfaces that touch.
+    // The sign of kn is tested only for surfaces that touch, because kn of an attraction across a gap is negative.
     if (!c.distant)
       require_stiffness(row, "kn", row.kn, row.kn > 0.0,
                         "a positive number, the stiffness of surfaces that touch");
@@ -268,20 +273,22 @@ class ListedContacts {
     return counts;
   }
 
-  /// @throws InputError if contacts pull under a law without adhesion, because dropping them changes the network
+  /// Checks that no contact was dropped because its force is tensile and the law has no adhesion.
+  /// @throws InputError naming the first such contact
   void require_no_tensile() const {
     if (counts_.n_tensile == 0) return;
     const bool adhesive_law_exists = packing_.law.force_exponent() == 1.0;
     throw InputError(
         first_tensile_.row->place.text(),
-        fmt::format("the contact of grains {} and {} pulls with {:.6g}, as {} of the {} listed do, but the law "
-                    "has no adhesion: {}, or leave out the contacts that pull with --drop-tensile",
-                    first_tensile_.row->id1, first_tensile_.row->id2, -first_tensile_.normal_force,
-                    counts_.n_tensile, counts_.n_read,
-                    adhesive_law_exists
-                        ? "give adhesion.force in --law, with adhesion.law=constant for grains that attract "
-                          "each other in contact alone, or with adhesion.range"
-                        : "adhesion goes with the linear law (normal.stiffness, adhesion.force)"));
+        fmt::format(
+            "the contact of grains {} and {} pulls with {:.6g}, as {} of the {} listed do, but the law "
+            "has no adhesion: {}, or drop the contacts that pull with --drop-tensile",
+            first_tensile_.row->id1, first_tensile_.row->id2, -first_tensile_.normal_force, counts_.n_tensile,
+            counts_.n_read,
+            adhesive_law_exists
+                ? "give adhesion.force in --law, with adhesion.law=constant if grains attract each other in "
+                  "contact only, or with adhesion.range"
+                : "adhesion is possible with the linear law only (normal.stiffness, adhesion.force)"));
   }
 
  private:
@@ -293,7 +300,7 @@ class ListedContacts {
   void compare_stiffnesses(const ListedContact& row, const Contact<Dim>& c) {
     if (!row.has_stiffness()) return;
     Contact<Dim> touching = c;
-    // A list may omit liquid bridges; surfaces that touch then have one, which contributes its full strength.
+    // If the file does not list liquid bridges, every pair of grains that touch has one, which acts at full strength.
     if (const CapillaryAdhesion* liquid = packing_.law.liquid();
         liquid != nullptr && touches(packing_, c) && bridge_volume(packing_, c) == 0.0)
       touching.elastic_force = std::max(
@@ -304,7 +311,7 @@ class ListedContacts {
                      by_law, fmt::format("{}-{}", row.id1, row.id2));
   }
 
-  /// Returns the size of the largest force that a row gives (force).
+  /// Returns the magnitude of the largest force that is listed for a contact.
   static double force_of(const ListedContact& row) {
     const auto norm = [](const std::optional<Eigen::Vector3d>& v) { return v ? v->norm() : 0.0; };
     return std::max({norm(row.force), std::abs(row.normal_force.value_or(0.0)), norm(row.shear_force)});
@@ -318,7 +325,7 @@ class ListedContacts {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }
 
-  /// Sets the volume of the liquid bridge. @throws InputError for liquid under a law without it
+  /// Sets the volume of the liquid bridge. @throws InputError if a volume is listed, but the law has no liquid
   void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
     if (!row.bridge_volume) return;
     if (!holds_liquid(packing_) && *row.bridge_volume != 0.0)
@@ -329,43 +336,48 @@ class ListedContacts {
     if (holds_liquid(packing_)) set_bridge_volume(*row.bridge_volume, c);
   }
 
-  /// Sets the image: the listed one or, if it is missing or impossible, the nearest one. Some programs list images
-  /// that belong to positions outside the cell together with positions moved into it.
+  /// Sets the image of the second grain to the listed image or, if this is missing or the grains cannot touch there, to
+  /// the nearest image. Some programs move the positions into the cell but list images for positions outside it.
   void set_image(const ListedContact& row, Contact<Dim>& c) {
     if (row.image) c.image = row.image->template head<Dim>();
     if (row.image && c.i == c.j && c.image.isZero())
-      throw InputError(row.place.text(), "the grain would touch itself");
+      throw InputError(row.place.text(),
+                       "id1 and id2 are equal and the image is zero: the grain would touch itself");
     if (row.image && can_touch(c)) return;
     if (row.image) require_within_reach(c);
     c.image = nearest_image(packing_, row.place, c.i, c.j);
     if (row.image && can_touch(c)) ++counts_.n_other_image;
   }
 
-  /// @throws InputError if no image that fits an integer is near the other grain
+  /// Checks the distance of two grains. @throws InputError if it is so many cells that this number may not fit an int
   void require_within_reach(const Contact<Dim>& c) const {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthest) return;
-    throw InputError(listed_.grains[c.i].place.text(),
-                     fmt::format("is more than 1e9 cells away from {}, which it touches according to the list",
-                                 listed_.grains[c.j].place.text()));
+    throw InputError(
+        listed_.grains[c.i].place.text(),
+        fmt::format("the grain is more than 1e9 cells away from the grain at {}, but a contact of the two "
+                    "is listed",
+                    listed_.grains[c.j].place.text()));
   }
 
-  /// @throws InputError if no contact is possible there, or another image may be equally near
+  /// Checks the image at which a contact was placed. @throws InputError if the grains cannot touch there, or if no
+  /// image was listed and another image may be equally near
   void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
     const double distance = branch(packing_, c).norm();
     const bool chosen = !row.image || c.image != row.image->template head<Dim>();
     if (chosen && distance >= half_width_)
       throw InputError(row.place.text(),
                        fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has "
-                                   "to say which image of the second grain touches the first{}",
+                                   "to say, in image1.., which image of the second grain touches the first{}",
                                    distance, half_width_, counting_hint(listed_)));
     if (!can_touch(c))
-      throw InputError(row.place.text(),
-                       fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images "
-                                   "have a gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or "
-                                   "cell are not those of this contact{}",
-                                   row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
-                                   packing_.grains.radius[c.j], counting_hint(listed_)));
+      throw InputError(
+          row.place.text(),
+          fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images have a "
+                      "gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or cell do not belong "
+                      "to this contact{}",
+                      row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
+                      packing_.grains.radius[c.j], counting_hint(listed_)));
   }
 
   const ListedPacking& listed_;
@@ -406,7 +418,7 @@ ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers&
   return contacts.counts();
 }
 
-/// Moves every grain into the cell and updates the images of contacts.
+/// Moves every grain into the periodic cell and updates the images of the contacts.
 template <int Dim>
 void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
   std::vector<Vec<Dim, int>> moved;
@@ -424,8 +436,9 @@ void wrap(const ListedPacking& listed, Packing<Dim>& packing) {
     if (static_cast<double>(image.cwiseAbs().maxCoeff()) > kFarthest)
       throw InputError(
           listed.grains[c.i].place.text(),
-          fmt::format("is more than 1e9 cells away from {}, which it touches according to the list",
-                      listed.grains[c.j].place.text()));
+          fmt::format(
+              "the grain is more than 1e9 cells away from the grain at {}, but a contact of the two is listed",
+              listed.grains[c.j].place.text()));
     c.image = image.template cast<int>();
   }
 }
@@ -436,8 +449,8 @@ bool lists_liquid(const ListedPacking& listed) {
                      [](const ListedContact& c) { return c.bridge_volume.has_value(); });
 }
 
-/// Reports an inconsistency if the listed volume of liquid differs from that of the law by more than the digits of
-/// files.
+/// Reports an inconsistency if the listed volumes of liquid bridges do not sum to the volume of liquid that the water
+/// content of the law gives. Differences by rounding to six digits are accepted.
 template <int Dim>
 void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& inconsistencies) {
   constexpr double kDigits = 1e-6;
@@ -445,10 +458,10 @@ void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& 
   double sum = 0.0;
   for (const Contact<Dim>& c : packing.contacts) sum += std::abs(bridge_volume(packing, c));
   if (std::abs(sum - all) > kDigits * all)
-    inconsistencies.push_back(
-        fmt::format("the bridges listed hold a volume of {:.6g}, but the law's water content gives "
-                    "{:.6g}",
-                    sum, all));
+    inconsistencies.push_back(fmt::format(
+        "the volumes of the listed liquid bridges sum to {:.6g}, but the water content of the law gives "
+        "{:.6g}",
+        sum, all));
 }
 
 template <int Dim>
@@ -479,16 +492,16 @@ Imported assemble_in(const ListedPacking& listed) {
 }  // namespace
 
 const Law& required_law(const std::string& path, const ImportOptions& options) {
-  if (!options.law) throw InputError(path, "it holds no contact law: give --law");
+  if (!options.law) throw InputError(path, "the file holds no contact law: give --law");
   return *options.law;
 }
 
 Imported assemble(const ListedPacking& listed) {
-  if (listed.grains.empty()) throw InputError(listed.place, "has no grains");
-  if (listed.cell.empty()) throw InputError(listed.place, "it holds no cell: give --cell");
+  if (listed.grains.empty()) throw InputError(listed.place, "the file has no grains");
+  if (listed.cell.empty()) throw InputError(listed.place, "the file holds no cell: give --cell");
   if (listed.cell.size() == 2) return assemble_in<2>(listed);
   if (listed.cell.size() == 3) return assemble_in<3>(listed);
-  throw InputError(listed.cell_place, "the cell has to have two vectors, or three in 3D");
+  throw InputError(listed.cell_place, "the cell has to have two lattice vectors in 2D, or three in 3D");
 }
 
 }  // namespace floc

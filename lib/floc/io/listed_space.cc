@@ -11,11 +11,12 @@
 namespace floc {
 namespace {
 
-/// Largest overlap of spheres with their own images, relative to the diameter. Grains that would overlap by more are
-/// disks, for which the third side of the cell is arbitrary.
+/// Largest overlap of spheres with their own periodic images along z, relative to the diameter. Grains that would
+/// overlap by more are taken as disks, for which the height of the cell is arbitrary.
 constexpr double kDeepestOverlap = 0.1;
 
-/// Largest difference in height of disks, relative to the smallest diameter; it allows for files with few digits.
+/// Largest difference in z between disks, relative to the smallest diameter. The limit allows for files with few
+/// digits.
 constexpr double kOnePlane = 1e-6;
 
 struct Guess {
@@ -24,13 +25,13 @@ struct Guess {
   bool doubtful = false;
 };
 
-/// Whether one of the first two lattice vectors has a component along z, or the third one a component across it.
+/// Whether one of the first two lattice vectors has a component along z, or the third a component along x or y.
 bool tilts_along_z(const std::vector<std::vector<double>>& cell) {
   return cell[0][2] != 0.0 || cell[1][2] != 0.0 || cell[2][0] != 0.0 || cell[2][1] != 0.0;
 }
 
-/// Guesses the dimension of one layer of grains whose images along z are `height` apart. A sphere touches its own
-/// image if `height` is less than its diameter.
+/// Guesses the dimension of grains that all have one z. Their periodic images along z are `height` apart, so a sphere
+/// touches its own image if `height` is less than its diameter. @param mid_plane  see ListedSpace
 Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool mid_plane) {
   std::size_t n_touching = 0;
   double largest = 0.0;
@@ -39,19 +40,23 @@ Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool
     largest = std::max(largest, 2.0 * g.radius);
   }
   if (n_touching == 0)
-    return {2, "every z is the same: taken as disks, in 2D; --dimension 3 makes spheres of them", false};
-  if (n_touching == grains.size() && largest - height <= kDeepestOverlap * largest && !mid_plane)
-    return {3,
-            fmt::format(
-                "every z is the same, but the cell is {:.6g} high, less than the diameter of each grain: taken "
-                "as spheres that touch their own images across z; --dimension 2 makes disks of them",
-                height),
+    return {2, "every z is the same, so the grains are taken as disks in 2D; --dimension 3 makes them spheres",
             false};
+  if (n_touching == grains.size() && largest - height <= kDeepestOverlap * largest && !mid_plane)
+    return {
+        3,
+        fmt::format("every z is the same, but the cell is {:.6g} high, less than the diameter of each grain, "
+                    "so the grains are taken as spheres that touch their own images along z; --dimension 2 "
+                    "makes them disks",
+                    height),
+        false};
   return {
       2,
-      fmt::format("every z is the same: taken as disks, in 2D; as spheres {} of the {} would touch their own "
-                  "images across z, as the cell is {:.6g} high; --dimension 2 or 3 says which they are",
-                  n_touching, grains.size(), height),
+      fmt::format(
+          "every z is the same, so the grains are taken as disks in 2D; if they were spheres, {} of the {} "
+          "would touch their own images along z, because the cell is {:.6g} high; choose with --dimension 2 "
+          "or 3",
+          n_touching, grains.size(), height),
       true};
 }
 
@@ -61,11 +66,11 @@ Guess guess_dimension(const ListedSpace& space, const std::vector<ListedGrain>& 
   const double none = std::numeric_limits<double>::infinity();
   if (space.cell.empty()) return guess_of_layer(grains, none, space.mid_plane);
   if (tilts_along_z(space.cell))
-    return {3,
-            "every z is the same, but the lattice vectors lean along z: taken as spheres; --dimension 2 makes "
-            "disks of "
-            "them",
-            false};
+    return {
+        3,
+        "every z is the same, but the lattice vectors are tilted along z, so the grains are taken as spheres; "
+        "--dimension 2 makes them disks",
+        false};
   const bool periodic = space.periodic.size() < 3 || space.periodic[2];
   return guess_of_layer(grains, periodic ? std::abs(space.cell[2][2]) : none, space.mid_plane);
 }
@@ -75,19 +80,21 @@ void require_periodic(const ListedSpace& space, int dimension, std::vector<std::
     if (!space.periodic[a])
       throw InputError(
           space.place,
-          fmt::format("the box is not periodic ({}): packings between walls are not read; --cell puts "
-                      "grains that touch no wall into a periodic cell",
-                      space.boundary));
+          fmt::format(
+              "the box is not periodic ({}), and packings between walls cannot be read; --cell puts grains "
+              "that touch no wall into a periodic cell",
+              space.boundary));
   if (space.periodic.empty() && !space.cell.empty())
-    remarks.emplace_back("taken as periodic in every direction: the file does not say");
+    remarks.emplace_back(
+        "the packing is taken as periodic in every direction, because the file does not say whether it is");
 }
 
 }  // namespace
 
 int settle_space(const ListedSpace& space, const ImportOptions& options, ListedPacking& listed) {
-  if (listed.grains.empty()) throw InputError(listed.place, "has no grains");
+  if (listed.grains.empty()) throw InputError(listed.place, "the file has no grains");
   int dimension = 0;
-  // Options of the user take precedence over the file, and the file over a guess.
+  // Options of the user take precedence over the file, and the file takes precedence over a guess.
   if (options.dimension || !options.cell.empty() || space.dimension) {
     const int of_cell = static_cast<int>(options.cell.size());
     dimension = options.dimension ? *options.dimension : of_cell > 0 ? of_cell : *space.dimension;
@@ -109,9 +116,10 @@ int settle_space(const ListedSpace& space, const ImportOptions& options, ListedP
   for (int a = 0; a < dimension && !space.cell.empty(); ++a) {
     const std::vector<double>& vector = space.cell[a];
     if (dimension == 2 && vector[2] != 0.0)
-      throw InputError(space.place, fmt::format("lattice vector {} reaches {:.6g} along z, expected 0 in two "
-                                                "dimensions; --dimension 3 makes spheres of the grains",
-                                                a + 1, vector[2]));
+      throw InputError(space.place,
+                       fmt::format("lattice vector {} has the z component {:.6g}, expected 0 in two "
+                                   "dimensions; --dimension 3 makes the grains spheres",
+                                   a + 1, vector[2]));
     listed.cell.emplace_back(vector.begin(), vector.begin() + dimension);
   }
   return dimension;
@@ -123,11 +131,11 @@ void require_one_plane(const ListedPacking& listed) {
   const double z = listed.grains.front().position[2];
   for (const ListedGrain& g : listed.grains)
     if (std::abs(g.position[2] - z) > kOnePlane * smallest)
-      throw InputError(
-          g.place.text(),
-          fmt::format("z = {:.6g}, but {:.6g} at {}: expected one z of all disks, as the packing is to be "
-                      "two-dimensional (three vectors of --cell, or --dimension 3, make spheres)",
-                      g.position[2], z, listed.grains.front().place.text()));
+      throw InputError(g.place.text(),
+                       fmt::format("z = {:.6g}, but z = {:.6g} at {}: expected the same z for all disks of a "
+                                   "two-dimensional packing (three vectors of --cell, or --dimension 3, make "
+                                   "the grains spheres)",
+                                   g.position[2], z, listed.grains.front().place.text()));
 }
 
 }  // namespace floc

@@ -24,7 +24,8 @@ static_assert(kSealBegin.size() + 64 + kSealEnd.size() == kSealSize);
 
 constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
-/// Whether HDF5 can open the file by its name, which it resolves first; a file in memory has no such name.
+/// Whether HDF5 can open the file by its path. HDF5 resolves symbolic links first, and that fails for a file that
+/// exists only in memory (an entry of /proc without a file name). Standard input and pipes have to be copied to a file.
 bool is_plain_file(const std::string& path) {
   std::error_code error;
   return path != "-" && std::filesystem::is_regular_file(path, error) &&
@@ -39,7 +40,8 @@ std::unique_ptr<TemporaryFile> copy_of(const std::string& path) {
   return copy;
 }
 
-/// Returns at most n bytes from a position of a file; fewer at its end.
+/// Returns n bytes of a file, beginning at the position `offset`, or fewer at the end of the file. The bytes are stored
+/// in `buffer`.
 std::string_view read_at(int fd, const std::string& path, std::size_t offset, std::size_t n,
                          std::vector<char>& buffer) {
   buffer.resize(n);
@@ -87,14 +89,17 @@ SealedFile::SealedFile(const std::string& path)
   std::vector<char> buffer;
   if (read_at(fd, path, 0, kHdf5Signature.size(), buffer) != kHdf5Signature)
     throw InputError(
-        path, size == 0 ? "is empty, expected a floc state (HDF5)"
-                        : "is not a floc state: not an HDF5 file. floc run and floc convert write such states");
+        path,
+        size == 0
+            ? "the file is empty, expected a floc state (HDF5)"
+            : "the file is not a floc state, which floc run and floc convert write: it is not an HDF5 file");
   const std::size_t n = size < kSealSize ? 0 : size - kSealSize;
   const std::string tail(read_at(fd, path, n, kSealSize, buffer));
   if (n == 0 || !tail.starts_with(kSealBegin) || !tail.ends_with(kSealEnd))
-    throw InputError(path, "is truncated, or was not written by floc: the checksum at its end is missing");
+    throw InputError(path,
+                     "the file is truncated, or was not written by floc: the checksum at its end is missing");
   if (tail != seal_of(sha256_of_beginning(fd, path, n)))
-    throw InputError(path, "is damaged: its content does not match the checksum at its end");
+    throw InputError(path, "the file is damaged: its content does not match the checksum at its end");
 }
 
 }  // namespace floc

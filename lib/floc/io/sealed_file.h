@@ -10,25 +10,24 @@
 namespace floc {
 
 /// Size of the seal of a state file (bytes). A state file is an HDF5 file followed by a seal, which holds the SHA-256
-/// of all bytes before it. HDF5 ignores what follows its own end of file, so every reader of HDF5 opens a state file.
-/// floc checks the seal first, because a damaged HDF5 file can crash the library.
+/// of all bytes before it. The HDF5 library ignores bytes after the end of the HDF5 content, so every program that
+/// reads HDF5 can open a state file. floc verifies the seal first, because a damaged HDF5 file can crash the library.
 inline constexpr std::size_t kSealSize = 80;
 
 /// Returns the text of a seal. @param sha256  checksum of all bytes before the seal
 std::string seal_of(const std::string& sha256);
 
-/// Appends the seal to the content of a file. @throws IoError if it cannot be written
+/// Computes the seal of the content of a file and appends it. @throws IoError if the seal cannot be written
 void append_seal(AtomicFile& file);
 
-/// A sealed file whose checksum was verified, open for reading. It may also come through a pipe, or from stdin for
-/// "-".
+/// A state file whose seal (checksum) has been verified. The file may also be a pipe, or standard input ("-").
 class SealedFile {
  public:
-  /// @throws InputError naming `path` if it cannot be read, or if the seal is missing (truncated, not written
-  ///         by floc) or does not match
+  /// Verifies the seal. @throws InputError naming `path` if the file cannot be read, if the seal is missing (the file
+  /// is truncated or was not written by floc), or if the content does not match the seal
   explicit SealedFile(const std::string& path);
 
-  /// Path of the verified file: the given path, or the path of a copy of what came through a pipe.
+  /// Path of the verified file: the given path or, for a pipe or standard input, the path of a temporary copy.
   const std::string& content_path() const { return copy_ ? copy_->path() : path_; }
 
  private:

@@ -26,7 +26,7 @@ std::string units_of(Quantity quantity, const std::string& system, int dim) {
     case Quantity::rolling_stiffness:
       return si ? "N m/rad" : "force*length/rad";
     case Quantity::stress:
-      // The stress of a two-dimensional packing is a force per length.
+      // In two dimensions the stress is a force per length.
       if (dim == 2) return si ? "N/m" : "force/length";
       return si ? "Pa" : "force/length^2";
     // These quantities are pure numbers.

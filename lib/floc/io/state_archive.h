@@ -17,10 +17,11 @@
 
 namespace floc {
 
-/// Returns the `units` attribute of an array with this quantity. @param system  "SI" or "reduced"
+/// Returns the unit of a quantity, for the attribute `units` of an array. @param system  "SI" or "reduced"
 std::string units_of(Quantity quantity, const std::string& system, int dim);
 
-/// Layout of one item of an array in a row: its number of components, stored as real numbers, integers or flags.
+/// Describes how one item of type T is stored as a row of an array in a state file: type of the stored numbers, number
+/// of components, and access to component k.
 template <class T>
 struct ArchiveItem {
   using Stored = double;
@@ -64,7 +65,7 @@ struct ArchiveItem<Eigen::Quaterniond> {
   static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
 };
 
-/// Returns the shape of an array with one row per item; an array of single components is flat.
+/// Returns the shape of an array with one row per item. The array is one-dimensional if items have one component.
 inline Shape shape_of(std::size_t n, int components) {
   if (components == 1) return {n};
   return {n, static_cast<std::uint64_t>(components)};
@@ -74,7 +75,7 @@ inline constexpr auto kItself = [](auto& item) -> auto& {
   return item;
 };
 
-/// Writes the fields of the layout of a state (state_layout.h) to a file.
+/// Writes the arrays and attributes that state_layout.h describes to a state file.
 class WritingArchive {
  public:
   WritingArchive(Hdf5Writer& file, std::string units, int dim)
@@ -120,7 +121,7 @@ class WritingArchive {
   void value(const char* group, const char* name, const T& v) {
     file_.attribute(group, name, v);
   }
-  /// Writes a value that is optional in files of this version.
+  /// Writes a value that may be missing in files of other versions.
   template <class T>
   void value_if_there(const char* group, const char* name, const T& v) {
     value(group, name, v);
@@ -137,13 +138,14 @@ class WritingArchive {
   int dim_;
 };
 
-/// Reads the fields that WritingArchive writes. An array of another shape, or a number that is not finite, throws an
-/// InputError.
+/// Reads the arrays and attributes that WritingArchive writes. An InputError is thrown if an array has a wrong shape or
+/// contains a number that is not finite.
 class ReadingArchive {
  public:
   explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
 
-  /// Fills one member of each of `items`, which already has the right size.
+  /// Reads an array and sets one member of each item to one row, with the accessor `get`. `items` already has the right
+  /// size.
   template <class Items, class Get>
   void rows(const Field& field, Items& items, const Get& get) {
     using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
@@ -178,7 +180,7 @@ class ReadingArchive {
   std::vector<T> take(const Field& field, const Shape& shape) {
     std::vector<T> values;
     file_.array(field.path, shape, values);
-    const std::size_t rows = shape.empty() ? 1 : shape.front();  // a single value has no shape
+    const std::size_t rows = shape.empty() ? 1 : shape.front();  // the shape of a single value is empty
     if (rows > 0) check_finite(field, 0, values.size() / rows, std::span<const T>(values));
     return values;
   }

@@ -29,26 +29,31 @@ namespace {
 const std::string kFormat = "floc-state";
 const std::string kSignConvention = "compression_positive";
 
-constexpr Field kStress = {"equilibrium/stress", Quantity::stress, "static, positive in compression"};
-constexpr Field kTarget = {"equilibrium/target", Quantity::stress, "diagonal of the stress imposed"};
+constexpr Field kStress = {"equilibrium/stress", Quantity::stress, "static stress, positive in compression"};
+constexpr Field kTarget = {"equilibrium/target", Quantity::stress,
+                           "stress on each axis: imposed or, if a length is imposed on the axis, carried"};
 constexpr Field kSides = {"equilibrium/target_side", Quantity::length,
-                          "length imposed on each axis, 0: a stress is; target is then what it carries"};
-constexpr Field kOffset = {"equilibrium/target_offset", Quantity::length,
-                           "of simple shear: how far the lattice vector of the axis reaches along the first"};
-constexpr Field kTurnShear = {"path/turn_shear", Quantity::ratio, "of simple shear: strain since the start"};
-constexpr Field kTurnSides = {"path/turn_sides", Quantity::length, "of the cell at the start of the turn"};
-constexpr Field kTurnStress = {"path/turn_stress", Quantity::stress, "on each axis at the start of the turn"};
-constexpr Field kResiduals = {
-    "equilibrium/residuals", Quantity::ratio,
-    "force, moment, stress, kinetic energy a grain; in units of F1 = max(F0, P a^(D-1)), "
-    "F1 a, F1/a^(D-1), F1 a for the largest diameter a"};
+                          "length of the cell imposed on each axis; 0: a stress is imposed"};
+constexpr Field kOffset = {
+    "equilibrium/target_offset", Quantity::length,
+    "in simple shear, imposed first component of the lattice vector of the sheared axis"};
+constexpr Field kTurnShear = {"path/turn_shear", Quantity::ratio,
+                              "in simple shear, shear strain since the start of the stage"};
+constexpr Field kTurnSides = {"path/turn_sides", Quantity::length,
+                              "sides of the cell at the start of the stage"};
+constexpr Field kTurnStress = {"path/turn_stress", Quantity::stress,
+                               "stress on each axis at the start of the stage"};
+constexpr Field kResiduals = {"equilibrium/residuals", Quantity::ratio,
+                              "residual force, moment, stress and kinetic energy per grain, in units of F1, "
+                              "F1 a, F1/a^(D-1) and F1 a, where F1 = max(F0, P a^(D-1)), F0 is the adhesive "
+                              "force, P the pressure, a the largest diameter and D the dimension"};
 constexpr Field kTolerances = {"equilibrium/tolerances", Quantity::ratio,
-                               "what the residuals were asked to be below"};
+                               "limits of the residuals in equilibrium"};
 constexpr Field kNegative = {"equilibrium/n_negative", Quantity::count,
-                             "negative eigenvalues of the stiffness matrix, -1: not determined"};
+                             "number of negative eigenvalues of the stiffness matrix; -1: not determined"};
 constexpr Field kUnsettled = {
     "equilibrium/n_bridges_unsettled", Quantity::count,
-    "liquid bridges that would form or break if the liquid were shared out once more, "
+    "number of liquid bridges that would form or break if the liquid were distributed once more; "
     "-1: not determined"};
 constexpr Field kId = {"grains/id", Quantity::count, "index of the grain in all arrays"};
 
@@ -64,7 +69,7 @@ void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
   if (s.packing.law.liquid()) archive.put(kUnsettled, {}, std::vector<std::int32_t>{s.n_bridges_unsettled});
 }
 
-/// Writes the load along individual axes, for states that have one.
+/// Writes the imposed load if the current stage of the load path loads the axes differently. Otherwise writes nothing.
 template <int Dim>
 void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s) {
   if (!s.target_side.isZero(0.0))
@@ -97,7 +102,9 @@ void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<D
   turn.sides = archive.take<double>(kTurnSides, {Dim});
   turn.stress = archive.take<double>(kTurnStress, {Dim});
   if (!file.has(kOffset.path)) return;
-  if (turn.axis == 0) throw InputError(file.place("path"), "axis = 1 of a simple shear along the first axis");
+  if (turn.axis == 0)
+    throw InputError(file.place("path"),
+                     "axis = 1, but a simple shear along the first axis needs another axis");
   s.target_offset = ImposedOffset{turn.axis, archive.take<double>(kOffset, {1})[0]};
   turn.shear = archive.take<double>(kTurnShear, {1})[0];
 }
@@ -107,7 +114,7 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   const auto target = archive.take<double>(kTarget, {Dim});
   for (int a = 0; a < Dim; ++a) s.target_stress[a] = target[a];
   archive.matrix(kStress, s.stress);
-  // Only residuals may be infinite: those of a packing without a scale of force.
+  // Unlike other numbers, residuals may be infinite: a packing without pressure and adhesion has no scale of force.
   std::vector<double> r;
   file.array(kResiduals.path, {4}, r);
   s.residuals.force = r[0], s.residuals.moment = r[1], s.residuals.stress = r[2], s.residuals.energy = r[3];
@@ -117,8 +124,9 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   if (file.has(kUnsettled.path)) s.n_bridges_unsettled = archive.take<std::int32_t>(kUnsettled, {})[0];
 }
 
-/// Optional groups of a state. The root attribute `features` names those present, and a reader rejects a file with
-/// one that it does not support. New physics therefore needs no new version of the format.
+/// Names of the optional groups of a state file. The root attribute `features` lists the optional groups that a file
+/// has, and a reader rejects a file with a group that it does not support. New physics therefore needs no new version
+/// of the format.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
@@ -147,7 +155,8 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// Returns the history quantities of contacts, under the law between grains and that of the walls.
+/// Returns the history quantities of contacts under the law between grains and, if there are walls, under the law
+/// between grains and walls.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
@@ -160,7 +169,7 @@ std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   return all;
 }
 
-/// Writes the history of contacts: one array per quantity, with one row per contact.
+/// Writes the history of contacts: one array per history quantity, with one row per contact.
 template <int Dim>
 void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   for (const HistoryQuantity& q : quantities_of(packing)) {
@@ -175,7 +184,7 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// Array that files of version 1 contain under every law.
+/// Array of contact history that state files of version 1 contain whatever the contact law.
 struct Version1Name {
   const char* name;
   HistoryKind kind;
@@ -191,8 +200,8 @@ bool remembers(const Packing<Dim>& packing, const std::string& name) {
                      [&](const HistoryQuantity& q) { return name == q.declared.name; });
 }
 
-/// Writes the history also under the names of version 1, for scripts that read these; zeros if the law has no such
-/// history.
+/// Writes the contact history also under the names of version 1 of the file format, for scripts that read these names.
+/// The arrays are zero if the law has no such history.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   for (const Version1Name& known : kVersion1Names) {
@@ -215,12 +224,14 @@ void check_version_1_names(const Hdf5Reader& file, ReadingArchive& archive, cons
          archive.take<double>({path.c_str(), known.quantity, ""},
                               shape_of(packing.contacts.size(), n_components(known.kind, Dim))))
       if (value != 0.0)
-        throw InputError(file.place(path),
-                         fmt::format("holds {}, expected zeros: the law remembers nothing of the kind", value));
+        throw InputError(
+            file.place(path),
+            fmt::format("the dataset holds {}, expected zeros: the contact law has no such history", value));
   }
 }
 
-/// Reads the history of contacts. @param version  in version 1 the arrays are in the group of the contacts itself
+/// Reads the history of contacts. @param version  version of the file; in version 1 the arrays are in the group
+/// `contacts`, in later versions in `contacts/memory`
 template <int Dim>
 void read_memory(ReadingArchive& archive, std::int64_t version, Packing<Dim>& packing) {
   for (const HistoryQuantity& q : quantities_of(packing)) {
@@ -241,12 +252,14 @@ void check_features(const Hdf5Reader& file) {
     if (std::find(kKnownFeatures.begin(), kKnownFeatures.end(), name) == kKnownFeatures.end())
       throw InputError(
           file.place("/"),
-          fmt::format("features = \"{}\": this floc does not know {}, so it would misread the state; "
-                      "it knows {}",
-                      features, name, fmt::join(kKnownFeatures, ", ")));
+          fmt::format(
+              "features = \"{}\": this version of floc does not know {}, so it would misread the state; "
+              "it knows {}",
+              features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
-/// Returns the names of the features of a state, separated by blanks.
+/// Returns the names of the optional groups (features) of a state, separated by blanks. @param remembers  whether the
+/// contacts have a history
 template <int Dim>
 std::string features_of(const Packing<Dim>& packing, bool remembers) {
   std::string features = remembers ? kContactMemory : "";
@@ -254,8 +267,8 @@ std::string features_of(const Packing<Dim>& packing, bool remembers) {
   return features.empty() ? kNoFeatures : features;
 }
 
-/// Describes the boundary of each axis by one word, "periodic" or "walls"; a packing without walls has one word for
-/// all.
+/// Describes the boundary of each axis by one word, "periodic" or "walls", for example "walls periodic". The text is
+/// one word, "periodic", for a packing without walls.
 template <int Dim>
 std::string boundary_of(const Packing<Dim>& packing) {
   if (packing.walls.empty()) return "periodic";
@@ -283,7 +296,7 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
 
   WritingArchive archive(file, s.units, Dim);
   describe_cell(archive, s.packing.cell);
-  // The identifiers of the layout are the indices; identifiers of an imported file are stored in grains/imported_id.
+  // The array grains/id contains the indices; identifiers from a file of another program are in grains/imported_id.
   std::vector<std::int32_t> id(s.packing.grains.size());
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
   archive.put(kId, {id.size()}, id);
@@ -308,23 +321,25 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   throw InputError(file.place(path), fmt::format("entry {} is {}", entry, what));
 }
 
-/// Largest number of rows, and largest image in cells: larger numbers do not fit the indices and images, which are
-/// ints.
+/// Largest number of rows of an array, and largest image (number of cells). Larger numbers may not fit an int, the type
+/// of indices and images.
 constexpr std::uint64_t kMaxRows = 1'000'000'000;
 constexpr int kFarthestImage = 1'000'000'000;
 
 std::uint64_t counted_rows(const Hdf5Reader& file, const char* path) {
   const std::uint64_t n = file.n_rows(path);
   if (n > kMaxRows)
-    throw InputError(file.place(path), fmt::format("has {} rows, expected at most {}", n, kMaxRows));
+    throw InputError(file.place(path),
+                     fmt::format("the dataset has {} rows, expected at most {}", n, kMaxRows));
   return n;
 }
 
-/// Checks the cell, identifiers, radii and masses, beyond the test that numbers are finite.
+/// Checks that the cell has a volume, that identifiers are the indices, and that radii and masses are positive. The
+/// archive has already checked that all numbers are finite.
 template <int Dim>
 void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std::vector<std::int32_t>& id) {
   if (!(packing.cell.volume() > 0.0)) throw InputError(file.place("cell/matrix"), "the cell has no volume");
-  if (id.empty()) throw InputError(file.place("grains/radius"), "holds no grains");
+  if (id.empty()) throw InputError(file.place("grains/radius"), "the dataset holds no grains");
   for (std::size_t i = 0; i < id.size(); ++i) {
     if (id[i] != static_cast<std::int32_t>(i))
       refuse(file, "grains/id", i, fmt::format("{}, expected {}", id[i], i));
@@ -335,7 +350,7 @@ void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std
   }
 }
 
-/// Checks that identifiers of another program are unique.
+/// Checks that the identifiers of the grains in another program are unique.
 template <int Dim>
 void check_names(const Hdf5Reader& file, const Grains<Dim>& grains) {
   std::vector<std::pair<std::int64_t, std::size_t>> sorted;
@@ -344,7 +359,7 @@ void check_names(const Hdf5Reader& file, const Grains<Dim>& grains) {
   for (std::size_t k = 1; k < sorted.size(); ++k)
     if (sorted[k].first == sorted[k - 1].first)
       refuse(file, "grains/imported_id", sorted[k].second,
-             fmt::format("{}, as is entry {}: expected a number of its own for each grain", sorted[k].first,
+             fmt::format("{}, as is entry {}: expected a different number for each grain", sorted[k].first,
                          sorted[k - 1].second));
 }
 
@@ -368,7 +383,8 @@ void check_contacts(const Hdf5Reader& file, const Packing<Dim>& packing) {
   }
 }
 
-/// Checks the attributes that describe the content of the file for other readers against this content.
+/// Checks that the attributes `scene_sha256`, `features` and `boundary`, which describe the content of the file for
+/// other programs, agree with this content.
 template <int Dim>
 void check_descriptions(const Hdf5Reader& file, std::int64_t version, const State<Dim>& s) {
   const auto require = [&file](const char* group, const char* name, const std::string& expected) {
@@ -376,7 +392,7 @@ void check_descriptions(const Hdf5Reader& file, std::int64_t version, const Stat
     if (!file.has_attribute(group, name)) return;
     file.attribute(group, name, recorded);
     if (recorded != expected)
-      throw InputError(file.place(group), fmt::format("{} = \"{}\", expected \"{}\" for what the file holds",
+      throw InputError(file.place(group), fmt::format("{} = \"{}\", expected \"{}\", which describes this file",
                                                       name, recorded, expected));
   };
   require("provenance", "scene_sha256", sha256(s.scene));
@@ -405,7 +421,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   set_arms(packing);
   packing.law = read_law(file, Dim);
   if (packing.law.has_twisting()) describe_twisting(archive, packing.contacts);
-  // A packing stopped in its motion may pass through overlaps that it could not keep, so a checkpoint is not tested.
+  // The overlaps of a checkpoint are not checked: a packing in motion may have larger overlaps for a short time.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);
   check_version_1_names(file, archive, packing);
@@ -434,7 +450,8 @@ Header read_header(const Hdf5Reader& file) {
   if (version > kStateVersion)
     throw InputError(
         file.place("/"),
-        fmt::format("version = {}: written by a newer floc; this one reads up to {}", version, kStateVersion));
+        fmt::format("version = {}: the file was written by a newer floc; this floc reads versions up to {}",
+                    version, kStateVersion));
   if (version < 1) throw InputError(file.place("/"), fmt::format("version = {}, expected 1 or more", version));
   // Files of version 1 have no attribute `features`; none of the features existed then.
   if (version >= 2) check_features(file);
@@ -453,15 +470,15 @@ Header read_header(const Hdf5Reader& file) {
   return header;
 }
 
-/// Returns the result of `read`, called with the content of a file and its header. @param path  name of the file in
-/// messages
+/// Opens a state file, reads its header, and returns the result of `read(file, header)`.
+/// @param path  name of the file in messages   @param content_path  path under which the file is opened
 template <class Read>
 auto read_content(const std::string& path, const std::string& content_path, const Read& read) {
   try {
     const Hdf5Reader file(path, content_path);
     return read(file, read_header(file));
   } catch (const Hdf5Failure& e) {
-    throw InputError(path, fmt::format("is damaged although its checksum is right: {}", e.what()));
+    throw InputError(path, fmt::format("the file is damaged although its checksum is right: {}", e.what()));
   }
 }
 
@@ -504,10 +521,11 @@ std::string read_progress(const std::string& path) {
     if (header.version < 2)
       throw InputError(
           file.place("progress"),
-          fmt::format("is a checkpoint in version {} of the file format, which holds less than this floc needs "
-                      "to continue inside a step: finish the step with the floc that wrote it, or remove the "
-                      "checkpoint to continue from the last equilibrium saved",
-                      header.version));
+          fmt::format(
+              "the checkpoint has version {} of the file format, which lacks data that this floc needs to "
+              "continue within a step: finish the step with the version of floc that wrote the checkpoint, or "
+              "remove the checkpoint to continue from the last equilibrium saved",
+              header.version));
     return file.text("progress");
   });
 }

@@ -26,30 +26,32 @@ enum class Quantity {
   ratio,
 };
 
-/// One array of a state file: its path in the file, its quantity, and its convention in words.
+/// One array of a state file: its path in the file, its physical quantity, and a description of its meaning and sign.
 struct Field {
   const char* path;
   Quantity quantity;
   const char* meaning;
 };
 
-/// Describe the arrays of a state file, once for writing and reading. `Archive` has rows(field, items, get) for one
-/// member of each item, column(field, values) for an array of its own, column_if_there(field, values, size) for an
-/// array that is omitted from a file if it is empty, matrix(field, m) and vector(field, v).
+/// Writes or reads the cell of a state file, depending on the archive (WritingArchive, ReadingArchive). This function
+/// and the other functions describe_...() therefore define the layout of the file once for writing and reading. They
+/// call rows(field, items, get) for an array with one member of each item, column(field, values) for an array that is
+/// stored as it is, column_if_there(field, values, size) for an array that the file omits if it is empty, and
+/// matrix(field, m) for a matrix.
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);
-  archive.matrix({"cell/velocity", Quantity::velocity, "time derivative of matrix"}, cell.velocity);
+  archive.matrix({"cell/velocity", Quantity::velocity, "time derivative of cell/matrix"}, cell.velocity);
 }
 
 template <int Dim, class Archive, class Grains>
 void describe_grains(Archive& archive, Grains& g) {
   using enum Quantity;
-  archive.column({"grains/position", length, "centre"}, g.position);
+  archive.column({"grains/position", length, "centre of the grain"}, g.position);
   archive.column_if_there(
-      {"grains/position_low", length, "what the centre lies beside position; absent: nothing"}, g.position_low,
-      g.position.size());
-  archive.column({"grains/velocity", velocity, "peculiar: without the affine part of the cell's motion"},
+      {"grains/position_low", length, "centre minus position, below the precision of position; absent: zero"},
+      g.position_low, g.position.size());
+  archive.column({"grains/velocity", velocity, "peculiar velocity: without the affine motion of the cell"},
                  g.velocity);
   archive.column({"grains/radius", length, ""}, g.radius);
   archive.column({"grains/mass", mass, ""}, g.mass);
@@ -59,7 +61,7 @@ void describe_grains(Archive& archive, Grains& g) {
     archive.column({"grains/orientation", ratio, "unit quaternion w, x, y, z"}, g.orientation);
   archive.column({"grains/angular_velocity", spin, ""}, g.angular_velocity);
   archive.column_if_there(
-      {"grains/imported_id", count, "by which messages and tables name the grain; absent: the index"}, g.id,
+      {"grains/imported_id", count, "identifier of the grain in messages and tables; absent: the index"}, g.id,
       g.radius.size());
 }
 
@@ -68,17 +70,21 @@ void describe_walls(Archive& archive, Walls& walls) {
   using enum Quantity;
   const auto rows = [&](const Field& field, auto get) { archive.rows(field, walls, get); };
   rows(
-      {"walls/axis", count, "of the normal, 0 the first"}, [](auto& w) -> auto& { return w.axis; });
+      {"walls/axis", count, "axis of the normal of the wall; 0: the first axis"},
+      [](auto& w) -> auto& { return w.axis; });
   rows(
-      {"walls/side", count, "1: grains lie below it on the axis, -1: above"},
+      {"walls/side", count, "1: grains lie below the wall on its axis, -1: above"},
       [](auto& w) -> auto& { return w.side; });
   rows(
-      {"walls/position", length, "on the axis"}, [](auto& w) -> auto& { return w.position; });
+      {"walls/position", length, "position of the wall on its axis"},
+      [](auto& w) -> auto& { return w.position; });
   rows(
-      {"walls/velocity", velocity, "along the axis"}, [](auto& w) -> auto& { return w.velocity; });
+      {"walls/velocity", velocity, "velocity of the wall along its axis"},
+      [](auto& w) -> auto& { return w.velocity; });
 }
 
-/// Describes the arrays that contacts have under every law; flags and springs that a law lacks are zero.
+/// Writes or reads the arrays that contacts have under every contact law. Arrays of flags, forces and stiffnesses that
+/// a law does not have are zero.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;
@@ -92,18 +98,18 @@ void describe_contacts(Archive& archive, Contacts& contacts) {
       {"contacts/image", count, "branch = position[id2] + image * cell/matrix - position[id1]"},
       [](auto& c) -> auto& { return c.image; });
   rows(
-      {"contacts/key", count, "tells several contacts of one pair and image apart"},
+      {"contacts/key", count, "distinguishes several contacts of the same pair and image"},
       [](auto& c) -> auto& { return c.key; });
   rows(
-      {"contacts/gap", length, "distance of the surfaces, negative: overlap"},
+      {"contacts/gap", length, "distance between the surfaces; negative: overlap"},
       [](auto& c) -> auto& { return c.gap; });
   rows(
       {"contacts/normal", direction, "unit vector from id1 to id2"}, [](auto& c) -> auto& { return c.normal; });
   rows(
-      {"contacts/normal_force", force, "static, positive in compression: on id2 along normal"},
+      {"contacts/normal_force", force, "static normal force on id2 along normal, positive in compression"},
       [](auto& c) -> auto& { return c.normal_force; });
   rows(
-      {"contacts/elastic_force", force, "elastic part of normal_force"},
+      {"contacts/elastic_force", force, "elastic part of normal_force, without adhesion"},
       [](auto& c) -> auto& { return c.elastic_force; });
   rows(
       {"contacts/shear_force", force, "tangential force on id1"},
@@ -112,22 +118,23 @@ void describe_contacts(Archive& archive, Contacts& contacts) {
       {"contacts/rolling_moment", moment, "moment of the rolling spring on id1"},
       [](auto& c) -> auto& { return c.rolling_moment; });
   rows(
-      {"contacts/kn", stiffness, "along the normal"}, [](auto& c) -> auto& { return c.kn; });
+      {"contacts/kn", stiffness, "normal stiffness"}, [](auto& c) -> auto& { return c.kn; });
   rows(
-      {"contacts/kt", stiffness, "across the normal"}, [](auto& c) -> auto& { return c.kt; });
+      {"contacts/kt", stiffness, "tangential stiffness"}, [](auto& c) -> auto& { return c.kt; });
   rows(
-      {"contacts/kr", rolling_stiffness, "against relative rotation"}, [](auto& c) -> auto& { return c.kr; });
+      {"contacts/kr", rolling_stiffness, "rolling stiffness"}, [](auto& c) -> auto& { return c.kr; });
   rows(
-      {"contacts/sliding", flag, "the tangential spring is at its cap"},
+      {"contacts/sliding", flag, "1: the tangential force is at its limit"},
       [](auto& c) -> auto& { return c.sliding; });
   rows(
-      {"contacts/rolling_yield", flag, "the rolling spring is at its cap"},
+      {"contacts/rolling_yield", flag, "1: the rolling moment is at its limit"},
       [](auto& c) -> auto& { return c.rolling_yield; });
   rows(
-      {"contacts/distant", flag, "attraction across a gap"}, [](auto& c) -> auto& { return c.distant; });
+      {"contacts/distant", flag, "1: the surfaces attract each other across a gap"},
+      [](auto& c) -> auto& { return c.distant; });
 }
 
-/// Describes the arrays that contacts have in addition under a law with resistance to twisting.
+/// Writes or reads the additional arrays that contacts have under a contact law with resistance to twisting.
 template <class Archive, class Contacts>
 void describe_twisting(Archive& archive, Contacts& contacts) {
   using enum Quantity;
@@ -136,14 +143,15 @@ void describe_twisting(Archive& archive, Contacts& contacts) {
       {"contacts/twisting_moment", moment, "moment of the twisting spring on id1 about the normal"},
       [](auto& c) -> auto& { return c.twisting_moment; });
   rows(
-      {"contacts/ktw", rolling_stiffness, "against relative rotation about the normal"},
+      {"contacts/ktw", rolling_stiffness,
+       "twisting stiffness, against relative rotation of the grains about the normal"},
       [](auto& c) -> auto& { return c.ktw; });
   rows(
-      {"contacts/twisting_yield", flag, "the twisting spring is at its cap"},
+      {"contacts/twisting_yield", flag, "1: the twisting moment is at its limit"},
       [](auto& c) -> auto& { return c.twisting_yield; });
 }
 
-/// Describes the attributes of a state file by calls archive.value(group, name, variable).
+/// Writes or reads the attributes of a state file by calls archive.value(group, name, variable).
 template <class Archive, class State>
 void describe_attributes(Archive& archive, State& s) {
   archive.value("equilibrium", "worst_force_grain", s.residuals.worst_force_grain);

@@ -16,10 +16,12 @@ namespace {
 
 const std::string kWallLaw = "wall_law";
 
-constexpr Field kWallMass = {"walls/mass", Quantity::mass, "0: it moves at its velocity whatever pushes it"};
-constexpr Field kWallForce = {"walls/force", Quantity::force, "static normal force of the grains, outwards"};
+constexpr Field kWallMass = {"walls/mass", Quantity::mass, "mass of the wall; 0: its velocity is prescribed"};
+constexpr Field kWallForce = {"walls/force", Quantity::force,
+                              "static normal force of the grains on the wall, positive outwards"};
 
-/// @throws InputError unless walls come in pairs across an axis, the lower wall first, with ascending axes
+/// Checks the walls of a state. @throws InputError unless each axis with walls has two, the lower wall first, the axes
+/// are in ascending order, and the distance of the two walls is the side of the cell
 template <int Dim>
 void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
   const std::vector<Wall<Dim>>& walls = packing.walls;
@@ -28,28 +30,29 @@ void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
     const auto refuse = [&](const char* path, const std::string& what) {
       throw InputError(file.place(path), fmt::format("entry {} is {}", w, what));
     };
-    // Walls of odd index are the upper ones of a pair; they are compared with the wall before them.
+    // A wall with an odd index is the upper wall of a pair; it is compared with the lower wall, which precedes it.
     const bool lower = w % 2 == 0;
     if (walls[w].axis < next_axis || walls[w].axis >= Dim || (!lower && walls[w].axis != walls[w - 1].axis))
-      refuse("walls/axis", fmt::format("{}, expected two walls of an axis from 0 to {}, axes ascending",
-                                       walls[w].axis, Dim - 1));
+      refuse("walls/axis",
+             fmt::format("{}, expected two walls for an axis from 0 to {}, with the axes in ascending order",
+                         walls[w].axis, Dim - 1));
     if (walls[w].side != (lower ? -1 : 1))
       refuse("walls/side", fmt::format("{}, expected -1 and 1 for the two walls of an axis", walls[w].side));
     if (walls[w].mass < 0.0) refuse("walls/mass", fmt::format("{}, expected 0 or more", walls[w].mass));
     if (lower) continue;
     next_axis = walls[w].axis + 1;
-    // The cell of a box ends at its walls; the positions may differ from it by rounding only.
+    // Between walls the side of the cell is the distance of the walls; the two may differ by rounding only.
     const double distance = walls[w].position - walls[w - 1].position;
     const double side = packing.cell.matrix(walls[w].axis, walls[w].axis);
     if (!packing.cell.rectangular() || !(distance > 0.0) || !(std::abs(distance / side - 1.0) < 1e-9))
       refuse("walls/position",
-             fmt::format("{:.6g} beyond the wall opposite, expected the side of a rectangular cell, "
+             fmt::format("{:.6g} above the opposite wall, expected the side of a rectangular cell, "
                          "{:.6g}",
                          distance, side));
   }
   if (walls.size() % 2 != 0)
     throw InputError(file.place("walls/axis"),
-                     fmt::format("has {} walls, expected two for each axis", walls.size()));
+                     fmt::format("the file has {} walls, expected two for each axis", walls.size()));
 }
 
 }  // namespace
@@ -72,7 +75,8 @@ void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) 
   Packing<Dim>& packing = s.packing;
   const std::uint64_t n = file.n_rows("walls/axis");
   if (n > 2 * Dim)
-    throw InputError(file.place("walls/axis"), fmt::format("has {} walls, expected at most {}", n, 2 * Dim));
+    throw InputError(file.place("walls/axis"),
+                     fmt::format("the file has {} walls, expected at most {}", n, 2 * Dim));
   packing.walls.assign(n, Wall<Dim>{});
   describe_walls<Dim>(archive, packing.walls);
   const auto mass = archive.take<double>(kWallMass, {n});

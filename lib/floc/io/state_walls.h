@@ -4,15 +4,16 @@
 #include "floc/io/state_archive.h"
 #include "floc/packing/state.h"
 
-/// The walls in a state file: group `walls` (docs/states.md).
+/// Writing and reading of the walls of a packing, which are the group `walls` of a state file (docs/states.md).
 namespace floc {
 
-/// Writes the walls, the law of their contacts, and their load. Writes nothing for a packing without walls.
+/// Writes the walls, the forces on them, and the contact law between grains and walls. Writes nothing for a packing
+/// without walls.
 template <int Dim>
 void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& state);
 
-/// Reads the walls into the packing of a state whose cell has been read.
-/// @throws InputError unless the walls come in pairs across an axis of a rectangular cell, one side of the cell apart
+/// Reads the walls into the packing of a state. @pre the cell of the packing has been read
+/// @throws InputError unless each axis with walls has two, whose distance is the side of the rectangular cell
 template <int Dim>
 void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 

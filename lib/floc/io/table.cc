@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Returns a value as text; empty if undefined. @param number  format of a real number
+/// Returns a value as text; empty if the value is undefined. @param number  format string for a real number
 std::string to_text(const TableValue& value, const char* number) {
   return std::visit(
       [number](const auto& v) -> std::string {

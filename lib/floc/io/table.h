@@ -14,18 +14,19 @@ enum class TableFormat { table, csv, json };
 /// One value of a table. monostate is an undefined value (empty in csv, null in json, "-" in a table).
 using TableValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
 
-/// Returns a value of a table; it is undefined for a missing number or an empty text.
+/// Converts an optional number or a text to a value of a table. A missing number or an empty text becomes undefined.
 TableValue or_undefined(const std::optional<double>& number);
 TableValue or_undefined(const std::string& text);
 
-/// Rows of named values, as commands print them.
+/// Table with named columns, as commands print it.
 struct Table {
   std::vector<std::string> columns;
-  std::vector<std::vector<TableValue>> rows;  ///< each as long as `columns`
+  std::vector<std::vector<TableValue>> rows;  ///< each row has one value per column
 };
 
-/// Prints a table. csv: the first line holds only the column names, and numbers round-trip. json: an array of
-/// objects. table: aligned columns with 6 significant digits. A number that is not finite is undefined.
+/// Prints a table. csv: the first line contains the names of the columns, and numbers have all digits needed to read
+/// them back exactly. json: an array with one object per row. table: aligned columns with 6 significant digits. A
+/// number that is not finite is printed as undefined.
 void write_table(std::ostream& out, const Table& table, TableFormat format);
 
 }  // namespace floc

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Quantity that a unit measures, and its size in SI.
+/// Unit of a physical quantity: name of the quantity, and size of the unit in SI units.
 struct KnownUnit {
   std::string_view measures;
   double size;
@@ -66,7 +66,7 @@ constexpr auto kPrefixes = std::to_array<std::pair<std::string_view, double>>({{
                                                                                {"n", 1e-9},
                                                                                {"p", 1e-12}});
 
-/// Spellings of pressures that do not follow the SI but are unambiguous.
+/// Returns the correct SI name of a unit of pressure for common wrong spellings, and any other text unchanged.
 std::string respelled(const std::string& text) {
   if (text == "pa" || text == "PA") return "Pa";
   if (text == "kpa" || text == "KPa" || text == "Kpa" || text == "KPA") return "kPa";
@@ -105,9 +105,10 @@ double unit_factor(const std::string& place, const std::string& unit, const std:
   const auto from = unit_of(unit), to = unit_of(wanted);
   if (!from || !to || from->measures != to->measures)
     throw InputError(
-        place, fmt::format("has {}, and {} has {}: expected units of one kind that are known, such as kPa "
-                           "and Pa, or the same in both",
-                           named(unit), other, named(wanted)));
+        place,
+        fmt::format("found {} here, but {} has {}: expected two known units of one quantity, such as kPa "
+                    "and Pa, or the same unit in both",
+                    named(unit), other, named(wanted)));
   return from->size / to->size;
 }
 

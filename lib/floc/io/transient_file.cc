@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Names of the existing transient files; null for a free entry. A program has few at a time. A file without a free
-/// entry is removed at the end of its scope only, not by a signal.
+/// Names of the existing transient files; null for a free entry. A program has few transient files at a time. If there
+/// is no free entry for a file, a signal does not remove this file, only the end of its scope does.
 std::array<std::atomic<const char*>, 64> g_names{};
 
 void register_name(const char* name) {
@@ -24,7 +24,7 @@ void forget_name(const char* name) {
     if (const char* expected = name; place.compare_exchange_strong(expected, nullptr)) return;
 }
 
-/// Removes all transient files and ends the program. Only async-signal-safe functions are called here.
+/// Signal handler: removes all transient files and ends the program. It calls only async-signal-safe functions.
 void remove_all(int signal) {
   for (const std::atomic<const char*>& place : g_names)
     if (const char* name = place.load()) ::unlink(name);

@@ -4,17 +4,18 @@
 
 namespace floc {
 
-/// A file that is removed at the end of the scope, or when a signal ends the program, unless it is kept.
+/// A file that is removed at the end of the scope of this object, or when a signal ends the program, unless keep() has
+/// been called.
 class TransientFile {
  public:
-  /// @param path  file that exists or will be made
+  /// @param path  file that exists or will be created
   explicit TransientFile(std::string path);
   ~TransientFile();
   TransientFile(const TransientFile&) = delete;
   TransientFile& operator=(const TransientFile&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Keeps the file: it is no longer removed.
+  /// Keeps the file: it will not be removed.
   void keep();
 
  private:
@@ -22,8 +23,8 @@ class TransientFile {
   bool kept_ = false;
 };
 
-/// Installs handlers by which SIGINT, SIGTERM and SIGHUP remove transient files before they end the program. A signal
-/// that the caller ignores stays ignored.
+/// Installs signal handlers that remove transient files before SIGINT, SIGTERM or SIGHUP ends the program. A signal
+/// that the program ignores stays ignored.
 void remove_transient_files_on_signals();
 
 }  // namespace floc

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Decodes base64 text up to the first character that is not base64. Padding may occur inside, because VTK encodes
-/// the length of a block and its data one after the other.
+/// Decodes base64 text up to the first character that is not base64. Padding (=) may occur within the text, because VTK
+/// encodes the length of a block and its data separately.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -35,7 +35,7 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// Returns the numbers of type T in `bytes`, as doubles.
+/// Returns the numbers of type T in `bytes`, converted to double.
 template <class T>
 std::vector<double> convert(std::string_view bytes) {
   std::vector<double> values(bytes.size() / sizeof(T));
@@ -68,16 +68,16 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
     const std::string_view token = text.substr(at, end - at);
     const auto value = parse_number<double>(token);
     if (!value)
-      throw InputError(place,
-                       fmt::format("\"{}\", expected a finite number{}", token, decimal_comma_hint(token)));
+      throw InputError(place, fmt::format("an entry is \"{}\", expected a finite number{}", token,
+                                          decimal_comma_hint(token)));
     values.push_back(*value);
     at = text.find_first_not_of(kSpace, end);
   }
   return values;
 }
 
-/// Returns an upper limit of the number of base64 characters of a block. Its length comes first, encoded on its own
-/// or together with the data.
+/// Returns an upper limit of the number of base64 characters of the block at the beginning of `text`. A block begins
+/// with its length, which is encoded separately or together with the data.
 std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
   std::uint64_t length = 0;
@@ -85,13 +85,14 @@ std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   return length > text.size() ? text.size() : 12 + 4 * (length / 3 + 2);
 }
 
-/// Returns the payload of a block, which consists of its length in bytes, an integer of `header_size` bytes, and the
-/// payload.
+/// Returns the data of a block. A block consists of a header of `header_size` bytes, which contains the length of the
+/// data in bytes, and the data.
 std::string_view payload(const std::string& place, std::string_view block, std::size_t header_size) {
   std::uint64_t length = 0;
   if (block.size() >= header_size) std::memcpy(&length, block.data(), header_size);
   if (block.size() < header_size || length > block.size() - header_size)
-    throw InputError(place, fmt::format("is damaged: {} bytes where its header says {}", block.size(), length));
+    throw InputError(place, fmt::format("the array is damaged: it has {} bytes, but its header says {}",
+                                        block.size(), length));
   return block.substr(header_size, length);
 }
 
@@ -100,7 +101,7 @@ std::string_view payload(const std::string& place, std::string_view block, std::
 struct VtkArrays::Document {
   std::string path;
   pugi::xml_document xml;
-  std::string appended;  ///< appended data after the underscore
+  std::string appended;  ///< content of the element AppendedData, after its underscore
   bool appended_raw = false;
   std::size_t header_size = 4;
 
@@ -123,26 +124,27 @@ VtkArrays::VtkArrays(const std::string& path, const std::string& content) : docu
     const std::size_t end = content.rfind("</AppendedData>");
     const std::size_t mark = content.find('_', content.find('>', begin));
     if (end == std::string::npos || mark == std::string::npos || mark > end)
-      throw InputError(path, "its AppendedData has no end");
+      throw InputError(path, "the element AppendedData of the file has no end");
     d.appended_raw = content.substr(begin, mark - begin).find("\"raw\"") != std::string::npos;
     d.appended = content.substr(mark + 1, end - mark - 1);
     text = content.substr(0, begin) + content.substr(end + std::strlen("</AppendedData>"));
   }
   const pugi::xml_parse_result parsed = d.xml.load_buffer(text.data(), text.size());
   if (!parsed)
-    throw InputError(path, fmt::format("is not XML: {} at byte {}", parsed.description(), parsed.offset));
+    throw InputError(path,
+                     fmt::format("the file is not XML: {} at byte {}", parsed.description(), parsed.offset));
   const pugi::xml_node file = d.xml.child("VTKFile");
-  if (!d.grid()) throw InputError(path, "is not a VTKFile with an UnstructuredGrid");
+  if (!d.grid()) throw InputError(path, "the file is not a VTKFile with an UnstructuredGrid");
   if (std::strcmp(file.attribute("byte_order").as_string("LittleEndian"), "LittleEndian") != 0)
     throw InputError(path, "byte_order = BigEndian, expected LittleEndian");
   if (file.attribute("compressor"))
-    throw InputError(path, fmt::format("is compressed ({}): save it without compression",
+    throw InputError(path, fmt::format("the file is compressed ({}): save it without compression",
                                        file.attribute("compressor").as_string()));
   d.header_size = std::strcmp(file.attribute("header_type").as_string("UInt32"), "UInt64") == 0 ? 8 : 4;
   const auto pieces = d.grid().children("Piece");
   if (std::distance(pieces.begin(), pieces.end()) != 1)
-    throw InputError(path,
-                     fmt::format("has {} pieces, expected one", std::distance(pieces.begin(), pieces.end())));
+    throw InputError(
+        path, fmt::format("the file has {} pieces, expected one", std::distance(pieces.begin(), pieces.end())));
 }
 
 VtkArrays::~VtkArrays() = default;
@@ -170,12 +172,12 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   const Document& d = *document_;
   const pugi::xml_node array = d.array(section, name);
   const std::string here = place(section, name);
-  if (!array) throw InputError(here, "is missing");
-  // Several arrays of one name would be ambiguous; Points holds a single array, whatever its name.
+  if (!array) throw InputError(here, "the array is missing");
+  // Two arrays with the same name are an error. The section Points is not checked: it has one array of any name.
   for (pugi::xml_node next = array.next_sibling("DataArray"); next && section != "Points";
        next = next.next_sibling("DataArray"))
     if (name == next.attribute("Name").as_string())
-      throw InputError(here, "is there twice: rename or remove one of the two");
+      throw InputError(here, "the array occurs twice: rename or remove one of the two");
   const std::string format = array.attribute("format").as_string("ascii");
   const std::string type = array.attribute("type").as_string();
   const auto converter = converters().find(type);
@@ -189,7 +191,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
     if (offset > d.appended.size())
       throw InputError(here, fmt::format("offset = {} lies beyond the data", offset));
-    // The length of an appended array stands in the header of its block.
+    // The header of an appended block contains its length, so the end of the block need not be searched.
     block = std::string_view(d.appended).substr(offset);
     if (!d.appended_raw) block = decoded = from_base64(block.substr(0, encoded_size(block, d.header_size)));
   } else if (format == "binary") {
@@ -200,7 +202,8 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   std::vector<double> values = converter->second(payload(here, block, d.header_size));
   for (std::size_t k = 0; k < values.size(); ++k)
     if (!std::isfinite(values[k]))
-      throw InputError(here, fmt::format("number {} = {}, expected a finite number", k, values[k]));
+      throw InputError(here,
+                       fmt::format("number {} of the array is {}, expected a finite number", k, values[k]));
   return values;
 }
 

@@ -7,12 +7,13 @@
 
 namespace floc {
 
-/// Data arrays of a file in an XML format of VTK, uncompressed and little endian: ASCII, base64, or appended after
-/// the XML as base64 or raw bytes. The file holds one piece of an unstructured grid.
+/// Reads data arrays from a file in VTK's XML format that contains one piece of an unstructured grid. The arrays are
+/// little endian and not compressed. They are ASCII or base64 text within the XML, or base64 text or raw bytes that are
+/// appended after the XML.
 class VtkArrays {
  public:
-  /// Parses the XML of a file. @param path  its name in messages
-  /// @throws InputError naming the file if it is not such a file
+  /// Parses the XML of a file. @param path  name of the file in messages
+  /// @throws InputError naming the file if it is not an XML file of VTK with one piece of an unstructured grid
   VtkArrays(const std::string& path, const std::string& content);
   ~VtkArrays();
   VtkArrays(const VtkArrays&) = delete;
@@ -24,11 +25,12 @@ class VtkArrays {
   std::vector<std::string> names(const std::string& section) const;
   bool has(const std::string& section, const std::string& name) const;
 
-  /// Reads all numbers of an array. @param section  "Points" (any name), "PointData", "Cells" or "FieldData"
-  /// @throws InputError naming file and array: missing, damaged, or a number that is not finite
+  /// Reads all numbers of an array. @param section  "Points", "PointData", "Cells" or "FieldData"
+  /// @param name  name of the array; any text for the section Points, which has one array
+  /// @throws InputError naming file and array if the array is missing or damaged, or has a number that is not finite
   std::vector<double> read(const std::string& section, const std::string& name) const;
 
-  /// "file, array PointData/radius", for messages.
+  /// Returns the place of an array in messages: "file, array PointData/radius".
   std::string place(const std::string& section, const std::string& name) const;
 
  private:

@@ -23,7 +23,8 @@ namespace {
 constexpr int kVertex = 1;
 constexpr int kLine = 3;
 
-/// Returns the indices of the points that are grains: those of vertices, or all points without vertices.
+/// Returns the indices of the points that are grains: the points of the cells of type vertex or, if the file has no
+/// such cells, all points.
 std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_points) {
   std::vector<std::size_t> points;
   if (arrays.has("Cells", "types")) {
@@ -36,7 +37,8 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
       const bool listed = at >= 0.0 && at < static_cast<double>(connectivity.size());
       const double point = listed ? connectivity[static_cast<std::size_t>(at)] : -1.0;
       if (!(point >= 0.0 && point < static_cast<double>(n_points)))
-        throw InputError(arrays.place("Cells", "connectivity"), fmt::format("vertex {} is at no point", k));
+        throw InputError(arrays.place("Cells", "connectivity"),
+                         fmt::format("cell {} is a vertex, but its point does not exist", k));
       points.push_back(static_cast<std::size_t>(point));
     }
   }
@@ -45,7 +47,7 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
   return points;
 }
 
-/// One array of the points with one number per point.
+/// Array of point data with one number per point.
 class PointArray {
  public:
   PointArray(const VtkArrays& arrays, const std::string& name, std::size_t n_points)
@@ -53,8 +55,8 @@ class PointArray {
         before_number_(std::make_shared<const std::string>(place_ + ", point ")),
         values_(arrays.read("PointData", name)) {
     if (values_.size() != n_points)
-      throw InputError(
-          place_, fmt::format("has {} numbers, expected one for each of {} points", values_.size(), n_points));
+      throw InputError(place_, fmt::format("the array has {} numbers, expected one for each of {} points",
+                                           values_.size(), n_points));
   }
 
   std::string place(std::size_t point) const { return numbered_place(point).text(); }
@@ -62,11 +64,11 @@ class PointArray {
   double operator[](std::size_t point) const { return values_[point]; }
   std::int64_t whole(std::size_t point) const {
     if (const auto number = whole_number(values_[point])) return *number;
-    throw InputError(place(point), fmt::format("{}, expected a whole number", values_[point]));
+    throw InputError(place(point), fmt::format("the value is {}, expected a whole number", values_[point]));
   }
   double positive(std::size_t point) const {
     if (values_[point] > 0.0) return values_[point];
-    throw InputError(place(point), fmt::format("{}, must be positive", values_[point]));
+    throw InputError(place(point), fmt::format("the value is {}, must be positive", values_[point]));
   }
 
  private:
@@ -75,7 +77,8 @@ class PointArray {
   std::vector<double> values_;
 };
 
-/// Returns the name of the array for a name of floc, or "".
+/// Returns the name in the file of an array of point data, or an empty text if the file has no such array.
+/// @param names  names that floc accepts for this array, in order of preference; `options.columns` may rename them
 std::string find_array(const VtkArrays& arrays, const ImportOptions& options,
                        const std::vector<std::string>& names) {
   for (const std::string& name : names) {
@@ -90,16 +93,17 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
   const std::vector<double> x = arrays.read("Points", "");
   const std::size_t n_points = x.size() / 3;
   if (x.size() % 3 != 0 || static_cast<std::int64_t>(n_points) != arrays.n_points())
-    throw InputError(
-        arrays.place("Points", ""),
-        fmt::format("has {} numbers, expected three for each of {} points", x.size(), arrays.n_points()));
+    throw InputError(arrays.place("Points", ""),
+                     fmt::format("the array has {} numbers, expected three for each of {} points", x.size(),
+                                 arrays.n_points()));
   std::vector<std::pair<SizeColumn, PointArray>> sizes;
   for (const SizeColumn& size :
        size_columns([&](const std::string& name) { return arrays.has("PointData", name); }, options.columns))
     sizes.emplace_back(size, PointArray(arrays, find_array(arrays, options, {size.name}), n_points));
   if (sizes.empty())
-    throw InputError(path, fmt::format("has no point array radius or diameter; its point arrays are {}",
-                                       fmt::join(arrays.names("PointData"), ", ")));
+    throw InputError(path,
+                     fmt::format("the file has no point array radius or diameter; its point arrays are {}",
+                                 fmt::join(arrays.names("PointData"), ", ")));
   std::optional<PointArray> mass, id;
   if (const auto name = find_array(arrays, options, {"mass"}); !name.empty())
     mass.emplace(arrays, name, n_points);
@@ -121,29 +125,31 @@ std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arr
   return grains;
 }
 
-/// Reads cell, dimension and periodicity from the field arrays, as vtu_text() writes them.
+/// Reads cell, dimension and periodicity from the arrays "cell", "dimension" and "walls" of the section FieldData,
+/// which vtu_text() writes.
 ListedSpace space_of(const VtkArrays& arrays) {
   ListedSpace space;
   space.place = arrays.place("FieldData", "cell");
   if (!arrays.has("FieldData", "cell")) return space;
   const std::vector<double> numbers = arrays.read("FieldData", "cell");
   if (numbers.size() != 9)
-    throw InputError(space.place, fmt::format("has {} numbers, expected 9", numbers.size()));
+    throw InputError(space.place, fmt::format("the array has {} numbers, expected 9", numbers.size()));
   for (int a = 0; a < 3; ++a) space.cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + 3);
   if (arrays.has("FieldData", "dimension")) {
     const std::vector<double> dimension = arrays.read("FieldData", "dimension");
     if (dimension != std::vector<double>{2.0} && dimension != std::vector<double>{3.0})
       throw InputError(arrays.place("FieldData", "dimension"),
-                       fmt::format("is {}, expected 2 or 3", fmt::join(dimension, " ")));
+                       fmt::format("the dimension is {}, expected 2 or 3", fmt::join(dimension, " ")));
     space.dimension = static_cast<int>(dimension[0]);
     space.periodic = {true, true, true};
   }
   if (arrays.has("FieldData", "walls")) {
-    const std::vector<double> walls = arrays.read("FieldData", "walls");  // axis, side, position of each
+    const std::vector<double> walls =
+        arrays.read("FieldData", "walls");  // axis, side and position of each wall
     space.periodic = {true, true, true};
     for (std::size_t k = 0; k + 2 < walls.size(); k += 3)
       if (walls[k] >= 0.0 && walls[k] < 3.0) space.periodic[static_cast<std::size_t>(walls[k])] = false;
-    space.boundary = fmt::format("its field array walls has {} of them, expected none", walls.size() / 3);
+    space.boundary = fmt::format("the field array walls describes {} walls, expected none", walls.size() / 3);
   }
   return space;
 }
@@ -157,7 +163,8 @@ bool is_vtu(const std::string& path) {
 
 Imported read_vtu(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
-    throw InputError(path, fmt::format("index = {}, but it holds one packing", *options.index));
+    throw InputError(
+        path, fmt::format("index = {}, but the file holds one packing, with the index 0", *options.index));
   check_grain_columns("--columns", options.columns);
   const VtkArrays arrays(path, read_file(path));
   ListedPacking listed;
@@ -180,7 +187,7 @@ Eigen::Vector3d in_space(const Vec<Dim>& v) {
   return out;
 }
 
-/// Returns the numbers of one array as text.
+/// One array of a VTU file: type, name, number of components, and numbers as ASCII text.
 struct ArrayText {
   std::string type;
   std::string name;
@@ -203,7 +210,7 @@ void append(pugi::xml_node section, const ArrayText& array) {
   node.text().set(array.numbers.c_str());
 }
 
-/// Points and cells of the drawing of a packing.
+/// Points, cells and data of the VTU file of a packing: a point and a vertex for each grain, and lines for contacts.
 class Drawing {
  public:
   template <int Dim>
@@ -325,7 +332,7 @@ std::string vtu_text(const State<Dim>& state) {
   fields.last_child().append_attribute("NumberOfTuples") = 1;
   const Packing<Dim> packing = with_walls_at_cell(state.packing);
   if (!packing.walls.empty()) {
-    ArrayText walls{"Float64", "walls", 3, ""};  // axis, side, position
+    ArrayText walls{"Float64", "walls", 3, ""};  // axis, side and position of each wall
     for (const Wall<Dim>& wall : packing.walls)
       walls.add(Eigen::Vector3d(static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position));
     append(fields, walls);

@@ -17,14 +17,14 @@
 namespace floc {
 namespace {
 
-/// A text file of YADE: columns named in a comment, and a cell if a comment gives one.
+/// Table in a text file of YADE, and the periodic cell if a comment of the file gives it.
 struct YadeTable {
   CsvTable table;
   std::vector<std::vector<double>> cell;
   std::string cell_place;
 };
 
-/// Returns the tokens of a comment line; for "#format x_y_z_r" only the columns.
+/// Returns the words of a comment line. For "#format x_y_z_r", they are the names of the columns: x, y, z and r.
 std::vector<std::string> comment_tokens(std::string line) {
   line.erase(0, line.find_first_not_of("# \t"));
   if (line.starts_with("format ")) {
@@ -40,22 +40,22 @@ bool contains(const std::vector<std::string>& tokens, const std::string& token) 
 
 std::vector<std::vector<double>> parse_cell(const std::string& place, const std::vector<std::string>& tokens) {
   if (tokens.size() != 10)
-    throw InputError(
-        place, fmt::format("the cell has {} numbers, expected three vectors of three", tokens.size() - 1));
+    throw InputError(place, fmt::format("the cell has {} numbers, expected three vectors of three numbers",
+                                        tokens.size() - 1));
   std::vector<std::vector<double>> cell(3);
   for (std::size_t k = 0; k < 9; ++k) {
     const auto value = parse_number<double>(tokens[k + 1]);
     if (!value)
-      throw InputError(place, fmt::format("\"{}\", expected a finite number{}", tokens[k + 1],
+      throw InputError(place, fmt::format("the cell contains \"{}\", expected a finite number{}", tokens[k + 1],
                                           decimal_comma_hint(tokens[k + 1])));
     cell[k / 3].push_back(*value);
   }
   return cell;
 }
 
-/// Reads a table.
-/// @param mark     column that identifies the comment with the names of the columns
-/// @param columns  names of the columns if no comment gives them; empty if a comment is required
+/// Reads a text file of YADE.
+/// @param mark     name of a column; the comment line that contains it names all columns
+/// @param columns  names of the columns if no comment line names them; empty if a comment line is required
 YadeTable read_table(const std::string& path, const std::string& mark, std::vector<std::string> columns) {
   YadeTable result;
   std::istringstream in(read_text(path));
@@ -74,14 +74,15 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
         result.cell_place = fmt::format("{}:{}", path, number);
         result.cell = parse_cell(result.cell_place, tokens);
       } else if (!begun && contains(tokens, mark)) {
-        // A comment after the first row that holds this word is ordinary text.
+        // Comments that contain the word `mark` are not interpreted after the first row of the table.
         columns = tokens;
       }
       continue;
     }
     if (columns.empty())
-      throw InputError(fmt::format("{}:{}", path, number),
-                       fmt::format("no comment line before it names the columns, \"# ... {} ...\"", mark));
+      throw InputError(
+          fmt::format("{}:{}", path, number),
+          fmt::format("no comment line before this line names the columns, \"# ... {} ...\"", mark));
     if (!begun) result.table = CsvTable(path, columns);
     begun = true;
     result.table.add_row(number, tokenize(text));
@@ -90,7 +91,7 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
   return result;
 }
 
-/// Reverses the forces, because YADE gives those on the second body.
+/// Reads contacts from a table of interactions. YADE lists forces on the second body, so the forces are reversed.
 std::vector<ListedContact> read_interactions(const CsvTable& table, int dimension) {
   std::map<std::string, std::string> names;
   if (table.has("ks")) names["kt"] = "ks";
@@ -106,10 +107,12 @@ std::vector<ListedContact> read_interactions(const CsvTable& table, int dimensio
   return contacts;
 }
 
-/// Returns the law that the interactions share, as far as they agree.
+/// Returns a law with linear repulsion and Coulomb friction. Its stiffnesses are the means of kn and ks over the
+/// interactions; the coefficient of friction is tan_phi.
+/// @throws InputError if one of these columns is missing, or if tan_phi is not the same in all rows
 Law law_of(const CsvTable& table, const std::string& path) {
   if (!table.has("kn") || !table.has("ks") || !table.has("tan_phi") || table.n_rows() == 0)
-    throw InputError(path, "its interactions lack kn, ks and tan_phi: give --law");
+    throw InputError(path, "the interactions do not have all of the columns kn, ks and tan_phi: give --law");
   const auto mean = [&](const std::string& name) {
     double sum = 0.0;
     for (int row = 0; row < table.n_rows(); ++row) sum += table.number(row, table.column(name));
@@ -118,9 +121,10 @@ Law law_of(const CsvTable& table, const std::string& path) {
   const int friction = table.column("tan_phi");
   for (int row = 1; row < table.n_rows(); ++row)
     if (table.number(row, friction) != table.number(0, friction))
-      throw InputError(table.place(row),
-                       fmt::format("tan_phi = {}, but {} above: one law has one coefficient; give --law",
-                                   table.text(row, friction), table.text(0, friction)));
+      throw InputError(
+          table.place(row),
+          fmt::format("tan_phi = {}, but {} above: a contact law has one friction coefficient; give --law",
+                      table.text(row, friction), table.text(0, friction)));
   LawParameters law;
   law.normal = LinearRepulsion{mean("kn")};
   law.friction = CoulombFriction{table.number(0, friction), mean("ks")};
@@ -132,17 +136,17 @@ Law law_of(const CsvTable& table, const std::string& path) {
 void check_no_contact_columns(const ImportOptions& options) {
   if (!options.contact_columns.empty())
     throw InputError("--contact-columns",
-                     "interactions of YADE name their columns themselves; leave this option out");
+                     "the file of interactions of YADE names its columns itself; leave this option out");
 }
 
-/// Whether a file has rows without a line that names their columns.
+/// Whether a file begins with a number, so that it has no line with the names of the columns.
 bool begins_with_number(const std::string& path) {
   const std::string text = read_text(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
 }
 
-/// Returns the tokens of the first line, if it is a comment.
+/// Returns the words of the first line of a file if this line is a comment; otherwise nothing.
 std::vector<std::string> first_comment(const std::string& path) {
   if (!begins_with(path, "#")) return {};
   std::istringstream in(read_text(path));
@@ -172,7 +176,8 @@ bool is_yade_text(const std::string& path) {
 
 Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
-    throw InputError(path, fmt::format("index = {}, but it holds one packing", *options.index));
+    throw InputError(
+        path, fmt::format("index = {}, but the file holds one packing, with the index 0", *options.index));
   check_grain_columns("--columns", options.columns);
   if (options.contacts.empty()) check_no_contact_columns(options);
   const YadeTable spheres = read_table(path, "x", {"x", "y", "z", "r"});
@@ -181,7 +186,7 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   listed.units = options.units;
   listed.drop_tensile = options.drop_tensile;
   listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
-  ListedSpace space;  // YADE has a cell where it is periodic
+  ListedSpace space;  // YADE has a cell only if the packing is periodic
   space.place = spheres.cell_place;
   space.cell = spheres.cell;
   space.periodic = {true, true, true};
@@ -192,7 +197,8 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
                         : required_law(path, options);
   listed.contacts = read_contact_file(options, dimension);
   if (says_law)
-    listed.remarks.push_back("law with the mean stiffnesses of its contacts: " + law_text(listed.law));
+    listed.remarks.push_back("the contact law has the mean stiffnesses of the listed contacts: " +
+                             law_text(listed.law));
   Imported imported = assemble(listed);
   imported.law_of_contacts = says_law;
   return imported;

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Ratio of caps and adhesion to the largest force that they have to allow.
+/// Ratio of the limits of friction and rolling, and of the adhesion, to the largest force that they have to allow.
 constexpr double kMargin = 2.0;
 
 void set_moment(const RotationVector<2>& moment, Contact<2>& c) {
@@ -23,7 +23,7 @@ void set_moment(const RotationVector<3>& moment, Contact<3>& c) {
   c.rolling_moment = moment - c.twisting_moment * c.normal;
 }
 
-/// Whether some bond resists twisting.
+/// Returns whether some bond resists twisting.
 template <int Dim>
 bool twists(const BondedContacts<Dim>& bonds) {
   return std::any_of(bonds.begin(), bonds.end(), [](const BondedContact<Dim>& b) { return b.twists; });
@@ -50,7 +50,7 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
   law.adhesion = ConstantAdhesion{adhesion};
   if (kt > 0.0) law.friction = CoulombFriction{coefficient, kt / n};
   if (kt > 0.0 && kr > 0.0) law.rolling = RollingSpring{std::max(arm, std::sqrt(kr / kn)), kr / n};
-  // The moments of a lattice's own elements do not twist.
+  // The elements of a lattice do not resist twisting.
   if (Dim == 3 && law.rolling && twists(bonds))
     law.twisting = TwistingSpring{law.rolling.template get<RollingSpring>().coefficient, kr / n};
   return law;
@@ -60,8 +60,8 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
 
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing) {
-  /// Relative distance from a cap within which a contact counts as mobilised; the law keeps all contacts far
-  /// from theirs.
+  /// Relative distance from a limit of force within which a contact counts as mobilised; the law keeps all contacts far
+  /// from their limits.
   constexpr double kCapTolerance = 1e-9;
   packing.law = law_for(bonds);
   packing.contacts.clear();

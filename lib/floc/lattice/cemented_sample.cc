@@ -45,7 +45,8 @@ class Cementing {
     out_.n_bridges = static_cast<int>(pairs_.size());
     const double wanted = options.matrix_content * out_.lattice.cell.volume();
     if (wanted > 0.0) choose_nodes(options.matrix_content, nodes_by_width(options.matrix_content));
-    // Owners of the matrix, as far from the surfaces as it reaches.
+    // Each node of the matrix gets the grain with the nearest surface as its owner. The search distance is doubled
+    // until all nodes have one.
     for (double reach = 0.25 * out_.mean_diameter; without_owner(); reach *= 2.0) take_owners(reach);
     for (int k = 0; k < out_.lattice.n_nodes(); ++k)
       if (out_.phase[k] == Phase::none) out_.owner[k] = -1;
@@ -56,7 +57,8 @@ class Cementing {
 
  private:
   struct CoveredNode {
-    double width;  // smallest that covers it
+    double
+        width;  // smallest width of a bridge that covers the node, over R' (see CementedSample::bridge_width)
     int node;
   };
 
@@ -88,7 +90,8 @@ class Cementing {
     return volume / out_.lattice.cell.volume();
   }
 
-  /// Finds the nearest surface of each node that is inside a grain or no farther than `reach` from one.
+  /// Finds the grain with the nearest surface for each node that is inside a grain or no farther than `reach` from one
+  /// (length).
   void take_owners(double reach) {
     for (int i = 0; i < out_.grains.size(); ++i) {
       const double radius = out_.grains.radius[i];
@@ -109,7 +112,8 @@ class Cementing {
     return false;
   }
 
-  /// Smallest width of bridges that covers each node, none above `largest`.
+  /// Returns, for each node, the smallest width of a bridge that covers it, over R' (see CementedSample::bridge_width);
+  /// infinite if this width exceeds `largest`.
   std::vector<double> covering_widths(double largest) const {
     std::vector<double> width(out_.lattice.n_nodes(), kFar);
     for (const NeighborPair<Dim>& pair : pairs_) {
@@ -129,12 +133,13 @@ class Cementing {
     return width;
   }
 
-  /// Returns the nodes that bridges can cover, sorted by the width that covers them, until they have the
-  /// content wanted.
+  /// Returns the nodes that bridges can cover, sorted by the width that covers them, with at least the wanted content
+  /// of matrix. @param wanted  matrix content as a share of the volume
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;
     double reached = 0.0;
-    /// Bridges many times as wide as the grains: beyond it a node lies in no bridge.
+    /// Largest width of bridges that is tried, many times the size of the grains: a node that it does not cover lies in
+    /// no bridge.
     constexpr double kWidest = 64.0;
     for (double largest = 0.5; largest <= kWidest; largest *= 2.0) {
       const std::vector<double> width = covering_widths(largest);
@@ -146,16 +151,18 @@ class Cementing {
       if (reached >= wanted || reached >= 1.0 - out_.grain_content - 1e-12) break;
     }
     if (reached < wanted - 1e-12)
-      throw InputError("", fmt::format("matrix = {:.6g} cannot be reached: beside a grain content of {:.4g} "
-                                       "the bridges between {} pairs of neighbours can take {:.4g} at most",
-                                       wanted, out_.grain_content, out_.n_bridges, reached));
+      throw InputError("",
+                       fmt::format("matrix = {:.6g} cannot be reached: with a grain content of {:.4g}, "
+                                   "the bridges between {} pairs of neighbours can hold a matrix content of "
+                                   "{:.4g} at most",
+                                   wanted, out_.grain_content, out_.n_bridges, reached));
     std::sort(covered.begin(), covered.end(), [](const CoveredNode& a, const CoveredNode& b) {
       return a.width != b.width ? a.width < b.width : a.node < b.node;
     });
     return covered;
   }
 
-  /// Chooses the width of the bridges whose content comes nearest to the content wanted.
+  /// Chooses the width of the bridges for which the matrix content is nearest to the wanted one.
   void choose_nodes(double wanted, const std::vector<CoveredNode>& covered) {
     const double volume = wanted * out_.lattice.cell.volume();
     double taken = 0.0;
@@ -171,7 +178,8 @@ class Cementing {
   CementedSample<Dim> out_;
   NodeGrid<Dim> grid_;
   std::vector<NeighborPair<Dim>> pairs_;
-  std::vector<double> to_surface_;  // of each node to the nearest, negative inside (length)
+  // distance from each node to the nearest surface of a grain, negative inside (length)
+  std::vector<double> to_surface_;
 };
 
 }  // namespace
@@ -179,7 +187,7 @@ class Cementing {
 std::vector<std::string> CementOptions::validate() const {
   std::vector<std::string> faults;
   if (!kContent.holds(matrix_content))
-    faults.push_back(fmt::format("matrix = {}: must be a share of the volume, 0 to 1", matrix_content));
+    faults.push_back(fmt::format("matrix = {}: must be a share of the volume, from 0 to 1", matrix_content));
   if (!(bridge_gap >= 0.0) || !std::isfinite(bridge_gap))
     faults.push_back(fmt::format("bridge-gap = {}: must be >= 0 and finite", bridge_gap));
   return faults;

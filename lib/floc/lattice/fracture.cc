@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// The element that a growing load breaks first, and by which factor the load has to grow.
+/// Element that breaks first when the load increases, and the factor by which the load has to increase.
 struct Weakest {
   int element = -1;
   double factor = kNever;
@@ -19,7 +19,7 @@ struct Weakest {
 template <int Dim>
 Weakest weakest_of(const LatticeNetwork<Dim>& network, const LatticeSolution<Dim>& solution,
                    const ElementStrength& strength, const std::vector<bool>& gone) {
-  // Rounding of a solution is no tension.
+  // Tensions as small as the rounding error of the solution are ignored.
   double largest = 0.0;
   for (const double f : solution.normal_force) largest = std::max(largest, std::abs(f));
   const double least = 1e-9 * largest;
@@ -39,7 +39,7 @@ std::vector<std::string> ElementStrength::validate() const {
   std::vector<std::string> faults;
   for (int k = 0; k < kElementKinds; ++k)
     if (!(tension[k] > 0.0))
-      faults.push_back(fmt::format("strength of {} elements = {}: must be > 0",
+      faults.push_back(fmt::format("strength of elements of kind {} = {}: must be > 0",
                                    name_of(static_cast<ElementKind>(k)), tension[k]));
   return faults;
 }
@@ -59,7 +59,7 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
     const LatticeSolution<Dim> solution = solver.solve(load);
     if (!solution.report.holds || !solution.report.converged) {
       path.end = solution.report.holds ? "the solution has not converged"
-                                       : "what is left moves freely: nothing holds the load";
+                                       : "the remaining elements do not resist the load";
       break;
     }
     const Weakest weakest = weakest_of(network, solution, options.strength, gone);
@@ -76,11 +76,11 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
       path.strain_at_strength = next.strain;
     }
     if (options.observe && !options.observe(next, static_cast<int>(path.broken.size()))) {
-      path.end = "it was stopped";
+      path.end = "the calculation was stopped";
       break;
     }
     if (std::abs(next.stress) < options.end_at * path.strength) {
-      path.end = fmt::format("the stress has fallen to {:.2g} of the largest", options.end_at);
+      path.end = fmt::format("the stress has fallen below {:.2g} of its largest value", options.end_at);
       break;
     }
     gone[weakest.element] = true;

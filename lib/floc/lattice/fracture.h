@@ -10,46 +10,48 @@
 
 namespace floc {
 
-/// Strength of the elements: the tension at which elements of each kind break (force); infinite if they never
+/// Strength of the elements of a lattice: tension at which elements of each kind break (force); infinite if they never
 /// break.
 struct ElementStrength {
-  std::array<double, kElementKinds> tension{};  ///< by ElementKind
+  std::array<double, kElementKinds> tension{};  ///< strength of each ElementKind (force)
 
-  /// Every fault as "name = value: requirement".
+  /// Returns every invalid strength as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// One element that broke.
+/// Breakage of one element.
 struct Breakage {
-  int element;
-  double strain;  ///< along the load when it broke, shortening positive
-  double stress;  ///< stress at which it broke, compression positive (stress)
+  int element;    ///< index of the element in the lattice network
+  double strain;  ///< strain along the load when the element broke, shortening positive
+  double stress;  ///< stress at which the element broke, compression positive (stress)
 };
 
 struct FractureOptions {
   ElementStrength strength;
-  /// Share of the largest stress at which the breaking ends.
-  double end_at = 0.2;  ///< in kShare
+  /// Share of the largest stress below which the fracture ends, in kShare.
+  double end_at = 0.2;
   static constexpr NumberRange kShare{.least = 0.0, .most = 1.0};
-  int most_broken = 1'000'000;
-  /// Called after each breakage; false stops.
+  int most_broken = 1'000'000;  ///< largest number of elements that may break
+  /// Function that is called after each breakage; if it returns false, the fracture ends.
   std::function<bool(const Breakage&, int n_broken)> observe = {};
 };
 
 /// Fracture of a sample, one element at a time.
 struct FracturePath {
-  std::vector<Breakage> broken;  ///< in order of breaking
-  double strength = 0.0;         ///< largest magnitude of the stress carried; 0 if no element can break
-  double strain_at_strength = 0.0;
-  std::string end;  ///< reason for which the breaking ended, in words
+  std::vector<Breakage> broken;  ///< breakages in the order in which they happened
+  double strength =
+      0.0;  ///< strength of the sample: largest absolute stress carried; 0 if no element can break
+  double strain_at_strength = 0.0;  ///< strain at the largest stress
+  std::string end;                  ///< reason why the fracture ended, as a sentence
 };
 
-/// Loads a sample in proportion to `load`, removes the first element that reaches its strength, and solves
-/// again. The load that breaks the next element may be smaller (under a held stress the sample would fail at
-/// once) or larger. Every state is elastic, so the stress that breaks the next element follows by scaling.
-/// @param load  direction of the load, of any magnitude
+/// Simulates the fracture of a sample. The load is increased in proportion to `load` until the first element reaches
+/// its strength; this element is removed, and the lattice is solved again. The load that breaks the next element may be
+/// smaller (under constant stress, the sample would fail at once) or larger. Every state is elastic, so that the stress
+/// at which the next element breaks follows by scaling.
+/// @param load  direction of the load, with any magnitude
 /// @param axis  component whose stress and strain are reported
-/// @throws InputError with the faults of the options
+/// @throws InputError if an option is invalid
 template <int Dim>
 [[nodiscard]] FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,
                                     const LatticeLoad<Dim>& load, int axis, const FractureOptions& options);

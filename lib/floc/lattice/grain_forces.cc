@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// A pair of grains and the image of the second: key of a contact.
+/// Key of a contact: numbers of its two grains and image of the second grain.
 template <int Dim>
 using PairKey = std::array<int, 2 + Dim>;
 
@@ -24,11 +24,12 @@ PairKey<Dim> key_of(int i, int j, const Vec<Dim, int>& image) {
   return key;
 }
 
-/// Sum over the elements between two regions, seen from the first grain.
+/// Sum over the elements between the regions of two grains, seen from the first grain. A region is a grain with the
+/// matrix nearest to it.
 template <int Dim>
 struct PairSum {
-  Vec<Dim> force = Vec<Dim>::Zero();                         // on the first
-  RotationVector<Dim> moment = RotationVector<Dim>::Zero();  // on the first about its centre
+  Vec<Dim> force = Vec<Dim>::Zero();                         // force on the first grain
+  RotationVector<Dim> moment = RotationVector<Dim>::Zero();  // moment on the first grain about its centre
   Mat<Dim> stiffness = Mat<Dim>::Zero();
 };
 
@@ -119,7 +120,7 @@ Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& p
   out.cell = sample.lattice.cell;
   out.grains = sample.grains;
   out.grains.mass = packing.grains.mass;
-  // A contact as wide as its bridge turns about its middle against K_N width^2/12.
+  // A contact with the width of its bridge resists rotation with the rolling stiffness K_N width^2/12.
   const double width = std::max(sample.bridge_width * 0.5 * sample.mean_diameter, sample.lattice.spacing);
   BondedContacts<Dim> bonds;
   for (const GrainForce<Dim>& f : forces)

@@ -13,9 +13,10 @@
 namespace floc {
 namespace {
 
+/// Largest number of nodes of a lattice.
 constexpr double kMostPoints = 1e8;
 
-/// Purpose of the random stream.
+/// Number of the random stream that displaces the points.
 constexpr std::uint64_t kJitterStream = 0x6c61747469636533;
 
 }  // namespace
@@ -32,7 +33,9 @@ std::vector<std::string> IrregularLatticeOptions::validate() const {
 Lattice<3> irregular_lattice(const Cell<3>& cell, const IrregularLatticeOptions& options) {
   refuse_faults(options.validate());
   if (cell.volume() / std::pow(options.spacing, 3) > kMostPoints)
-    throw InputError("", fmt::format("a spacing of {:.3g} asks for more than 1e8 nodes", options.spacing));
+    throw InputError("",
+                     fmt::format("a spacing of {:.3g} is too small: the lattice would have more than 1e8 nodes",
+                                 options.spacing));
   Lattice<3> out;
   out.cell = cell;
   Vec<3, int> across;

@@ -9,19 +9,19 @@
 namespace floc {
 
 struct IrregularLatticeOptions {
-  double spacing = 0.0;  ///< spacing of the regular points, one per cube of that side (length)
-  /// Largest displacement of each coordinate of a point, in spacings: large enough that no direction is
-  /// preferred, small enough that points stay apart.
+  double spacing = 0.0;  ///< spacing of the regular points before they are displaced (length)
+  /// Largest displacement of each coordinate of a point, over the spacing: large enough that no direction is preferred,
+  /// small enough that points do not come close to each other.
   double jitter = 0.35;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< seed of the random displacements
 
-  /// Every fault as "name = value: requirement".
+  /// Returns every invalid option as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// Makes a lattice of points on a cubic grid, displaced at random, in any periodic cell, with their Delaunay
-/// bonds, some 7.8 per point, and their Voronoi cells. Forces act at the centres of the faces between cells.
-/// @throws InputError with the faults of the options, or if more than 1e8 nodes would be needed
+/// Returns a lattice of randomly displaced points of a cubic grid in any periodic cell, with their Delaunay bonds (some
+/// 7.8 per point) and their Voronoi cells. The forces of bonds act at the centres of the faces between Voronoi cells.
+/// @throws InputError if an option is invalid, or if more than 1e8 nodes would be needed
 Lattice<3> irregular_lattice(const Cell<3>& cell, const IrregularLatticeOptions& options);
 
 }  // namespace floc

@@ -13,8 +13,9 @@
 namespace floc {
 namespace {
 
-/// Distance of rows over that of nodes in a row.
+/// Distance between rows of nodes, over the distance between nodes in a row.
 constexpr double kRowHeight = 0.5 * std::numbers::sqrt3;
+/// Largest number of nodes of a lattice.
 constexpr double kMostNodes = 1e8;
 
 }  // namespace
@@ -28,14 +29,15 @@ Lattice<2> triangular_lattice(int columns, int rows, double spacing) {
   out.volume.assign(n, kRowHeight * spacing * spacing);
   out.node.reserve(n);
   out.bonds.reserve(3 * static_cast<std::size_t>(n));
-  // Nodes have hexagonal cells, whose sides are spacing/sqrt(3). Each node gets three of its six bonds: to the
-  // right, to the upper right and to the upper left; the others belong to its neighbours.
+  // Nodes have hexagonal cells, whose sides are spacing/sqrt(3). Each node gets three of its six bonds: those to the
+  // right, upper right and upper left. The other three belong to its neighbours.
   const double facet = spacing / std::numbers::sqrt3;
   const Vec<2> steps[] = {
       {spacing, 0.0}, {0.5 * spacing, kRowHeight * spacing}, {-0.5 * spacing, kRowHeight * spacing}};
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      // Odd rows are shifted by half a spacing. The quarter keeps all nodes away from the border of the cell.
+      // Odd rows are shifted by half a spacing. The offset of a quarter keeps all nodes away from the border of the
+      // cell.
       const bool shifted = r % 2 == 1;
       out.node.emplace_back((c + (shifted ? 0.75 : 0.25)) * spacing, (r + 0.5) * kRowHeight * spacing);
       const int to_column[] = {c + 1, shifted ? c + 1 : c, shifted ? c : c - 1};
@@ -52,10 +54,13 @@ Lattice<2> triangular_lattice(int columns, int rows, double spacing) {
 
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
   if (!cell.rectangular())
-    throw InputError("", "the cell is not rectangular, and a triangular lattice fits a rectangular one only");
+    throw InputError("",
+                     "the cell is not rectangular, and a triangular lattice fits only into a rectangular cell");
   const double width = std::abs(cell.matrix(0, 0)), height = std::abs(cell.matrix(1, 1));
   if (width * height / (kRowHeight * spacing * spacing) > kMostNodes)
-    throw InputError("", fmt::format("a spacing of {:.3g} asks for more than 1e8 nodes", spacing));
+    throw InputError(
+        "",
+        fmt::format("a spacing of {:.3g} is too small: the lattice would have more than 1e8 nodes", spacing));
   /// Largest relative deviation of the number of columns from width/spacing that is tried.
   constexpr double kTried = 0.03;
   const double asked = width / spacing;
@@ -67,7 +72,7 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     const int rows =
         2 * std::max(1, static_cast<int>(std::round(0.5 * height * columns / (width * kRowHeight))));
     const double misfit = std::abs(std::log(rows * kRowHeight * width / (columns * height)));
-    // Among lattices that fit equally well, the one with the spacing nearest to the given one is taken.
+    // Among lattices that fit equally well, the one whose spacing is nearest to the given spacing is chosen.
     const double off = misfit + 1e-6 * std::abs(columns - asked);
     if (off < best) best = off, best_columns = columns, best_rows = rows;
   }

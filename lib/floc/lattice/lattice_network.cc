@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Directions whose sine is below this are one line.
+/// Sine of the angle between two directions below which they count as collinear.
 constexpr double kCollinear = 1e-6;
 
 template <int Dim>
@@ -58,13 +58,14 @@ class NetworkBuilder {
     double k = stiffness_.of(kind);
     if (stiffness_.by_facet) k *= bond.facet / bond.branch.norm();
     if (k == 0.0) return;
-    // A central force acts along the line between the nodes, wherever the face between their cells lies.
+    // A central force acts along the line between the nodes, regardless of the position of the face between their
+    // cells.
     const Vec<Dim> arm_i = stiffness_.central() ? Vec<Dim>(0.5 * bond.branch) : bond.arm_i;
     out_.elements.push_back({bond.i, bond.j, bond.image, bond.branch, arm_i, k, kind,
                              bare && stiffness_.contact == BareContact::unilateral, number});
   }
 
-  /// Cuts a bond across the border: holds its ends according to the boundary condition.
+  /// Cuts a bond across the border of the cell and fixes its two nodes according to the boundary condition.
   void hold(const LatticeBond<Dim>& bond) {
     if (boundary_ == LatticeBoundary::uniform_strain) {
       for (const int node : {bond.i, bond.j})
@@ -97,15 +98,16 @@ class NetworkBuilder {
     return false;
   }
 
-  /// Elements of a node: their number, the direction of the first, and whether the direction of another one
-  /// differs.
+  /// Elements at a node: their number, the direction of the first, and whether another element has a different
+  /// direction.
   struct Holding {
     int count = 0;
     Vec<Dim> first = Vec<Dim>::Zero();
     bool spans = false;
   };
 
-  /// Rounds of removal of the nodes that cannot carry anything, until there is none. Held nodes stay.
+  /// Removes nodes that cannot carry any force, and their elements, until there is no such node. Fixed nodes are not
+  /// removed.
   void remove_dangling() {
     for (std::vector<bool> gone(out_.n_nodes, false);;) {
       const std::vector<Holding> holding = find_holding();
@@ -119,7 +121,7 @@ class NetworkBuilder {
 
   bool dangles(const Holding& h) const {
     if (h.count == 1) return true;
-    // Two central springs on a line resist nothing across it.
+    // Two collinear central springs do not resist a force across their line.
     return out_.central() && h.count == 2 && !h.spans;
   }
 
@@ -138,7 +140,7 @@ class NetworkBuilder {
     return holding;
   }
 
-  /// Parts that neither wind around the cell nor are held.
+  /// Removes connected parts that neither wind around the cell nor connect the two fixed sides of it.
   void remove_islands() {
     const Parts parts = find_parts();
     std::vector<bool> carries(parts.winding.size(), false);
@@ -157,21 +159,23 @@ class NetworkBuilder {
   }
 
   struct Parts {
-    std::vector<int> of;                              // part of each node, -1 of nodes without elements
-    std::vector<std::vector<Vec<Dim, int>>> winding;  // of each part: whole cells that loops lead around
-    std::vector<int> n_faces;  // bit 1: reaches a held node on the lower half, bit 2: on the upper
+    std::vector<int> of;  // part of each node; -1 for nodes without elements
+    std::vector<std::vector<Vec<Dim, int>>>
+        winding;  // for each part, independent loops around the cell (whole cells)
+    // for each part, 1 if it reaches a fixed node in the lower half of the cell, plus 2 for the upper half
+    std::vector<int> n_faces;
   };
 
   static int rank_of(const std::vector<Vec<Dim, int>>& winding) { return static_cast<int>(winding.size()); }
 
-  /// Keeps a winding that is independent of those found.
+  /// Adds a loop around the cell to those found, if it is linearly independent of them.
   static void note_winding(const Vec<Dim, int>& loop, std::vector<Vec<Dim, int>>& found) {
     if (loop.isZero() || static_cast<int>(found.size()) == Dim) return;
     Eigen::Matrix<double, Dim, Eigen::Dynamic> all(Dim, found.size() + 1);
     for (std::size_t w = 0; w < found.size(); ++w) all.col(w) = found[w].template cast<double>();
     all.col(found.size()) = loop.template cast<double>();
     const double volume = (all.transpose() * all).determinant();
-    if (volume > 0.5) found.push_back(loop);  // of whole numbers
+    if (volume > 0.5) found.push_back(loop);  // a squared volume of integer vectors is an integer
   }
 
   Parts find_parts() const {
@@ -186,7 +190,8 @@ class NetworkBuilder {
       end_of[next[out_.elements[e].i]++] = e;
       end_of[next[out_.elements[e].j]++] = e;
     }
-    std::vector<Vec<Dim, int>> cell(out_.n_nodes, Vec<Dim, int>::Zero());  // in which each node was reached
+    std::vector<Vec<Dim, int>> cell(
+        out_.n_nodes, Vec<Dim, int>::Zero());  // periodic image in which the search reached each node
     for (int k = 0; k < out_.n_nodes; ++k) {
       if (parts.of[k] >= 0 || start[k] == start[k + 1]) continue;
       const int part = static_cast<int>(parts.winding.size());
@@ -217,8 +222,8 @@ class NetworkBuilder {
     return parts;
   }
 
-  /// 1 for a held node of the lower half of the cell, 2 for one of the upper; both where the whole border is
-  /// held.
+  /// Returns 1 for a fixed node in the lower half of the cell, 2 for one in the upper half, 3 if the whole border is
+  /// fixed, and 0 for a free node.
   int faces_of(int node) const {
     if (!is_held(node)) return 0;
     if (boundary_ == LatticeBoundary::uniform_strain) return 3;
@@ -267,8 +272,8 @@ std::vector<std::string> ElementStiffness::validate() const {
   check_stiffness("shear", shear, true, faults);
   check_stiffness("bending", bending, true, faults);
   if (shear == 0.0 && bending > 0.0)
-    faults.push_back(
-        fmt::format("bending = {}: elements that resist bending resist shear, give shear > 0", bending));
+    faults.push_back(fmt::format(
+        "bending = {}: elements that resist bending must also resist shear, so set shear > 0", bending));
   if (patch) check_stiffness("patch", *patch, true, faults);
   return faults;
 }
@@ -293,8 +298,7 @@ ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const st
   out.n_grains = network.n_nodes;
   out.volume = network.volume;
   out.grain_size.assign(network.n_nodes, network.spacing);
-  // The stiffness is that of a lattice without stress, so that normal, shear and rolling forces are left at
-  // zero.
+  // The stiffness is that of an unstressed lattice, so that normal, shear and rolling forces are zero.
   for (int e = 0; e < static_cast<int>(network.elements.size()); ++e) {
     if (!open.empty() && open[e]) continue;
     const LatticeElement<Dim>& from = network.elements[e];
@@ -307,7 +311,7 @@ ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const st
     c.arm_j = from.arm_i - from.branch;
     c.frame = contact_frame(Vec<Dim>(from.branch.normalized()));
     c.kn = from.kn;
-    // Unilateral elements are contacts without friction: they resist the overlap alone.
+    // Unilateral elements are contacts without friction: they have only a normal stiffness.
     if (!from.unilateral) {
       c.kt = network.shear * from.kn;
       c.kr = network.bending * from.kn * network.spacing * network.spacing;

@@ -5,8 +5,8 @@
 namespace floc {
 namespace {
 
-/// Forces of one element from its rows, which are the normal one, the tangents where it resists shear, and the
-/// axes of rotation where it resists bending (in 3D without the normal).
+/// Reads the forces of one element from its rows: the normal force, the tangential forces if the element resists shear,
+/// and the moments about the axes of rotation if it resists bending (in 3D without the normal).
 template <int Dim>
 void read_element(const RelaxedSprings<Dim>& springs, const LatticeNetwork<Dim>& network, int e,
                   LatticeSolution<Dim>& out) {
@@ -46,7 +46,8 @@ LatticeSolution<Dim> LatticeSolver<Dim>::solve(const LatticeLoad<Dim>& load) {
   if (boundary_ == LatticeBoundary::plates || boundary_ == LatticeBoundary::bonded_plates)
     for (int a = 0; a < kSymmetric<Dim>; ++a)
       if (a != axis_)
-        control.imposed[a] = true, control.value[a] = 0.0;  // the sides are free: nodes move as they like
+        // the sides are free, so that nodes there move without constraint
+        control.imposed[a] = true, control.value[a] = 0.0;
   for (int a = 0; a < kSymmetric<Dim>; ++a)
     if (!control.imposed[a]) control.value[a] *= network_.volume;
   LatticeSolution<Dim> out;

@@ -8,14 +8,14 @@
 
 namespace floc {
 
-/// Load on a sample, component by component in the order of StrainSet::full; compression positive.
+/// Load on a sample for each component of strain or stress, in the order of StrainSet::full; compression positive.
 template <int Dim>
 struct LatticeLoad {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  Components value = Components::Zero();  ///< strain where it is imposed, stress elsewhere
+  Components value = Components::Zero();  ///< strain of imposed components, stress of the other components
 
-  /// Returns the load of a stress along one axis and none along the others.
+  /// Returns a load with the given stress along one axis and zero stress in all other components.
   static LatticeLoad uniaxial(int axis, double stress) {
     LatticeLoad load;
     load.value[axis] = stress;
@@ -23,19 +23,20 @@ struct LatticeLoad {
   }
 };
 
-/// A lattice network under load.
+/// State of a lattice network under load.
 template <int Dim>
 struct LatticeSolution {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   Components strain;  ///< strain of the cell, in the order of StrainSet::full, shortening positive
   Components stress;  ///< stress carried by the elements, compression positive
-  std::vector<double> normal_force;   ///< normal force of each element, compression positive (force)
-  std::vector<Vec<Dim>> shear_force;  ///< shear force on node i of each element; empty where all are central
-  /// Bending moment of each element on its node i (force * length); empty where all are central.
+  std::vector<double> normal_force;  ///< normal force of each element, compression positive (force)
+  /// shear force on node i of each element (force); empty if all elements are central
+  std::vector<Vec<Dim>> shear_force;
+  /// Bending moment of each element on its node i (force * length); empty if all elements are central.
   std::vector<RotationVector<Dim>> moment;
-  std::vector<bool> open;              ///< whether each element is open, that is, carries nothing
+  std::vector<bool> open;              ///< whether each element is open, that is, carries no force
   std::vector<Vec<Dim>> displacement;  ///< displacement of each node relative to the uniform strain (length)
-  double energy = 0.0;
+  double energy = 0.0;                 ///< elastic energy of the elements (force * length)
   SpringRelaxationReport report;
 
   int n_open() const;
@@ -43,24 +44,24 @@ struct LatticeSolution {
   Vec<Dim> force_on_i(const LatticeNetwork<Dim>& network, int element) const;
 };
 
-/// Solver of a network that is loaded once or repeatedly: factor and active set are kept from one load to the
-/// next.
+/// Solver for a lattice network that is loaded once or repeatedly. The factor and the set of closed elements are kept
+/// from one load to the next.
 template <int Dim>
 class LatticeSolver {
  public:
-  /// @param network  must outlive the solver
-  /// @param boundary, axis  that the network was made with
+  /// @param network         network to load, which must outlive the solver
+  /// @param boundary, axis  boundary condition and axis with which the network was made
   LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-  /// Solves for the state under a load. Between plates only the component along their axis counts.
+  /// Solves for the state under a load. Between plates, only the component of the load along their axis is used.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
-  /// Returns the stress per unit of each strain (stress), in the order of StrainSet::full, with grains and
-  /// matrix relaxed and the open elements of the last solution. @pre solve() was called
+  /// Returns the stress per unit of each strain, in the order of StrainSet::full, with grains and matrix relaxed and
+  /// with the open elements of the last solution. @pre solve() was called
   Eigen::MatrixXd moduli();
 
-  /// Removes an element for good.
+  /// Removes an element permanently.
   void remove(int element) { springs_->remove_element(element); }
   int n_unknowns() const { return springs_->n_unknowns(); }
 

@@ -13,7 +13,7 @@ template <int Dim>
 class NodeGrid {
  public:
   explicit NodeGrid(const Lattice<Dim>& lattice) : lattice_(lattice) {
-    const Mat<Dim> inverse = lattice.cell.matrix.inverse();  // columns: reduced coordinates grow along them
+    const Mat<Dim> inverse = lattice.cell.matrix.inverse();  // columns: gradients of the reduced coordinates
     for (int a = 0; a < Dim; ++a) {
       width_[a] = 1.0 / inverse.col(a).norm();
       bins_[a] = std::max(1, static_cast<int>(width_[a] / (kNodesAcross * lattice.spacing)));
@@ -32,8 +32,8 @@ class NodeGrid {
     for (int k = 0; k < lattice.n_nodes(); ++k) order_[next[bin[k]]++] = k;
   }
 
-  /// Calls visit(node, from, image) for every node closer to `centre` than `radius`: `from` is the vector from
-  /// the centre, image * cell.matrix the displacement of the node that brings it there.
+  /// Calls visit(node, from, image) for every image of a node that is closer to `centre` than `radius`: `from` is the
+  /// vector from the centre to the image of the node, and image * cell.matrix is the displacement of this image.
   template <class Visit>
   void near(const Vec<Dim>& centre, double radius, Visit&& visit) const {
     const Vec<Dim> s = lattice_.cell.reduced(centre);
@@ -76,8 +76,8 @@ class NodeGrid {
   }
 
   const Lattice<Dim>& lattice_;
-  Vec<Dim> width_;      // widths of the cell between its faces (length)
-  Vec<Dim, int> bins_;  // numbers of bins along each lattice vector
+  Vec<Dim> width_;      // distances between opposite faces of the cell (length)
+  Vec<Dim, int> bins_;  // number of bins along each lattice vector
   std::vector<int> start_, order_;
 };
 

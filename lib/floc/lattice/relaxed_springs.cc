@@ -11,21 +11,20 @@
 namespace floc {
 namespace {
 
-/// Springs that have opened or closed since the factor was made, beyond which another factor costs less than
-/// conjugate gradients on the old one.
+/// Number of springs that have opened or closed since the factorization above which a new factor is cheaper than
+/// conjugate gradients with the old one.
 constexpr int kMostChanged = 60;
-/// Steps on an old factor before a new one is made.
+/// Largest number of steps of conjugate gradients with an old factor before a new factor is made.
 constexpr int kStepsOnOldFactor = 30;
-/// Unknowns up to which a factor is cheap in three dimensions.
+/// Largest number of unknowns for which a factor is cheap in 3D.
 constexpr int kSmallInSpace = 20000;
-/// Relative imbalance below which the remainder may be rounding.
+/// Relative imbalance of forces below which the remaining imbalance may be rounding.
 constexpr double kRounding = 1e-8;
-/// Strain, over the affine strain of the sample with all springs closed, beyond which the load counts as
-/// unsupported: the sample would be softer than the motions that the preconditioner can distinguish from free
-/// ones.
+/// Strain above which the load counts as unsupported, over the affine strain of the sample with all springs closed. A
+/// softer sample could not be distinguished from one with free motions by the preconditioner.
 constexpr double kBeyond = 1e8;
-/// Share of the energy of a direction according to the preconditioner below which the direction costs no
-/// energy.
+/// Energy of a motion along a direction, as a share of its energy according to the preconditioner, below which the
+/// motion counts as free.
 constexpr double kNoEnergy = 1e-5;
 
 template <int Dim, int Size>
@@ -65,7 +64,7 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // Where motions cost no energy, rounding leaves an imbalance that no further round removes.
+      // If some motions need no energy, rounding leaves an imbalance that further rounds do not reduce.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;
@@ -149,7 +148,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   struct Direction {
     Eigen::VectorXd direction;
-    bool reached = false;  // whether the imbalance is within the tolerance
+    bool reached = false;  // whether the imbalance has reached the target
   };
 
   void set_control(const StrainControl<Dim>& control) {
@@ -166,7 +165,7 @@ class Springs final : public RelaxedSprings<Dim> {
            springs_.on_strain[r].dot(x.template tail<kSymmetric<Dim>>());
   }
 
-  /// K x of the active rows; nothing for strains that are imposed.
+  /// Returns the forces K x of the active springs for displacements x; zero for strains that are imposed.
   Eigen::VectorXd applied(const Eigen::VectorXd& x) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
     Strains of_strains = Strains::Zero();
@@ -190,12 +189,13 @@ class Springs final : public RelaxedSprings<Dim> {
     return out;
   }
 
-  /// One-sided springs that overlap are active. @return number of springs that have changed
+  /// Determines the active one-sided springs, which are those in compression. @return number of springs that have
+  /// opened or closed
   int update_active() {
     int n_changed = 0;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_);
-      const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;  // at rest all are closed
+      const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;  // without deformation all are closed
       n_changed += now != active_[r];
       active_[r] = now;
     }
@@ -207,8 +207,8 @@ class Springs final : public RelaxedSprings<Dim> {
                                           [&](int r) { return !active_[r]; }));
   }
 
-  /// Size of the load in the norm of the preconditioner, the root of an energy: the imbalance where no node
-  /// moves beside the imposed strain, and what that strain itself costs.
+  /// Returns the size of the load in the norm of the preconditioner (square root of an energy). It combines the
+  /// imbalance of forces if no node moves relative to the imposed strain, and the energy of that strain.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
@@ -239,8 +239,8 @@ class Springs final : public RelaxedSprings<Dim> {
     ++report.n_factors;
   }
 
-  /// K d = load for the active set by conjugate gradients, until the imbalance is below `target` in the norm of
-  /// the preconditioner.
+  /// Solves K d = load for the active springs by conjugate gradients, until the imbalance in the norm of the
+  /// preconditioner is below `target`.
   Direction solve(const Eigen::VectorXd& load, double target, int most_steps,
                   SpringRelaxationReport& report) const {
     Direction out{Eigen::VectorXd::Zero(load.size())};
@@ -251,8 +251,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const Eigen::VectorXd q = applied(p);
       const double curvature = p.dot(q);
       if (curvature <= (inverse_->is_exact() ? kNoEnergy : 1e-14) * rz) {
-        // No spring resists p. In the first step p itself is tried, since one-sided springs may close along it;
-        // later the direction found so far is returned.
+        // No spring resists the direction p. In the first step p itself is returned, since one-sided springs may close
+        // along it; in later steps the direction found so far is returned.
         if (step == 0) out.direction = p;
         return out;
       }
@@ -284,7 +284,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   void take_step(const Eigen::VectorXd& down, double norm, double whole, SpringRelaxationReport& report) {
     const bool one_sided = !springs_.one_sided.empty();
-    // While the active set changes a rough direction will do where directions are dear.
+    // While the active springs change, an approximate direction suffices if directions are expensive.
     const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;
     const double target = std::max(share * norm, 0.5 * settings_.tolerance * whole);
     const bool old_factor = inverse_->is_exact() && prepared_ != active_;
@@ -297,12 +297,14 @@ class Springs final : public RelaxedSprings<Dim> {
     if (strain().norm() > largest_strain()) report.holds = false;
   }
 
-  /// Moves to the least energy along a direction. @return false if the energy falls without limit
+  /// Moves to the smallest energy along a direction. @return false if the energy decreases without limit
   bool search_along(const Eigen::VectorXd& direction, const Eigen::VectorXd& down) {
     const double slope = -down.dot(direction);
     if (slope >= 0.0) return true;
-    double square = 0.0, linear = slope;  // slope of the energy at t of springs that stay: linear + t square
-    std::vector<std::array<double, 3>> one_sided;  // overlap, its change, stiffness
+    double square = 0.0,
+           linear = slope;  // slope of the energy of two-sided springs after t steps: linear + t square
+    // overlap, change of overlap per step, stiffness of each one-sided spring
+    std::vector<std::array<double, 3>> one_sided;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_), d = overlap(r, direction);
       one_sided.push_back({o, d, springs_.rows[r].stiffness});
@@ -330,7 +332,7 @@ class Springs final : public RelaxedSprings<Dim> {
       const double at = slope_at(t, curvature);
       if (std::abs(at) <= (trial == 0 ? 0.3 : 1e-10) * -slope) break;
       (at < 0.0 ? low : high) = t;
-      // The energy's slope is piecewise linear: Newton's step is exact once the set is right.
+      // The slope of the energy is piecewise linear, so that Newton's step is exact once the active springs are known.
       double to = curvature > 0.0 ? t - at / curvature : std::numeric_limits<double>::infinity();
       if (!(to > low && to < high)) to = std::isfinite(high) ? 0.5 * (low + high) : 4.0 * t;
       if (to > kForEver) return false;
@@ -341,14 +343,15 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  /// Multiples of a step after which the energy still falls.
+  /// Number of steps along a direction after which an energy that still decreases counts as unlimited.
   static constexpr double kForEver = 1e12;
 
   RelaxationSettings settings_;
   SpringRows<Dim, Size> springs_;
   std::vector<int> here_;
-  Eigen::VectorXd x_;                    // displacements of the nodes, then the strains
-  std::vector<char> active_, prepared_;  // of each row: it carries; it did when the preconditioner was made
+  Eigen::VectorXd x_;  // displacements of the nodes, then the strains
+  // for each row, whether the spring is active, and whether it was when the preconditioner was made
+  std::vector<char> active_, prepared_;
   bool ready_ = false;
   StrainControl<Dim> control_;
   std::unique_ptr<SpringPreconditioner<Dim, Size>> inverse_;

@@ -9,82 +9,84 @@
 
 namespace floc {
 
-/// Method by which the springs of a lattice are relaxed.
+/// Method that relaxes the springs of a lattice.
 enum class LatticeMethod {
-  automatic,  ///< factor in 2D and up to 20 000 unknowns, else iterative
-  factor,     ///< conjugate gradients on a Cholesky factor, its symbolic part kept: a few steps per solution
-  iterative,  ///< conjugate gradients on the diagonal blocks: hundreds of steps, little memory
+  automatic,  ///< `factor` in 2D and for up to 20 000 unknowns in 3D, otherwise `iterative`
+  factor,     ///< conjugate gradients with a Cholesky factor as preconditioner: a few steps per solution
+  iterative,  ///< conjugate gradients with diagonal blocks as preconditioner: hundreds of steps, little memory
 };
 
-/// One round of the active set.
+/// Progress of one round of the relaxation, in which the set of closed unilateral elements (the active set) is fixed.
 struct RelaxationRound {
-  int round;
-  int n_open;        ///< open unilateral elements
-  int n_changed;     ///< elements that opened or closed since the last round
-  int n_steps;       ///< steps of conjugate gradients
-  double imbalance;  ///< imbalance over that of the load
-  bool factorized;
+  int round;         ///< number of the round, from 1
+  int n_open;        ///< number of open unilateral elements
+  int n_changed;     ///< number of elements that have opened or closed since the last round
+  int n_steps;       ///< number of steps of conjugate gradients
+  double imbalance;  ///< imbalance of the forces over the size of the load
+  bool factorized;   ///< whether a new factor or preconditioner was made
 };
 
 struct RelaxationSettings {
   LatticeMethod method = LatticeMethod::automatic;
-  /// Largest imbalance accepted, relative to that of the load, in the norm of the preconditioner.
+  /// Largest imbalance of the forces that is accepted, over the size of the load, in the norm of the preconditioner.
   double tolerance = 1e-10;
-  int max_rounds = 100;  ///< largest number of rounds of the active set; some ten are usual
-  /// Called once per round, if set.
+  int max_rounds = 100;  ///< largest number of rounds; about ten are usual
+  /// Function that is called once per round, if set.
   std::function<void(const RelaxationRound&)> observe = {};
 };
 
-/// Control of the cell: the strain components that are imposed, and the strains or loads.
+/// Control of the cell: for each component, whether the strain or the load is imposed, and its value.
 template <int Dim>
 struct StrainControl {
-  Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed;  ///< the strain is given, otherwise its load
-  Eigen::Matrix<double, kSymmetric<Dim>, 1> value;  ///< strain, or volume times stress
+  Eigen::Matrix<bool, kSymmetric<Dim>, 1>
+      imposed;  ///< true if the strain is imposed, false if the load is imposed
+  Eigen::Matrix<double, kSymmetric<Dim>, 1> value;  ///< strain, or load as volume times stress
 };
 
-/// Report of one relaxation.
+/// Report of the relaxation of a lattice.
 struct SpringRelaxationReport {
   bool converged = false;
-  bool holds = true;       ///< false if the load moves a mechanism, which nothing resists
-  double imbalance = 0.0;  ///< imbalance left, over that of the load
-  int n_rounds = 0, n_steps = 0, n_factors = 0;
+  bool holds = true;       ///< false if no spring resists the load, which then moves a mechanism
+  double imbalance = 0.0;  ///< remaining imbalance of the forces over the size of the load
+  int n_rounds = 0, n_steps = 0, n_factors = 0;  ///< numbers of rounds, steps and preconditioners made
 };
 
-/// Springs between nodes and the strain of their cell, in the state of least energy. Some springs are
-/// one-sided: they carry compression only. The energy 1/2 sum k o^2 + 1/2 sum over the one-sided of k max(o,
-/// 0)^2 - load . strain is convex. The state is found by Newton's method on the set of one-sided springs in
-/// compression (the active set), starting from the last set found, at first with all springs closed. A line
-/// search for the least energy along each step makes the energy fall in every round, so that no set recurs.
+/// Springs between nodes and the strain of their cell, relaxed to the smallest energy. Some springs are one-sided: they
+/// carry compression only. With the overlaps o, the energy 1/2 sum k o^2 + 1/2 sum over the one-sided springs of k
+/// max(o, 0)^2 - load . strain is convex. The state is found by Newton's method for the set of one-sided springs in
+/// compression (the active set), starting from the last set, or at first with all springs closed. A line search for the
+/// smallest energy along each step makes the energy decrease in every round, so that no set occurs twice.
 template <int Dim>
 class RelaxedSprings {
  public:
   virtual ~RelaxedSprings() = default;
 
-  /// Relaxes the springs under given strains and loads.
-  /// @return a report of the relaxation; the state is the best one found in any case
+  /// Relaxes the springs under imposed strains and loads.
+  /// @return report of the relaxation; the state is the best one found, whether or not it has converged
   [[nodiscard]] virtual SpringRelaxationReport relax(const StrainControl<Dim>& control) = 0;
-  /// Returns the volume times the change of stress per unit of each strain, with no spring opening or closing,
-  /// in the order of StrainSet::full. @pre relax() was called
+  /// Returns the volume times the change of stress per unit of each strain, in the order of StrainSet::full, if no
+  /// spring opens or closes. @pre relax() was called
   virtual Eigen::MatrixXd tangent_stiffness() = 0;
 
   virtual Eigen::Matrix<double, kSymmetric<Dim>, 1> strain() const = 0;
   /// Returns the volume times the stress that the springs carry.
   virtual Eigen::Matrix<double, kSymmetric<Dim>, 1> load() const = 0;
-  /// Returns the force carried by a row of the springs: stiffness times overlap, 0 where the row is open.
+  /// Returns the force of a spring (row): stiffness times overlap; 0 if the spring is open.
   virtual double force(int row) const = 0;
   virtual bool open(int row) const = 0;
-  virtual const std::vector<int>& first_row() const = 0;  ///< first row of each element
+  /// first row of the springs of each element, then the number of rows
+  virtual const std::vector<int>& first_row() const = 0;
   /// Returns the displacement of a node of the lattice relative to the uniform strain; zero for nodes without
   /// elements.
   virtual Vec<Dim> displacement(int node) const = 0;
   virtual int n_unknowns() const = 0;
   virtual double energy() const = 0;
 
-  /// Removes all rows of an element.
+  /// Removes all springs (rows) of an element.
   virtual void remove_element(int element) = 0;
 };
 
-/// Makes the springs of a lattice network.
+/// Returns the springs of a lattice network.
 template <int Dim>
 std::unique_ptr<RelaxedSprings<Dim>> relaxed_springs(const LatticeNetwork<Dim>& network,
                                                      const RelaxationSettings& settings);

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Shift of the diagonal, over the largest stiffness: far below stiffnesses that carry a load, far above
+/// Shift added to the diagonal, over the largest stiffness: far below stiffnesses that carry a load, far above
 /// rounding.
 constexpr double kShift = 1e-9;
 
@@ -24,7 +24,7 @@ double largest_stiffness(const SpringRows<Dim, Size>& springs) {
   return largest > 0.0 ? largest : 1.0;
 }
 
-/// The block of the free strains, inverted; rows and columns of others are zero.
+/// Returns the inverse of the block of the free strains; rows and columns of other strains are zero.
 Eigen::MatrixXd free_inverse(const Eigen::MatrixXd& block, std::span<const bool> free) {
   std::vector<int> kept;
   for (int a = 0; a < static_cast<int>(free.size()); ++a)
@@ -58,7 +58,7 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
     double shift = kShift;
     while (!factor_.factorize_positive(shift)) {
       shift *= 100.0;
-      if (shift > 1.0) throw std::runtime_error("the stiffness of a lattice could not be factorized");
+      if (shift > 1.0) throw std::runtime_error("the stiffness matrix of a lattice could not be factorized");
     }
     affine_ = factor_.solve(k.border, 0);
     schur_ = k.boundary - k.border.transpose() * affine_;
@@ -83,7 +83,7 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
   bool is_exact() const override { return true; }
 
  private:
-  /// Unknowns from which nested dissection beats minimum degree on lattices.
+  /// Number of unknowns above which nested dissection gives a better ordering for lattices than minimum degree.
   static constexpr int kLarge = 20000;
 
   StiffnessMatrix assemble(const std::vector<char>& active) const {
@@ -105,9 +105,9 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
   SymmetricFactor factor_;
   std::vector<int> group_;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> free_ = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  Eigen::MatrixXd affine_;   // response of the nodes to a unit of each strain, sign reversed
-  Eigen::MatrixXd schur_;    // of the strains over `unit_`, nodes relaxed
-  Eigen::MatrixXd strains_;  // its inverse
+  Eigen::MatrixXd affine_;   // displacement of the nodes per unit of each strain, with reversed sign
+  Eigen::MatrixXd schur_;    // stiffness of the strains with relaxed nodes, over `unit_`
+  Eigen::MatrixXd strains_;  // inverse of the block of `schur_` for the free strains
 };
 
 template <int Dim, int Size>

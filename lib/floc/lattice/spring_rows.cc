@@ -70,7 +70,7 @@ class RowBuilder {
   }
 
   const LatticeNetwork<Dim>& network_;
-  std::vector<int> here_;  // number of each node of the lattice, -1: it has no element
+  std::vector<int> here_;  // index in `node` of each node of the lattice; -1 if it has no element
   SpringRows<Dim, Size> out_;
 };
 

@@ -14,16 +14,18 @@ template <class Real>
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Extended = Vector<long double>;
 
-/// Relative rounding of an entry of A or B: the few products, quotients and roots that made it.
+/// Relative rounding error of an entry of the matrices A and B of a SpringSystem, which results from a few products,
+/// quotients and roots.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 template <class Real>
 struct SpringForces {
-  Vector<Real> force;  // A^T k (A u + B e)
-  Real energy;         // sum of k (A u + B e)^2
+  Vector<Real> force;  // forces A^T k (A u + B e) on the free unknowns
+  Real energy;         // twice the energy: sum of k (A u + B e)^2
 };
 
-/// Forces on the free unknowns displaced by u, for e the unit of one boundary unknown, or e = 0 if negative.
+/// Computes the forces of the springs for displacements u of the free unknowns.
+/// @param boundary  boundary unknown that is displaced by one; negative if no boundary unknown is displaced
 template <class Real>
 SpringForces<Real> spring_forces(const SpringSystem& s, const Vector<Real>& u, int boundary) {
   SpringForces<Real> out{Vector<Real>::Zero(s.on_free.cols()), 0};
@@ -40,8 +42,8 @@ SpringForces<Real> spring_forces(const SpringSystem& s, const Vector<Real>& u, i
   return out;
 }
 
-/// Relaxes the free unknowns for one boundary unknown: preconditioned conjugate gradients, or plain refinement
-/// of an indefinite system.
+/// Relaxation of the free unknowns for a unit of one boundary unknown, by preconditioned conjugate gradients, or by
+/// plain iterative refinement if the system is indefinite.
 template <class Real>
 class Relaxation {
  public:
@@ -75,16 +77,17 @@ class Relaxation {
   double load() const { return load_; }
   int steps() const { return steps_; }
 
-  /// Bound of r^T K^-1 r, the energy still to be gained.
+  /// Returns an upper bound on r^T K^-1 r for the residual r and the stiffness matrix K: twice the energy that
+  /// relaxation can still release.
   double excess() const {
     if (work_ == 0.0) return 0.0;
     if (inverse_.estimated_ratio) return work_ / estimated_ratio();
     return inverse_.definite ? work_ / inverse_.smallest_ratio : work_ * inverse_.inverse_norm;
   }
 
-  /// Whether the energy still to be relaxed is within the tolerance. At least one step is required, so that the
-  /// solution of an approximate inverse is refined once; where the error is estimated from the steps
-  /// themselves, kStepsOfEstimate.
+  /// Returns whether the energy that can still be released is within the tolerance. At least one step is required, so
+  /// that the solution of an approximate inverse is refined once. If the error is estimated from the steps themselves,
+  /// kStepsOfEstimate steps are required.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
     if (steps_ < (inverse_.estimated_ratio ? kStepsOfEstimate : 1)) return false;
@@ -94,14 +97,15 @@ class Relaxation {
   }
 
  private:
-  /// Steps before Ritz values are trusted, and the share of the smallest that is: it falls towards the
-  /// eigenvalue as steps go on (seen to be 5 times too large where few contacts of 2200 had changed).
+  /// Number of steps before Ritz values are used, and share of the smallest Ritz value that is used: this value
+  /// decreases towards the eigenvalue as the iteration continues (it has been 5 times too large in a case where few of
+  /// 2200 contacts had changed).
   static constexpr int kStepsOfEstimate = 4;
   static constexpr double kShareOfRitz = 0.1;
 
-  /// Lowest Ritz value of M^-1 K in the directions taken so far, from the tridiagonal matrix of Lanczos'
-  /// process, which follows from the coefficients alpha and beta of conjugate gradients; at most 1. 0 with too
-  /// few.
+  /// Returns the share kShareOfRitz of the lowest Ritz value of the preconditioned matrix M^-1 K in the directions
+  /// taken so far, at most 1; 0 after too few steps. It is the lowest eigenvalue of the tridiagonal matrix of Lanczos'
+  /// process, which follows from the coefficients alpha and beta of conjugate gradients.
   double estimated_ratio() const {
     const auto n = static_cast<Eigen::Index>(alphas_.size());
     if (n < kStepsOfEstimate) return 0.0;
@@ -132,7 +136,7 @@ class Relaxation {
     const Vector<Real> r = r_;
     const Real work = z_.dot(r_);
     balance();
-    // Polak and Ribiere: the inverse is applied with rounding errors of its own.
+    // The formula of Polak and Ribiere allows for rounding errors in the application of the inverse.
     const Real beta = inverse_.definite ? std::max(z_.dot(r_ - r) / work, Real(0)) : Real(0);
     direction_ = z_ + beta * direction_;
     alphas_.push_back(static_cast<double>(alpha));
@@ -144,25 +148,26 @@ class Relaxation {
   const ApproximateInverse& inverse_;
   int boundary_;
   Vector<Real> u_, r_, z_, direction_;
-  double stiffness_ = 0.0;  // the diagonal entry of S at u
-  double work_ = 0.0;       // r^T M^-1 r, or |r|^2 of an indefinite system
-  double load_ = 0.0;       // imbalance at u = 0
+  double stiffness_ = 0.0;  // diagonal entry of the condensed stiffness S at u
+  double work_ = 0.0;       // r^T M^-1 r for the residual force r; |r|^2 for an indefinite system
+  double load_ = 0.0;       // largest residual force at u = 0
   int steps_ = 0;
-  std::vector<double> alphas_, betas_;  // of the steps
+  std::vector<double> alphas_, betas_;  // coefficients alpha and beta of each step
 };
 
-/// Computes S = (A U + B)^T k (A U + B), and bounds the error that rounding of the entries of A and B makes in
-/// it.
+/// Computes S = (A U + B)^T k (A U + B), and a bound on the error of S that is caused by the rounding of the entries of
+/// A and B.
 void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condensation& out) {
   const int n = static_cast<int>(u.size());
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> sum(n, n);
   sum.setZero();
   Extended elongation(n);
   Eigen::VectorXd rounding(n);
-  // The quadratic form gives S with an error of second order in that of U. It is summed spring by spring in
-  // extended precision, because the rounding of an assembled K would enter the result.
+  // The error of S in this quadratic form is of second order in the error of U. The form is summed spring by spring in
+  // extended precision, because the rounding of an assembled K would affect the result.
   for (Eigen::Index r = 0; r < s.on_free.rows(); ++r) {
-    // The elongation (A U + B)_r cancels, so that its error is bounded by the magnitudes of its terms.
+    // The terms of the elongation (A U + B)_r nearly cancel, so that its error is bounded by the sum of their absolute
+    // values.
     for (int b = 0; b < n; ++b) {
       elongation[b] = s.on_boundary(r, b);
       rounding[b] = std::abs(s.on_boundary(r, b));
@@ -184,8 +189,9 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   out.stiffness = sum.cast<double>();
 }
 
-/// Relaxes the free unknowns for each boundary unknown in turn. `u` receives the relaxed unknowns, `excess` the
-/// square root of the energy still to be relaxed in each column.
+/// Relaxes the free unknowns for a unit of each boundary unknown in turn.
+/// @param u       receives the relaxed unknowns
+/// @param excess  receives, for each boundary unknown, the square root of the energy that could still be released
 template <class Real>
 void relax_each(const SpringSystem& springs, const ApproximateInverse& inverse,
                 const CondensationOptions& options, std::vector<Extended>& u, Eigen::VectorXd& excess,

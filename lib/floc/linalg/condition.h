@@ -5,8 +5,8 @@
 
 namespace floc {
 
-/// Estimate of the 1-norm of the inverse of a symmetric matrix of order n, from products with that inverse
-/// (Hager's method): a lower bound, seldom too low by more than a factor of 3. At most 10 products.
+/// Returns an estimate of the 1-norm of the inverse of a symmetric matrix of order n (Hager's method). It is a lower
+/// bound, seldom too low by more than a factor of 3, and takes at most 10 products with the inverse.
 double inverse_norm_estimate(Eigen::Index n,
                              const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply_inverse);
 

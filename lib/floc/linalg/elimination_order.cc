@@ -10,16 +10,17 @@
 namespace floc {
 namespace {
 
-/// Operations of a factor, for each group, beyond which nested dissection is looked for: finding it takes as
-/// long as some 3e5 operations a group.
+/// Number of floating-point operations of a factorization per group of unknowns above which nested dissection is tried.
+/// Finding the order by nested dissection takes as long as some 3e5 operations per group.
 constexpr double kNestedDissectionCost = 1e6;
 
+/// Order in which groups of unknowns are eliminated.
 struct GroupOrder {
-  std::vector<SuiteSparse_long> group;  // in the order of elimination
-  double operations;                    // of a factor with one unknown a group
+  std::vector<SuiteSparse_long> group;  // groups in the order of elimination
+  double operations;  // floating-point operations of a factorization with one unknown per group
 };
 
-/// Graph of the groups, and the elimination orders that CHOLMOD finds for it.
+/// Graph of the groups of unknowns, for which CHOLMOD finds elimination orders.
 class GroupGraph {
  public:
   GroupGraph(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group)
@@ -52,7 +53,8 @@ class GroupGraph {
   }
 
  private:
-  /// Lower triangle, one entry a pair of groups that share an entry of the matrix.
+  /// Builds the pattern of the graph: its lower triangle, with one entry for each pair of groups that share an entry of
+  /// the matrix.
   void make_pattern(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group) {
     std::vector<SuiteSparse_long> start{0}, row;
     std::vector<int> last_seen(n_, -1);

@@ -14,19 +14,21 @@
 namespace floc {
 namespace {
 
-/// First shift: far above rounding of a matrix of order one, and below all but mechanisms.
+/// Smallest shift of the matrix that is tried: far above the rounding of a matrix of order one, and below all
+/// eigenvalues but those of mechanisms.
 constexpr double kFirstShift = 1e-10;
+/// Largest shift that is tried.
 constexpr double kLastShift = 1e6;
-/// Relative change of the inverse's eigenvalues at which Lanczos' iteration ends. Vectors are then right to its
-/// root over the relative distance of the next eigenvalue, values to itself.
+/// Relative change of the eigenvalues of the inverse at which Lanczos' iteration ends. Eigenvalues are then accurate to
+/// this value, and eigenvectors to its square root over the relative distance of the next eigenvalue.
 constexpr double kConverged = 1e-11;
 constexpr int kMaxRestarts = 300;
-/// Distance at which the inertia of A - bound * 1 is not touched by rounding.
+/// Distance of the bound from an eigenvalue at which rounding does not change the inertia of A - bound * 1.
 constexpr double kClear = 1e-13;
-/// Orders up to which the dense eigenproblem costs nothing.
+/// Largest order of a matrix whose eigenpairs are computed densely, in negligible time.
 constexpr int kDense = 120;
 
-/// Takes the span of some vectors out of others.
+/// Projector onto the space orthogonal to some vectors.
 class Projector {
  public:
   explicit Projector(const Eigen::SparseMatrix<double>& sparse) : sparse_(sparse) {
@@ -48,7 +50,7 @@ class Projector {
   Eigen::MatrixXd dense_;
 };
 
-/// P (A + s)^-1 P as Spectra takes it.
+/// Operator P (A + s)^-1 P in the form that Spectra requires, with the projector P and the shift s.
 struct ShiftInvert {
   using Scalar = double;
   const SymmetricFactor& factor;
@@ -57,7 +59,7 @@ struct ShiftInvert {
 
   Eigen::Index rows() const { return n; }
   Eigen::Index cols() const { return n; }
-  void set_shift(double) {}  // the factor was made with it
+  void set_shift(double) {}  // the factor already includes the shift
   void perform_op(const double* in, double* out) const {
     const Eigen::VectorXd x = project(Eigen::Map<const Eigen::VectorXd>(in, n));
     Eigen::Map<Eigen::VectorXd>(out, n) = project(factor.solve(x, 0));
@@ -67,16 +69,17 @@ struct ShiftInvert {
 double make_positive(SymmetricFactor& factor) {
   for (double shift = kFirstShift; shift < kLastShift; shift *= 10.0)
     if (factor.factorize_positive(shift)) return shift;
-  throw std::runtime_error("no shift makes the stiffness matrix positive definite: it is not finite");
+  throw std::runtime_error(
+      "no shift makes the stiffness matrix positive definite; it probably contains values that are not finite");
 }
 
-/// Returns up to `count` more eigenpairs, lowest first, orthogonal to the vectors that the projector removes.
+/// Returns up to `count` further eigenpairs, lowest first, orthogonal to the vectors that the projector removes.
 Eigenpairs search(const SymmetricFactor& factor, const Projector& project, double shift, Eigen::Index n,
                   int count) {
   ShiftInvert op{factor, project, n};
   const Eigen::Index basis = std::min<Eigen::Index>(n, std::max(2 * count + 20, 40));
   Spectra::SymEigsShiftSolver<ShiftInvert> solver(op, count, basis, -shift);
-  // The start must not be orthogonal to a mode by a symmetry of a lattice, so its entries follow no such
+  // The start vector must not be orthogonal to a mode because of the symmetry of a lattice, so its entries have no such
   // symmetry.
   Eigen::VectorXd start(n);
   for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
@@ -89,16 +92,16 @@ Eigenpairs search(const SymmetricFactor& factor, const Projector& project, doubl
   return found;
 }
 
-/// Rayleigh and Ritz: the best eigenpairs of A in the span of some vectors.
+/// Returns the Rayleigh-Ritz approximations to eigenpairs of A in the span of some vectors.
 Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& vectors) {
   const Eigen::MatrixXd q = orthonormal_basis(vectors, vectors.cols());
   const SymmetricEigen eigen = symmetric_eigen(q.transpose() * factor.multiply(q));
   return {eigen.values, q * eigen.vectors, true};
 }
 
-/// Returns up to `count` vectors that A takes to zero, to rounding. They belong to one multiple eigenvalue, of
-/// which Lanczos' iteration finds one copy per search; the shifted inverse amplifies all of them at once, by
-/// the inverse of the shift.
+/// Returns up to `count` vectors v for which A v is zero to rounding. They belong to one multiple eigenvalue, of which
+/// a Lanczos search finds a single copy. The shifted inverse amplifies all of them at once, by the inverse of the
+/// shift.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;
@@ -128,7 +131,7 @@ Eigenpairs lowest(const Eigenpairs& pairs, int count) {
   return {pairs.values.head(n), pairs.vectors.leftCols(n), pairs.complete};
 }
 
-/// Returns all eigenpairs of a small matrix in the complement of the vectors left out.
+/// Returns all eigenpairs of a small matrix in the space orthogonal to the vectors `left_out`.
 Eigenpairs dense_eigenpairs(const SymmetricFactor& factor, const Eigen::SparseMatrix<double>& left_out) {
   const Eigen::Index n = left_out.rows();
   const Eigen::MatrixXd q = orthonormal_basis(Eigen::MatrixXd(left_out), n);
@@ -156,7 +159,7 @@ Eigenpairs lowest_eigenpairs(SymmetricFactor& factor, const Eigen::SparseMatrix<
   }
   int missing = wanted - static_cast<int>(found.values.size());
   found.complete = missing == 0;
-  // Each search finds one more copy, at least, of every multiple eigenvalue among the lowest.
+  // Each search finds at least one more copy of every multiple eigenvalue among the lowest ones.
   for (int k = 0; k <= wanted && missing > 0; ++k) {
     const double shift = make_positive(factor);
     const Eigenpairs more = search(factor, project, shift, n, std::min(missing, wanted));

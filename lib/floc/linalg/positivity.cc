@@ -8,17 +8,18 @@
 namespace floc {
 namespace {
 
-/// ln(1.648 sqrt(n)/oversight) of [KW1992].
+/// Returns ln(1.648 sqrt(n)/oversight), the factor in the bound of [KW1992] for a matrix of order n.
 double log_of_odds(Eigen::Index n, double oversight) {
   return std::log(1.648 * std::sqrt(static_cast<double>(n)) / oversight);
 }
 
-/// Share of the spread of a spectrum that Lanczos' lowest value may be above the lowest eigenvalue.
+/// Returns how far Lanczos' lowest value may be above the lowest eigenvalue after some steps, as a share of the spread
+/// of the spectrum.
 double missed_share(Eigen::Index n, int steps, double oversight) {
   return std::pow(log_of_odds(n, oversight) / (2.0 * steps - 1.0), 2);
 }
 
-/// Any direction, each as likely as any other.
+/// Returns a unit vector in a random direction, with all directions equally likely.
 Eigen::VectorXd random_direction(Eigen::Index n) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
@@ -36,7 +37,7 @@ Positivity test_positivity(Eigen::Index n, const std::function<Eigen::VectorXd(c
   out.bound = std::numeric_limits<double>::infinity();
   Eigen::VectorXd v = random_direction(n), before = Eigen::VectorXd::Zero(n);
   double beta = 0.0, pivot = 1.0;
-  double spread = 0.0;  // Gershgorin's bound of the largest eigenvalue of the tridiagonal matrix
+  double spread = 0.0;  // Gershgorin's upper bound on the largest eigenvalue of the tridiagonal matrix
   while (out.steps < options.max_steps) {
     Eigen::VectorXd next = apply(v) - beta * before;
     const double alpha = v.dot(next);
@@ -50,7 +51,8 @@ Positivity test_positivity(Eigen::Index n, const std::function<Eigen::VectorXd(c
       return out;
     }
     spread = std::max(spread, alpha + last_beta + beta);
-    // All eigenvectors that the start has a part of are in the space: nothing is left to look for.
+    // The Krylov space contains all eigenvectors that have a component in the start vector, so that nothing more can be
+    // found.
     if (beta <= options.rounding * spread) {
       out.bound = options.rounding;
       return out;

@@ -15,15 +15,15 @@ void dtrsm_(const char*, const char*, const char*, const char*, const int*, cons
 namespace floc {
 namespace {
 
-/// Columns that are eliminated one by one.
+/// Largest number of columns that are eliminated one by one instead of by products of blocks.
 constexpr int kPanel = 32;
 
-/// Some columns of a supernode from one of its rows on.
+/// Consecutive columns of a supernode, from a given row on.
 struct Block {
   double* value;
   int stride;
   int n_columns;
-  const double* sign;  // of the columns
+  const double* sign;  // entry of S (1 or -1) for each column
 };
 
 class SignedFactorization {
@@ -66,7 +66,7 @@ class SignedFactorization {
   int n_rows(int s) const { return static_cast<int>(l_.first_row[s + 1] - l_.first_row[s]); }
   int n_columns(int s) const { return static_cast<int>(l_.first_column[s + 1] - l_.first_column[s]); }
   std::int64_t row(int s, int k) const { return l_.row[l_.first_row[s] + k]; }
-  /// Columns `first` to `first + count` of a supernode from row k on.
+  /// Returns `count` columns of a supernode from column `first` on, from row k on.
   Block block(int s, int k, int first, int count) const {
     return {l_.value + l_.first_value[s] + static_cast<std::int64_t>(first) * n_rows(s) + k, n_rows(s), count,
             sign_.data() + l_.first_column[s] + first};
@@ -83,7 +83,7 @@ class SignedFactorization {
     }
   }
 
-  /// Hands a supernode to the next one that its rows reach.
+  /// Adds a supernode to the list of the next supernode from which it has to be subtracted, found from its rows.
   void wait(int d) {
     if (next_row_[d] == n_rows(d)) return;
     const int s = owner_[row(d, next_row_[d])];
@@ -110,8 +110,8 @@ class SignedFactorization {
     wait(d);
   }
 
-  /// out = alpha * X S Y^T + beta * out for the rows X of a block and the first of them, Y, below the diagonal of
-  /// the product.
+  /// Computes out = alpha * X S Y^T + beta * out on and below the diagonal, with the rows X of a block and its first
+  /// `n_first` rows Y.
   void multiply(const Block& x, int n_rows, int n_first, double alpha, double beta, double* out, int stride) {
     const int k = x.n_columns;
     const bool mixed = std::any_of(x.sign, x.sign + k, [](double s) { return s < 0.0; });
@@ -132,8 +132,8 @@ class SignedFactorization {
            &stride);
   }
 
-  /// Eliminates columns of a supernode whose descendants have been subtracted: halves, so that most of the work
-  /// is the product of large blocks.
+  /// Eliminates columns of a supernode, after its descendants have been subtracted, by recursive halving, so that most
+  /// of the work is done by products of large blocks. @return false if a value is not finite
   bool eliminate(int s, int first, int count) {
     if (count <= kPanel) return eliminate_panel(s, first, count);
     const int left = (count / 2 + kPanel - 1) / kPanel * kPanel, middle = first + left;
@@ -174,13 +174,14 @@ class SignedFactorization {
 
   const Supernodes& l_;
   double smallest_pivot_;
-  int n_;  // supernodes
+  int n_;  // number of supernodes
   std::vector<double> sign_;
-  std::vector<int> place_;          // of each row in the supernode at hand
-  std::vector<int> owner_;          // supernode of each column
-  std::vector<int> first_waiting_;  // for each supernode, the list of those that are to be subtracted from it
+  std::vector<int> place_;  // place of each matrix row in the current supernode
+  std::vector<int> owner_;  // supernode of each column
+  std::vector<int>
+      first_waiting_;  // for each supernode, the first in the list of supernodes to be subtracted from it
   std::vector<int> next_waiting_;
-  std::vector<int> next_row_;  // of each supernode that is done, the first not yet subtracted
+  std::vector<int> next_row_;  // for each eliminated supernode, its first row that has not been subtracted yet
   std::vector<int> relative_;
   std::vector<double> product_, signed_;
 };

@@ -5,13 +5,12 @@
 
 namespace floc {
 
-/// Cholesky factor in single precision of a symmetric positive semidefinite matrix A. It takes half the memory
-/// of a factor in double precision but has only 7 digits, which refinement in double compensates. CHOLMOD 3 has
-/// no single precision, so the factor is Eigen's, without supernodes, and slower than SymmetricFactor where it
-/// is large.
+/// Cholesky factor in single precision of a symmetric positive semidefinite matrix A. It takes half the memory of a
+/// factor in double precision but has only 7 digits, which refinement in double precision compensates. CHOLMOD 3 has no
+/// single precision, so the factor is Eigen's, without supernodes; a large factor takes longer than SymmetricFactor.
 ///
-/// Rounding to single precision may make A indefinite, so the diagonal is shifted: by the smallest of the
-/// shifts tried with which A + shift * 1 factorizes. Refinement finds motions softer than the shift.
+/// Rounding to single precision may make A indefinite, so the diagonal is shifted by the smallest of several shifts for
+/// which A + shift * 1 has a Cholesky factor. Refinement has to find motions softer than the shift.
 class SingleFactor {
  public:
   /// @param lower  lower triangle of A, with a diagonal of order one
@@ -19,11 +18,11 @@ class SingleFactor {
   ~SingleFactor();
   SingleFactor(SingleFactor&&) noexcept;
 
-  /// Whether A + shift * 1 has been factorized. If no shift up to the size of the diagonal suffices, A is
+  /// Returns whether A + shift * 1 has been factorized. If no shift up to the size of the diagonal suffices, A is
   /// indefinite or not finite.
   bool positive() const { return positive_; }
   double shift() const { return shift_; }
-  /// An approximation of A^-1 b, accurate to some 1e-7 times the condition number. @pre positive()
+  /// Returns an approximation of A^-1 b, whose relative error is about 1e-7 times the condition number. @pre positive()
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

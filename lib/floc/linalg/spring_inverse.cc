@@ -11,22 +11,24 @@
 namespace floc {
 namespace {
 
+/// Condition number above which a Cholesky factor may hide a mechanism.
 constexpr double kSuspiciousCondition = 1e12;
-/// Share of a column of sqrt(k) A, left after those before it, below which it depends on them: a mechanism. The
-/// softest chain that double precision resolves leaves more than the first, rounding alone leaves 1e-15. Where
-/// many columns nearly depend on each other more can be left of a mechanism, up to the last.
+/// Length of the part of a column of sqrt(k) A that is orthogonal to the previous columns, as a share of the norm,
+/// below which the column counts as dependent, that is, as a mechanism. The values are tried in order. The softest
+/// chain that double precision resolves leaves more than the first value; rounding alone leaves 1e-15. If many columns
+/// are nearly dependent, rounding can leave more of a mechanism, up to the last value.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
-/// Units of rounding by which a factor may miss its matrix: each column sums some tens of products.
+/// Relative rounding error of a factor: each column sums some tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
-/// Hager's estimate is seldom off by more.
+/// Factor by which Hager's estimate of a norm is multiplied to make it an upper bound; it is seldom too low by more.
 constexpr double kEstimateMargin = 3.0;
 
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
-/// Whether every motion is one of the columns that take part, to rounding: those left out are mechanisms then,
-/// and no soft springs.
+/// Returns whether the columns that were not left out as dependent span all columns, to rounding. The left-out columns
+/// are then mechanisms, not soft springs.
 bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
   constexpr double kRounding = 1e-14, kLargest = 1e6;
   Eigen::VectorXd motion(root.cols());
@@ -56,10 +58,10 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
   return out;
 }
 
-/// Inverts by a factor of the matrix as it is, which is not positive; no value where an eigenvalue may lie
-/// within `bound` of zero.
+/// Inverts an indefinite matrix by a factor without shift. @return no value if an eigenvalue may lie within `bound` of
+/// zero
 std::optional<SpringInverse> invert_indefinite(SymmetricFactor& factor, double bound) {
-  constexpr double kFarFromZero = 1e3;  // larger than the error of any estimate of a norm
+  constexpr double kFarFromZero = 1e3;  // safety factor, larger than the error of any norm estimate
   SpringInverse out;
   out.n_negative = factor.count_eigenvalues_below(0.0);
   out.condition = factor.condition_estimate();
@@ -80,7 +82,7 @@ SpringInverse invert_shifted(SymmetricFactor& factor, double bound) {
   out.inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
   const bool factorized = out.inverse.definite || factor.factorize_indefinite(shift);
   out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
-  if (out.inverse.definite)  // other eigenvalues are above the bound; rounding may halve their ratios
+  if (out.inverse.definite)  // all other eigenvalues are above the bound; rounding may halve their ratios
     out.inverse.smallest_ratio = 0.5 * bound / (bound + shift);
   else
     out.inverse.inverse_norm = kEstimateMargin * out.condition / factor.norm();

@@ -20,11 +20,10 @@
 namespace floc {
 namespace {
 
-/// Value that replaces an exactly vanishing pivot of L S L^T, so that the elimination can continue; far below
-/// rounding.
+/// Value that replaces a zero pivot of L S L^T, so that the elimination can continue; far below rounding.
 constexpr double kSmallestPivot = 1e-30;
-/// Limits CHOLMOD to one thread while this object exists. CHOLMOD requests teams of four threads regardless of
-/// its settings, each of which waits in a loop for panels of some columns; it is faster with one.
+/// Limits CHOLMOD to one thread while this object exists. Regardless of its settings, CHOLMOD requests teams of four
+/// threads, which wait in loops for panels of a few columns; one thread is faster.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }
@@ -36,7 +35,7 @@ class OneThread {
   int levels_ = omp_get_max_active_levels();
 };
 
-/// A view of a dense matrix as CHOLMOD takes it; it is never written through.
+/// Returns a view of a dense matrix in the form that CHOLMOD requires; nothing is written through it.
 cholmod_dense as_cholmod(const Eigen::MatrixXd& m) {
   cholmod_dense view{};
   view.nrow = m.rows();
@@ -55,16 +54,17 @@ struct SymmetricFactor::Factor {
   using Lower = Eigen::Map<const Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>>;
 
   Ordering ordering;
-  std::vector<int> group;                              // of each unknown
-  Eigen::PermutationMatrix<Eigen::Dynamic> to_matrix;  // from the caller's unknowns to the order of `matrix`
-  double norm = 0.0;                                   // of A, largest absolute row sum
-  double shift = 0.0;                                  // of the last factor
+  std::vector<int> group;  // group of each unknown
+  // permutation from the caller's unknowns to the order of `matrix`
+  Eigen::PermutationMatrix<Eigen::Dynamic> to_matrix;
+  double norm = 0.0;   // largest absolute row sum of the matrix A
+  double shift = 0.0;  // shift of the last factor
   cholmod_common common{};
   cholmod_sparse* matrix = nullptr;
-  cholmod_factor* factor = nullptr;  // by supernodes; its ordering is kept
+  cholmod_factor* factor = nullptr;  // factor by supernodes; its ordering is kept
   bool factorized = false;
-  Eigen::VectorXd sign;  // S of L S L^T; empty: L L^T
-  FactorCost cost;       // once it is analysed
+  Eigen::VectorXd sign;  // diagonal of S in L S L^T; empty for L L^T
+  FactorCost cost;       // valid after analyse()
 
   explicit Factor(Ordering chosen) : ordering(chosen) {
     prepare_blas();
@@ -74,7 +74,7 @@ struct SymmetricFactor::Factor {
     common.error_handler = nullptr;
     common.useGPU = 0;
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix is given in its order
+    common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix is passed already reordered
     common.postorder = 0;
     common.quick_return_if_not_posdef = 1;
     common.supernodal = CHOLMOD_SUPERNODAL;
@@ -113,7 +113,7 @@ struct SymmetricFactor::Factor {
     return std::equal(p, p + other->ncol + 1, columns()) && std::equal(i, i + p[other->ncol], rows());
   }
 
-  /// Takes A, reordered; symbolic factors stay if they hold for it.
+  /// Sets A, reordered. The symbolic factor is kept if the pattern has not changed.
   void take_matrix(const Eigen::SparseMatrix<double>& lower, std::vector<int> next_group) {
     factorized = false;
     if (group == next_group && matrix != nullptr) {
@@ -144,12 +144,12 @@ struct SymmetricFactor::Factor {
     return n == 0 ? 0.0 : row_sums.maxCoeff();
   }
 
-  /// Lower triangle of A with its unknowns at their places, the diagonal first in each column.
+  /// Returns the lower triangle of A with reordered unknowns, with the diagonal entry first in each column.
   cholmod_sparse* reordered(const Eigen::SparseMatrix<double>& lower) {
     using Entry = Eigen::SparseMatrix<double>::InnerIterator;
     const int* place = to_matrix.indices().data();
     const auto n = static_cast<int>(lower.cols());
-    std::vector<SuiteSparse_long> next(n + 1, 0);  // first the length of each column, then where it goes on
+    std::vector<SuiteSparse_long> next(n + 1, 0);  // length of each column, later the place of its next entry
     for (int c = 0; c < n; ++c) {
       ++next[place[c] + 1];
       for (Entry it(lower, c); it; ++it)
@@ -181,7 +181,7 @@ struct SymmetricFactor::Factor {
     return out;
   }
 
-  /// Symbolic analysis.
+  /// Computes the symbolic factor, unless it already exists.
   void analyse() {
     if (factor != nullptr) return;
     factor = cholmod_l_analyze(matrix, &common);
@@ -208,7 +208,7 @@ struct SymmetricFactor::Factor {
     if (size() == 0) return true;
     analyse();
     if (factor->xtype == CHOLMOD_PATTERN) cholmod_l_change_factor(CHOLMOD_REAL, 1, 1, 1, 1, factor, &common);
-    check("making room for a factor");
+    check("allocating a factor");
     const std::vector<double> signs = floc::factorize_signed({{columns(), matrix->ncol + 1}, rows(), values()},
                                                              with_shift, kSmallestPivot, supernodes());
     factor->minor = factor->n;
@@ -242,7 +242,7 @@ struct SymmetricFactor::Factor {
     return solve_with(CHOLMOD_Lt, sign.asDiagonal() * solve_with(CHOLMOD_L, B));
   }
 
-  /// Iterative refinement of A X = B while the residual falls.
+  /// Refines the solution of A X = B iteratively as long as the residual decreases.
   void refine(Eigen::MatrixXd& X, const Eigen::MatrixXd& B, int max_steps) {
     Eigen::MatrixXd R = B - multiply(X);
     for (int k = 0; k < max_steps && R.norm() > 0.0; ++k) {
@@ -308,7 +308,8 @@ bool SymmetricFactor::factorize_indefinite(double shift) {
 int SymmetricFactor::count_eigenvalues_below(double bound) {
   if (factor_->size() == 0) return 0;
   if (!factorize_indefinite(-bound))
-    throw std::runtime_error("counting eigenvalues of a matrix that is not finite");
+    throw std::runtime_error(
+        "the eigenvalues of a matrix cannot be counted, because it contains values that are not finite");
   return static_cast<int>((factor_->sign.array() < 0.0).count());
 }
 

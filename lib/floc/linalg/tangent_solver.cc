@@ -11,32 +11,35 @@
 namespace floc {
 namespace {
 
-/// Relative residual that a step of Newton's iteration may leave.
+/// Relative residual of the linear system that is allowed in a step of Newton's iteration.
 constexpr double kTolerance = 1e-8;
-/// Shifts of the symmetric part, over its largest entry, tried until it is positive definite: geometric terms
-/// of compressed contacts have a small negative stiffness across the contact.
+/// Shifts of the symmetric part of the tangent matrix, over its largest entry, that are tried in turn until it is
+/// positive definite. It may be indefinite, because the geometric terms of compressed contacts are a small negative
+/// stiffness across the contact.
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
-/// Steps after which a factor of another matrix is not worth keeping.
+/// Number of BiCGSTAB steps above which the factor of another matrix is replaced.
 constexpr int kStaleSteps = 30;
+/// Largest number of BiCGSTAB steps with a factor and with the diagonal as preconditioner.
 constexpr int kMostStepsWithFactor = 60;
 constexpr int kMostStepsWithDiagonal = 4000;
 
-/// Diagonal of a matrix that is not zero anywhere.
+/// Returns the diagonal of a matrix with its zeros replaced by ones.
 Eigen::VectorXd safe_diagonal(const Eigen::SparseMatrix<double>& matrix) {
   const Eigen::VectorXd d = matrix.diagonal();
   return (d.array().abs() > 0.0).select(d, 1.0);
 }
 
-/// The grain of each of the first n unknowns, which are those of grains.
+/// Returns the grain of each of the first n unknowns, which belong to grains.
 std::vector<int> grain_of_unknowns(Eigen::Index n, const TangentLayout& layout) {
   std::vector<int> grain(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < grain.size(); ++k) grain[k] = static_cast<int>(k) / layout.unknowns_a_grain;
   return grain;
 }
 
-/// Cholesky factor of the symmetric part with the boundary's unknowns, which would fill it, eliminated last.
+/// Cholesky factor of the symmetric part of the tangent matrix. The unknowns of the boundary are eliminated last,
+/// because they would fill the factor.
 class SymmetricPart {
  public:
   explicit SymmetricPart(const TangentLayout& layout) : layout_(layout) {}
@@ -94,21 +97,21 @@ class Preconditioner {
   }
   static Eigen::ComputationInfo info() { return Eigen::Success; }
 
-  const SymmetricPart* part = nullptr;  // or else
+  const SymmetricPart* part = nullptr;  // null: `diagonal` is used instead
   const Eigen::VectorXd* diagonal = nullptr;
 };
 
 }  // namespace
 
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout) {
-  /// Rates of one core (operations per second) and numbers of steps, measured at 500 and 4000 spheres under 10
-  /// kPa to 100 MPa (docs/numerics.md, "Linear systems in 3D"). A Newton solution takes some four matrices.
+  /// Rates of one core (operations per second) and numbers of steps, measured with 500 and 4000 spheres at 10 kPa to
+  /// 100 MPa (docs/numerics.md, "Linear systems in 3D"). A Newton solution takes about four matrices.
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
-  constexpr double kNoMatter = 0.05;      // seconds: a factor of each matrix is exact
-  constexpr double kLargestFactor = 4e9;  // bytes
-  constexpr double kAtNeed = 20.0;        // seconds, where nothing else converges
+  constexpr double kNoMatter = 0.05;      // seconds below which an LU factor, which is exact, is preferred
+  constexpr double kLargestFactor = 4e9;  // largest size of a factor (bytes)
+  constexpr double kAtNeed = 20.0;        // largest time of LU factors if no other method converges (seconds)
 
   const Eigen::Index n = tangent.rows() - layout.n_boundary;
   SymmetricFactor factor;
@@ -127,7 +130,7 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   return {TangentMethod::diagonal, diagonal, at_need};
 }
 
-/// BiCGSTAB on one matrix after the other.
+/// Solver by BiCGSTAB for a sequence of matrices.
 class TangentSolver::Krylov {
  public:
   Krylov(const TangentLayout& layout, bool with_factor) : with_factor_(with_factor), part_(layout) {}
@@ -150,7 +153,7 @@ class TangentSolver::Krylov {
     return iterate(b);
   }
 
-  /// Solves by an LU factor of the matrix as it is.
+  /// Solves by an LU factor of the current matrix. @return no value if the matrix is singular or not finite
   std::optional<Eigen::VectorXd> solve_by(UnsymmetricFactor& lu, const Eigen::VectorXd& b) const {
     if (!lu.factorize(matrix_)) return std::nullopt;
     return lu.solve(unit_ * b);
@@ -181,8 +184,8 @@ class TangentSolver::Krylov {
   Eigen::VectorXd diagonal_;
   double unit_ = 1.0;
   bool has_factor_ = false;
-  bool fresh_ = false;  // the factor is that of this matrix
-  int steps_ = 0;       // of the last solution
+  bool fresh_ = false;  // whether the factor belongs to the current matrix
+  int steps_ = 0;       // number of iteration steps of the last solution
 };
 
 struct TangentSolver::Methods {
@@ -207,7 +210,7 @@ std::optional<Eigen::VectorXd> TangentSolver::solve(const Eigen::VectorXd& b) {
   if (m.method == TangentMethod::lu) return m.lu.solve(b);
   std::optional<Eigen::VectorXd> x = m.krylov.solve(b);
   if (x || !m.lu_at_need) return x;
-  m.method = TangentMethod::lu;  // the matrices to come are no better
+  m.method = TangentMethod::lu;  // later matrices will not be easier for the iteration
   return m.krylov.solve_by(m.lu, b);
 }
 

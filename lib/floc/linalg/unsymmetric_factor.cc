@@ -14,8 +14,8 @@
 namespace floc {
 
 struct UnsymmetricFactor::Factors {
-  Eigen::SparseMatrix<double> matrix;  // times `unit`; refinement needs it
-  /// Power of two that brings the largest entry to 1: UMFPACK rounds otherwise where rows are below 1e-12, and
+  Eigen::SparseMatrix<double> matrix;  // matrix times `unit`, kept for iterative refinement
+  /// Power of two that scales the largest entry to about 1. UMFPACK rounds differently if rows are below 1e-12, so that
   /// a solution would depend on the units.
   double unit = 1.0;
   void* symbolic = nullptr;
@@ -27,8 +27,9 @@ struct UnsymmetricFactor::Factors {
     prepare_blas();
     umfpack_di_defaults(control.data());
     control[UMFPACK_PRL] = 0;
-    // Patterns are symmetric and diagonals strong, even where values are not; UMFPACK, which gets no values,
-    // would order for the unsymmetric case and take three to five times as long (measured at 1400 grains).
+    // The matrices have symmetric patterns and large diagonals, even if their values are not symmetric. UMFPACK
+    // receives no values in its analysis and would choose the ordering for unsymmetric matrices, which takes three to
+    // five times as long (measured with 1400 grains).
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   }
   ~Factors() {
@@ -47,7 +48,7 @@ struct UnsymmetricFactor::Factors {
   void analyse() {
     umfpack_di_free_symbolic(&symbolic);
     const int n = static_cast<int>(matrix.cols());
-    // Without values: the ordering is then a function of the pattern alone.
+    // No values are passed, so that the ordering depends on the pattern alone.
     const int status = umfpack_di_symbolic(n, n, matrix.outerIndexPtr(), matrix.innerIndexPtr(), nullptr,
                                            &symbolic, control.data(), nullptr);
     if (status != UMFPACK_OK)

@@ -7,10 +7,11 @@
 namespace floc {
 namespace {
 
-/// Fraction of a step below which a remainder counts as rounding and not as another step.
+/// Fraction of a step below which a remainder of the path counts as a rounding error and makes no further step.
 constexpr double kRoundingPerStep = 1e-6;
 
-/// `n` pressures from * factor^k, the last replaced by `to`.
+/// Returns `n` pressures that change by equal factors from `from` to `to`, without `from` itself.
+/// @param log10_factor  decimal logarithm of the factor per step; the last step may be smaller
 std::vector<double> geometric(double from, double to, double log10_factor, int n) {
   std::vector<double> pressures;
   for (int k = 1; k < n; ++k) pressures.push_back(from * std::pow(10.0, k * log10_factor));

@@ -20,12 +20,13 @@
 namespace floc {
 namespace {
 
-/// Purposes of the random streams of one seed.
+/// Purposes of the random streams that are derived from the seed of a run (see RandomStream).
 constexpr std::uint64_t kAssemblyStream = 1;
 constexpr std::uint64_t kVibrationStream = 2;
 
-/// Sets the mass and the law of the walls of a saved packing to those of a scene. Their positions are kept.
-/// @throws InputError if the packing and the scene have walls across different axes
+/// Replaces the masses and the contact law of the walls of a saved packing by those of a scene. The positions of the
+/// walls are kept.
+/// @throws InputError if the packing and the scene do not have walls along the same axes
 template <int Dim>
 void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   Vec<Dim> lowest = Vec<Dim>::Zero();
@@ -35,13 +36,15 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   packing.walls = walls_around(packing, box, lowest);
   for (int a = 0; a < Dim; ++a)
     if (between_walls(saved, a) != between_walls(packing.walls, a))
-      throw InputError("box.boundary", fmt::format("the state has {} across axis {}: expected the same",
-                                                   between_walls(saved, a) ? "walls" : "no walls", a + 1));
+      throw InputError(
+          "box.boundary",
+          fmt::format("the state has {} along axis {}: expected a boundary of this kind in the scene",
+                      between_walls(saved, a) ? "walls" : "no walls", a + 1));
   packing.wall_law = wall_law(law, box);
   refresh_contacts(packing);
 }
 
-/// Returns the options. @throws InputError for an option out of its range
+/// Returns the options after checking them. @throws InputError if an option is out of its range
 RunOptions checked(RunOptions options) {
   require_in_range("threads", options.relaxation.threads, RunOptions::kThreads);
   return options;
@@ -83,8 +86,8 @@ Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
 
 namespace {
 
-/// Point of a run after a saved equilibrium.
-/// @param cell  lattice of the packing, which the state may have given away
+/// Returns the progress of a run after a saved equilibrium.
+/// @param cell  matrix of the lattice vectors of the packing; `state` itself may be without its packing
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const Mat<Dim>& cell, const std::string& sha256) {
   RunPoint point;
@@ -108,9 +111,9 @@ RunPoint point_after(const State<Dim>& state, const std::string& sha256) {
   return point_after(state, state.packing.cell.matrix, sha256);
 }
 
-/// Speed V0 = agitation * V* at the start of the assembly, with V* = sqrt(F0 D0/m) and m the mass of the
-/// largest grain (docs/physics.md, "Assembly and loading"); where no adhesion reaches across a gap, V* = sqrt(P
-/// a^2/m), at which a grain has the energy of the load on it.
+/// Returns the speed of the grains at the start of the assembly, V0 = agitation * V*. Here V* = sqrt(F0 D0/m), where m
+/// is the mass of the largest grain (docs/physics.md, "Assembly and loading"). If no adhesion acts across a gap, V* =
+/// sqrt(P a^Dim/m), at which the kinetic energy of a grain is comparable to the work of the pressure on it.
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
   const Grains<Dim>& g = packing().grains;
@@ -135,7 +138,8 @@ void Run<Dim>::take_packing_back() {
   equilibrator_.reset();
 }
 
-/// @pre the packing is here
+/// Vibrates the packing if the plan of the run says so, then starts the present step of the load path.
+/// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::shake_and_start_step() {
   if (target().vibration && !point_.shaken) {
@@ -147,8 +151,9 @@ void Run<Dim>::shake_and_start_step() {
   start_step();
 }
 
-/// Starts a stage at its first step if axes are loaded differently: its reference is the last saved state. The
-/// tilt of a sheared lattice is reduced before each step. @pre this object holds the packing
+/// Records the start of a stage at its first step, if its axes are loaded differently. The reference of its strains is
+/// the last saved state. In a simple shear, the tilt of the lattice is reduced before each step. @pre this object holds
+/// the packing
 template <int Dim>
 void Run<Dim>::begin_stage() {
   if (target().is_isotropic())
@@ -177,7 +182,8 @@ double Run<Dim>::pressure() const {
   return target().is_isotropic() ? target().pressure : equilibrator_->target_stress().mean();
 }
 
-/// @pre the packing is here
+/// Starts the aggregation of the grains, or the relaxation to the next equilibrium of the load path.
+/// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::start_step() {
   if (point_.aggregating) {
@@ -188,7 +194,8 @@ void Run<Dim>::start_step() {
   }
   begin_stage();
   if (packing_.law != target().law) {
-    // The relaxer computes the imbalance of stress at the start from the forces in the contact list.
+    // The forces in the contact list are updated, because the relaxation computes from them how far the stresses are
+    // from their targets.
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);
@@ -205,8 +212,8 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   pass_observer();
 }
 
-/// Passes the observer on to the object that moves the packing. That object counts time from the beginning of a
-/// chunk or a step, so the time of the run before it is added.
+/// Passes the observer on to the object that moves the packing. This object counts time from the beginning of a chunk
+/// or of a step, so the time of the run before it is added.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -273,15 +280,16 @@ State<Dim> Run<Dim>::release_state() {
   return state;
 }
 
-/// Continues the step from its point, which is with the packing the whole state of a run between two chunks.
+/// Continues the present step. Between two chunks of time steps, point_ and the packing determine the whole run, so
+/// that the objects that move the packing can be made anew.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);
   start_step();
 }
 
-/// Stress, residuals and stability are copied from the equilibrator where there is one: it has measured them
-/// already.
+/// Returns the present state without its packing. During a relaxation, stress, residuals and stability are copied from
+/// equilibrator_, which has measured them already.
 template <int Dim>
 State<Dim> Run<Dim>::state_without_packing() const {
   State<Dim> state;
@@ -313,7 +321,8 @@ template <int Dim>
 RelaxationReport Run<Dim>::report() const {
   if (!point_.aggregating) return equilibrator_->report();
   RelaxationReport report;
-  report.blocking = fmt::format("{} clusters, expected one", aggregation_->n_clusters());
+  report.blocking = fmt::format("the grains form {} clusters, but the aggregation ends only when they form one",
+                                aggregation_->n_clusters());
   return report;
 }
 

@@ -22,7 +22,7 @@ struct RunOptions {
   std::vector<LoadStage> load;
   RelaxationOptions relaxation;
   std::uint64_t seed = 1;
-  std::string text;  ///< the scene with overrides applied, as written into every state
+  std::string text;  ///< text of the scene with all overrides applied, which is stored in every state
 
   static constexpr WholeRange kThreads{.least = 1, .most = 1024};
 };

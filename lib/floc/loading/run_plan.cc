@@ -12,7 +12,9 @@
 namespace floc {
 namespace {
 
-/// Adds the steps of a stage whose axes are loaded differently, or start from different stresses.
+/// Adds the steps of a stage whose axes are loaded differently or start from different stresses to the plan.
+/// @param from  stresses that are known before the stage
+/// @param step  equilibrium with the properties that all steps of the stage share
 void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibrium step,
                std::vector<PlannedEquilibrium>& plan) {
   step.control = stage.is_isotropic() ? "isotropic" : stage.control;
@@ -30,19 +32,22 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
   }
 }
 
-/// Checks that a stage loads as many axes as the scene has and drives one of them; the loads are indexed by
-/// axis.
+/// Checks that a stage has a load for each axis of the scene and drives one of these axes. Without this check, axes
+/// could be out of range.
 void check_axes(const LoadStage& stage, int dimension) {
   if (stage.is_isotropic()) return;
   if (std::ssize(stage.axes) != dimension)
-    throw InputError("load", fmt::format("branch \"{}\" loads {} axes: expected {}, those of the scene",
-                                         stage.name, stage.axes.size(), dimension));
+    throw InputError(
+        "load",
+        fmt::format("the stage \"{}\" has loads for {} axes: expected {}, one for each axis of the scene",
+                    stage.name, stage.axes.size(), dimension));
   if (stage.axis < 0 || stage.axis >= dimension)
-    throw InputError("load", fmt::format("branch \"{}\" drives axis {}: expected one from 1 to {}", stage.name,
-                                         stage.axis + 1, dimension));
+    throw InputError("load",
+                     fmt::format("the stage \"{}\" drives axis {}: expected the number of an axis from 1 to {}",
+                                 stage.name, stage.axis + 1, dimension));
 }
 
-/// Whether an equilibrium is impossible because grains without adhesion are under zero stress on an axis.
+/// Whether an equilibrium is impossible because the stress on an axis is zero and the grains have no adhesion.
 bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   if (e.law.adheres()) return false;
   if (e.is_isotropic()) return e.pressure == 0.0;
@@ -64,7 +69,7 @@ void change_law(Law& law, const std::string& key, double value) {
   double* const target = law_number(parameters, key);
   if (target == nullptr)
     throw InputError("load.set",
-                     fmt::format("{} = {}: the scene's contact law has no such parameter", key, value));
+                     fmt::format("{} = {}: the contact law of the scene has no such parameter", key, value));
   *target = value;
   const std::vector<std::string> faults = parameters.validate();
   if (!faults.empty()) throw InputError("load.set", faults.front());
@@ -104,10 +109,10 @@ std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const 
   }
   for (const PlannedEquilibrium& equilibrium : plan)
     if (has_nothing_to_hold_it(equilibrium))
-      throw InputError(
-          "load", fmt::format("branch \"{}\" asks for equilibrium at zero pressure without adhesion: nothing "
-                              "holds the grains together, expected a pressure > 0",
-                              equilibrium.branch));
+      throw InputError("load",
+                       fmt::format("the stage \"{}\" requires an equilibrium at zero pressure, but without "
+                                   "adhesion nothing holds the grains together; expected a positive pressure",
+                                   equilibrium.branch));
   return plan;
 }
 

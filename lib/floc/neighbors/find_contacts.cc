@@ -13,7 +13,8 @@
 namespace floc {
 namespace {
 
-/// Largest number of contacts of a packing: a constant, plus a number per grain.
+/// Largest number of contacts that a packing may have: kContactsAlways plus kContactsPerGrain times the number of
+/// grains.
 constexpr std::size_t kContactsAlways = 10'000;
 constexpr std::size_t kContactsPerGrain = 100;
 
@@ -38,13 +39,13 @@ template <int Dim>
 void find_contacts(Packing<Dim>& packing) {
   packing.contacts.clear();
   const std::vector<NeighborPair<Dim>> pairs = interacting_pairs(packing);
-  // More contacts than this come from a wrong radius or cell. The test comes before memory is allocated for
-  // them.
+  // More contacts than this are a sign of a wrong radius or a wrong cell. The test is made before memory is allocated
+  // for the contacts.
   if (pairs.size() > kContactsAlways + kContactsPerGrain * static_cast<std::size_t>(packing.grains.size()))
-    throw InputError("cell", "the grains overlap so much, or reach so far, that there are " +
-                                 std::to_string(pairs.size()) + " contacts of " +
-                                 std::to_string(packing.grains.size()) +
-                                 " grains: a radius or the cell is wrong");
+    throw InputError(
+        "cell", "the grains overlap so much, or attract each other across such wide gaps, that there are " +
+                    std::to_string(pairs.size()) + " contacts of " + std::to_string(packing.grains.size()) +
+                    " grains: a radius or the cell is wrong");
   packing.contacts.reserve(pairs.size());
   for (const NeighborPair<Dim>& pair : pairs) {
     Contact<Dim> contact;
@@ -53,11 +54,11 @@ void find_contacts(Packing<Dim>& packing) {
     contact.image = pair.image;
     packing.contacts.push_back(contact);
   }
-  // The range of a law does not include the reach of its liquid bridges, which depends on their volumes: pairs
-  // across a gap are added where the liquid is shared out.
+  // The range of a contact law does not include the gaps that its liquid bridges span, because these depend on the
+  // volumes of the bridges. spread_liquid() adds the pairs that a bridge joins across a gap.
   refresh_contacts(packing);
   spread_liquid(packing);
-  // A contact whose normal is zero, or points out of the box, is meaningless under any law.
+  // Under any contact law, a contact is meaningless if its normal is zero or points from the wall into the box.
   const auto name = [&](int i) { return std::to_string(packing.grains.name(i)); };
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)

@@ -4,11 +4,12 @@
 
 namespace floc {
 
-/// Replaces the contacts of a packing by all interactions that follow from its geometry and law: every pair of
-/// surfaces that overlap or are closer than the law's range, with springs at rest. Liquid, if the law has any,
-/// is shared out between the pairs in reach (spread_liquid()).
-/// @throws InputError as find_pairs(); if two grains have the same centre, or a grain has its centre on or
-/// beyond a wall; or if there are more than 10 000 contacts plus 100 per grain.
+/// Replaces the contacts of a packing by all interactions that follow from its geometry and law: every pair of surfaces
+/// that overlap or are closer than the range of the contact law. The springs of all contacts are unloaded. If the
+/// contact law has liquid bridges, the liquid is shared out among the pairs close enough to be bridged
+/// (spread_liquid()).
+/// @throws InputError under the conditions of find_pairs(); if two grains have the same centre, or a grain has its
+/// centre on or beyond a wall; or if there are more than 10 000 contacts plus 100 per grain.
 template <int Dim>
 void find_contacts(Packing<Dim>& packing);
 

@@ -6,9 +6,10 @@
 
 namespace floc {
 
-/// Pairs of surfaces closer than the range of the law, in the order of contacts: pairs of grains, and pairs of
-/// grains with walls. The indices of walls follow those of the grains.
-/// @throws InputError as find_pairs()
+/// Returns the pairs of surfaces closer than the range of the contact law: pairs of two grains, and pairs of a grain
+/// and a wall. They are sorted by (i, j, image). The index of a wall is the number of grains plus the index of the wall
+/// among the walls.
+/// @throws InputError under the conditions of find_pairs()
 template <int Dim>
 std::vector<NeighborPair<Dim>> interacting_pairs(const Packing<Dim>& packing);
 

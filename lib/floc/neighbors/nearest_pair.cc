@@ -10,7 +10,7 @@ namespace floc {
 
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
-  constexpr double kFirst = 1e-3, kLast = 1e3;  // gaps over the largest diameter
+  constexpr double kFirst = 1e-3, kLast = 1e3;  // first and last gap searched, in largest diameters
   const double a = largest_diameter(packing.grains);
   const double farthest = std::min(kLast * a, packing.cell.matrix.cwiseAbs().sum());
   for (double reach = kFirst * a; reach < 2.0 * farthest; reach *= 2.0) {

@@ -16,23 +16,27 @@
 namespace floc {
 namespace {
 
-/// Largest distance of a grain in cells. Beyond it images do not fit an integer.
+/// Largest distance between a grain and the cell, in sides of the cell. At a larger distance, the numbers of the
+/// periodic image would not fit an int.
 constexpr double kMaxCells = 1e9;
-/// Largest number of trials of a search: a constant, or a number per grain in a large packing.
+/// Largest number of pairs that a search may test: kTrialsAlways or, in a large packing, kTrialsPerGrain times the
+/// number of grains.
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
-/// Largest number of pairs of a packing: a constant, plus a number per grain. More pairs come from a wrong
-/// radius or cell.
+/// Largest number of pairs that a search may find: kPairsAlways plus kPairsPerGrain times the number of grains. More
+/// pairs are a sign of a wrong radius or a wrong cell.
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
-/// Largest number of levels. Grains smaller by a larger power of two share the last level.
+/// Largest number of size levels. Each level covers a factor of two in radius; grains that are too small for the last
+/// level are put into it, too.
 constexpr int kMaxLevels = 32;
 
-/// Grains wrapped into the cell.
+/// Positions of the grains of a packing after each has been moved into the cell by lattice vectors.
 template <int Dim>
 struct WrappedGrains {
-  std::vector<Vec<Dim>> reduced;    ///< position in units of the lattice vectors, inside [0, 1] up to rounding
-  std::vector<Vec<Dim, int>> wrap;  ///< image that brings each grain into the cell
+  /// Reduced coordinates of each grain (in lattice vectors), inside [0, 1] up to rounding.
+  std::vector<Vec<Dim>> reduced;
+  std::vector<Vec<Dim, int>> wrap;  ///< numbers of lattice vectors that bring each grain into the cell
   std::vector<Vec<Dim>> position;
 
   WrappedGrains(const Cell<Dim>& cell, const Grains<Dim>& grains)
@@ -53,25 +57,26 @@ struct WrappedGrains {
   }
 };
 
-/// Grains sorted into bins of reduced space, each bin at least the cutoff wide where the cell is large enough.
+/// Grains sorted into bins, which divide each lattice vector of the cell into equal parts. Each bin is at least as wide
+/// as the cutoff if the cell is large enough.
 template <int Dim>
 class Bins {
  public:
-  /// @param members  grains to sort, ascending, at least one
+  /// @param members  indices of the grains to sort, in ascending order; at least one
   Bins(const Cell<Dim>& cell, const WrappedGrains<Dim>& grains, const std::vector<int>& members, double cutoff)
       : grains_(grains) {
     const Mat<Dim> to_reduced = cell.matrix.transpose().inverse();
     const double grains_per_side = std::pow(static_cast<double>(members.size()), 1.0 / Dim);
     for (int a = 0; a < Dim; ++a) {
       height_[a] = 1.0 / to_reduced.row(a).norm();
-      // Bins much finer than the grains would use memory without saving time.
+      // Bins much smaller than the spacing of the grains would use memory without saving time.
       count_[a] =
           static_cast<int>(std::clamp(std::floor(height_[a] / cutoff), 1.0, 2.0 * grains_per_side + 1.0));
     }
     sort(members);
   }
 
-  /// Largest number of bins that around() visits for a point.
+  /// Returns the largest number of bins that around() visits for one grain.
   double bins_within(double reach) const {
     double bins = 1.0;
     for (int a = 0; a < Dim; ++a) bins *= 2.0 * std::ceil(reach * count_[a] / height_[a]) + 1.0;
@@ -79,16 +84,17 @@ class Bins {
   }
   double bins() const { return count_.template cast<double>().prod(); }
 
-  /// Calls visit(j, image of j's bin) for every grain j here that may be closer than `reach` to grain i.
+  /// Calls visit(j, image), with the periodic image of the bin of j, for every grain j of these bins that may be closer
+  /// than `reach` (length) to grain i.
   template <class Visit>
   void around(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
     for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
   }
 
-  /// Calls visit(j, image of j's bin) as around() does, for a grain i of this level, so that each pair of the
-  /// level is visited once. Bins before that of i in their order are left out, and so are grains before i in
-  /// its own bin.
+  /// Calls visit(j, image) like around(), for a grain i that is itself in these bins, but so that each pair is visited
+  /// from one of its grains only: bins that precede the bin of i are left out, and so are grains in the bin of i with
+  /// an index below i.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -112,7 +118,7 @@ class Bins {
     Window window;
     for (int a = 0; a < Dim; ++a) {
       const double s = grains_.reduced[i][a] * count_[a];
-      // The window is wider by a billionth of a bin, which covers rounding.
+      // The window is widened by a billionth of a bin on each side, so that rounding errors cannot hide a pair.
       const double bins = std::min(reach / height_[a] * count_[a], kMaxCells) + 1e-9;
       window.first[a] = static_cast<int>(std::floor(s - bins));
       window.last[a] = static_cast<int>(std::floor(s + bins));
@@ -120,7 +126,8 @@ class Bins {
     return window;
   }
 
-  /// Calls visit(bin) for the bins of a window from `begin` on, the first axis fastest.
+  /// Calls visit(bin) for the bins of a window, starting at the bin `begin`. The index along the first axis varies
+  /// fastest.
   template <class Visit>
   static void for_each_bin(const Vec<Dim, int>& begin, const Window& window, const Visit& visit) {
     Vec<Dim, int> bin = begin;
@@ -158,7 +165,9 @@ class Bins {
   template <class Visit>
   void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
-    for (int a = 0; a < Dim; ++a) {  // a few cells at most, and seldom any: dividing took a third of the search
+    // The bin `target` is at most a few cells outside the cell, so that these loops are faster than divisions, which
+    // took a third of the computing time of the search.
+    for (int a = 0; a < Dim; ++a) {
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
       for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];
     }
@@ -167,29 +176,30 @@ class Bins {
   }
 
   const WrappedGrains<Dim>& grains_;
-  Vec<Dim> height_;  ///< distances of opposite faces of the cell (length)
+  Vec<Dim> height_;  ///< distances between opposite faces of the cell (length)
   Vec<Dim, int> count_;
-  std::vector<int> first_;   ///< first member of each bin
-  std::vector<int> member_;  ///< grains by bin
+  /// Index in member_ of the first grain of each bin; the last entry is the size of member_.
+  std::vector<int> first_;
+  std::vector<int> member_;  ///< indices of the grains, sorted by bin
 };
 
-/// Grains of similar size, in bins that are wide enough for the largest of them.
+/// Level of grains of similar size, sorted into bins that are wide enough for the largest of these grains.
 template <int Dim>
 struct SizeLevel {
   std::vector<int> members;
-  double largest;  ///< radius
+  double largest;  ///< radius of the largest grain of the level (length)
   Bins<Dim> bins;
 };
 
-/// Levels of grains by size, the largest first: one level where the widest bin that a grain needs, 2 R + gap,
-/// is at most kSimilarSizes times the narrowest, otherwise one level per factor of two. A grain then has no
-/// more neighbours in a level than fit around a grain of that level (Ogarko and Luding, Comput. Phys. Commun.
-/// 183, 931, 2012).
+/// Sorts the grains into levels of similar size, the level of the largest grains first. There is a single level if the
+/// widest bin that a grain needs (2 R + gap, with R its radius) is at most kSimilarSizes times the narrowest one;
+/// otherwise there is one level per factor of two. A grain then has no more neighbours in a level than fit around a
+/// grain of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
   const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
-  // Half widths are used, so that a radius close to the largest double does not overflow.
+  // Half of each width is compared, so that a radius close to the largest double does not overflow.
   const double widest = *most + 0.5 * gap;
   const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
   std::vector<std::vector<int>> members(kMaxLevels);
@@ -208,8 +218,8 @@ std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>
   return levels;
 }
 
-/// Refuses a search of too many trials: a cell that is tiny compared with its grains contains too many of their
-/// images.
+/// Throws an InputError if a search would test too many pairs, which happens if the cell is tiny compared with its
+/// grains and each grain has too many periodic images nearby.
 template <int Dim>
 void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, double gap) {
   double trials = 0.0;
@@ -223,18 +233,21 @@ void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, doub
   if (trials > std::max(kTrialsAlways, kTrialsPerGrain * n_grains))
     throw InputError(
         "cell",
-        "is so small beside its largest grain, or the grains are so different in size, that finding "
-        "contacts would take " +
-            std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " trials");
+        "is so small compared with its largest grain, or the grains differ so much in size, that the "
+        "search for contacts would have to test " +
+            std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " pairs of grains");
 }
 
-/// Image of a pair in the lattice of the caller, from its image in the reduced lattice.
+/// Converts the periodic image of a pair from the reduced lattice, in which pairs are searched, to the lattice of the
+/// caller.
 template <int Dim>
 Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& image) {
   if (lattice.is_original) return image;
   const Vec<Dim, std::int64_t> wide = lattice.original(image);
   if (static_cast<double>(wide.cwiseAbs().maxCoeff()) >= kMaxCells)
-    throw InputError("cell", "lattice vectors are so slanted that neighbours are more than 1e9 of them apart");
+    throw InputError(
+        "cell",
+        "lattice vectors are so oblique that neighbouring grains are more than 1e9 lattice vectors apart");
   return wide.template cast<int>();
 }
 
@@ -247,14 +260,15 @@ void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
       throw InputError("grain " + std::to_string(grains.name(i)), "position and radius must be finite");
 }
 
-/// Search for the pairs of each grain with the grains of its own and of coarser levels.
+/// Search for the close pairs of a packing. Each grain is paired with the grains of its own size level and of the
+/// levels of larger grains.
 template <int Dim>
 class PairSearch {
  public:
   PairSearch(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap)
       : grains_(grains), gap_(gap), lattice_(reduced_lattice(cell)), wrapped_(lattice_.cell, grains) {}
 
-  /// Returns all pairs, unsorted.
+  /// Returns all pairs of grains closer than the gap of this search, in no particular order.
   std::vector<NeighborPair<Dim>> all() {
     const std::vector<SizeLevel<Dim>> levels = size_levels(lattice_.cell, grains_, wrapped_, gap_);
     check_cost(levels, grains_.size(), gap_);
@@ -278,12 +292,14 @@ class PairSearch {
     NeighborPair<Dim> pair{i, j,
                            image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
     if (!is_canonical(pair)) pair = swapped(pair);
-    if (!is_canonical(pair)) return;  // a grain and itself
+    // Skips the pair of a grain with itself, but not with an image of itself.
+    if (!is_canonical(pair)) return;
     pairs_.push_back(pair);
     if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))
-      throw InputError("cell", "the grains overlap so much, or reach so far, that each has more than " +
-                                   std::to_string(kPairsPerGrain) +
-                                   " neighbours: a radius or the cell is wrong");
+      throw InputError(
+          "cell",
+          "the grains overlap so much, or attract each other across such wide gaps, that each has more than " +
+              std::to_string(kPairsPerGrain) + " neighbours: a radius or the cell is wrong");
   }
 
   const Grains<Dim>& grains_;
@@ -293,7 +309,7 @@ class PairSearch {
   std::vector<NeighborPair<Dim>> pairs_;
 };
 
-/// Sorts pairs by their first grains, by counting, and then the pairs of each grain.
+/// Sorts pairs by their first grain with a counting sort, and then sorts the pairs of each first grain.
 template <int Dim>
 std::vector<NeighborPair<Dim>> sorted(const std::vector<NeighborPair<Dim>>& pairs, int n_grains) {
   std::vector<std::size_t> first(n_grains + 1, 0);
@@ -314,7 +330,7 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
   check_finite(cell, grains);
   if (grains.size() == 0) return {};
-  // The search is a temporary, so that its memory is freed before the pairs are sorted.
+  // The PairSearch object is a temporary, so that its memory is freed before the pairs are sorted.
   const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap).all();
   return sorted(pairs, grains.size());
 }

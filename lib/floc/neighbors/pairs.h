@@ -6,31 +6,34 @@
 
 namespace floc {
 
-/// Pair of grains whose surfaces, or those of their images, are close: a contact, or a place where one may
-/// form.
+/// Pair of grains, or of a grain and a periodic image of a grain, whose surfaces touch or are close enough that they
+/// may come into contact.
 template <int Dim>
 struct NeighborPair {
   int i;
-  int j;                ///< >= i; equal for a grain and its own image
-  Vec<Dim, int> image;  ///< branch = x[j] + image * cell.matrix - x[i]
-  int key = 0;          ///< distinguishes several contacts of one pair and image
+  int j;  ///< index of the second grain, >= i; equal to i for a grain and its own image
+  /// Periodic image of j, in lattice vectors: the vector from i to j is x[j] + image * cell.matrix - x[i].
+  Vec<Dim, int> image;
+  int key = 0;  ///< number that distinguishes several contacts between the same two surfaces
 
   bool operator==(const NeighborPair&) const = default;
 };
 
-/// Finds every pair of surfaces closer than `gap`, each once, sorted by (i, j, image). The lattice may be of
-/// any shape: in a small cell a pair may appear with several images, and a grain with its own images (one of
-/// each opposite two).
+/// Finds every pair of surfaces closer than `gap`. Each pair appears once; the pairs are sorted by (i, j, image). The
+/// lattice may be of any shape. In a small cell, two grains may form several pairs with different images, and a grain
+/// may form pairs with its own images (of two opposite images, one is listed).
 ///
-/// @param gap  largest distance of the surfaces (length), >= 0; pairs at exactly `gap` are left out
-/// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain
-/// lies more than 1e9 cells away; if the search would take too long, with a grain many cells wide or very many
-/// grains beside a very large one; or if there are more than 10 000 pairs plus 1000 per grain.
+/// @param gap  upper bound of the distance between two surfaces (length), >= 0; pairs at exactly this distance are left
+/// out
+/// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain lies more
+/// than 1e9 cells away from the cell; if the search would take too long, because a grain is many cells wide or because
+/// very many small grains are mixed with a very large one; or if there are more than 10 000 pairs plus 1000 per grain
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
 
-/// Finds every grain and wall whose surfaces are closer than `gap` (length), sorted by (i, j): i is the grain,
-/// j the index of the wall among the walls. A grain beyond a wall counts as close to it.
+/// Finds every pair of a grain and a wall whose surfaces are closer than `gap` (length). The pairs are sorted by (i,
+/// j), where i is the index of the grain and j the index of the wall among the walls. A grain whose centre lies beyond
+/// a wall counts as close to it.
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_wall_pairs(const std::vector<Wall<Dim>>& walls, const Grains<Dim>& grains,
                                                double gap);

@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Contacts between grains, and all other pairs closer than `reach` as contacts with springs at rest; in order,
-/// with their gaps.
+/// Returns the contacts between grains, and all other pairs of grains whose gap is below `reach` (length) as contacts
+/// with unloaded springs. The contacts are sorted, and their gaps are set.
 template <int Dim>
 std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) {
   std::vector<Contact<Dim>> found;
@@ -32,8 +32,8 @@ std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) 
   return found;
 }
 
-/// Shares all liquid out over those members of `found` that may hold liquid.
-/// @return volume of each member of `found`
+/// Shares the liquid of the packing out among those members of `found` that may hold liquid.
+/// @return the liquid volume of each member of `found`
 template <int Dim>
 LiquidShares shares_over(const Packing<Dim>& packing, const BridgeSearch& search,
                          const std::vector<Contact<Dim>>& found) {
@@ -59,7 +59,8 @@ LiquidChange spread_liquid(Packing<Dim>& packing) {
   double reach = on_contact ? 0.0 : search.first_reach();
   std::vector<Contact<Dim>> found = candidates(packing, reach);
   LiquidShares shares = shares_over(packing, search, found);
-  // Where bridges form on contact, pairs with liquid touch or are in the list: the search need not be widened.
+  // If bridges form only on contact, every pair with liquid touches or is already among the contacts. The search then
+  // need not be widened.
   for (double wider = search.wider(reach, shares); !on_contact && wider > reach;
        wider = search.wider(reach, shares)) {
     reach = wider;

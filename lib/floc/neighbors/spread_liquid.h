@@ -4,24 +4,24 @@
 
 namespace floc {
 
-/// Changes of the bridges when the liquid of a packing is shared out anew.
+/// Changes of the liquid bridges when the liquid of a packing is shared out once more.
 struct LiquidChange {
-  int n_formed = 0;  ///< pairs that have a bridge now and had none
-  int n_broken = 0;  ///< pairs that had a bridge, broken or not, and have none now
+  int n_formed = 0;  ///< number of pairs that had no bridge before and have one now
+  int n_broken = 0;  ///< number of pairs that had a bridge before (intact or broken) and have none now
 
-  double largest = 0.0;  ///< change of the volume of a bridge over its volume before
+  double largest = 0.0;  ///< largest relative change of the volume of a bridge
 
   int n_changed() const { return n_formed + n_broken; }
-  /// Whether no bridge has changed, up to rounding.
+  /// Whether no liquid bridge has changed, up to rounding.
   bool nothing() const { return n_changed() == 0 && largest < 1e-9; }
 };
 
-/// Shares out the liquid of a packing between its pairs of grains at their present gaps (share_liquid()).
-/// Contacts that get no liquid and do not touch are removed from the list; pairs that get liquid are added,
-/// with springs at rest. Where bridges form on contact alone, only pairs that touch or have a bridge take part.
-/// Forces are computed with the new volumes. Under a law without liquid nothing is changed.
+/// Shares out the liquid of a packing among its pairs of grains at their present gaps (share_liquid()). Contacts that
+/// get no liquid and do not touch are removed from the packing; pairs that get liquid are added as contacts with
+/// unloaded springs. If bridges form only on contact, only pairs that touch or have a bridge get liquid. Forces are
+/// recomputed with the new volumes. If the contact law has no liquid, nothing is changed.
 ///
-/// @throws InputError as find_pairs()
+/// @throws InputError under the conditions of find_pairs()
 template <int Dim>
 LiquidChange spread_liquid(Packing<Dim>& packing);
 

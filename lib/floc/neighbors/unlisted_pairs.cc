@@ -13,8 +13,9 @@ NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
   return canonical(NeighborPair<Dim>{c.i, c.j, c.image});
 }
 
-/// Indices of the contacts in the order of their canonical pairs, which is their own order unless a file lists
-/// them otherwise. The contacts are not copied, since there may be millions.
+/// Returns the indices of the contacts in the order of their canonical pairs (i <= j). The contacts are usually in this
+/// order already, unless they were read from a file with another order. Only indices are sorted, because there may be
+/// millions of contacts.
 template <int Dim>
 std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
   std::vector<int> order(contacts.size());

@@ -8,16 +8,17 @@
 namespace floc {
 namespace {
 
-/// Cells beyond which a way around and back to the same grain is not followed; exact up to here.
+/// Largest number of cells along a closed path through the periodic images of a grain. Up to this number the arithmetic
+/// is exact.
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 40;
 
-using Wide = __int128;  // products of three numbers up to kMaxCells
+using Wide = __int128;  // integer type that holds products of three numbers up to kMaxCells
 
-/// Independent integer vectors up to kMaxCells, at most Dim of them, found by exact arithmetic.
+/// Set of at most Dim linearly independent integer vectors with components up to kMaxCells, tested by exact arithmetic.
 template <int Dim>
 class Lattice {
  public:
-  /// Adds a vector if it is independent of those held. @return whether it was added
+  /// Adds a vector if it is linearly independent of the vectors already in the set. @return whether it was added
   bool extend(const CellCount<Dim>& w) {
     if (rank_ == Dim || !independent(w)) return false;
     vectors_[rank_++] = w;
@@ -29,7 +30,8 @@ class Lattice {
     if (rank_ == 0) return !w.isZero();
     if (w.cwiseAbs().maxCoeff() > kMaxCells || vectors_[0].cwiseAbs().maxCoeff() > kMaxCells)
       throw InputError("contacts/image",
-                       "lead around more than 2^40 cells to where they began: one of them is wrong");
+                       "the images of contacts lead around more than 2^40 cells before they return to the same "
+                       "grain, so that at least one image is wrong");
     const CellCount<Dim>& u = vectors_[0];
     const auto minor = [](const auto& a, const auto& b, int p, int q) {
       return Wide{a[p]} * b[q] - Wide{a[q]} * b[p];
@@ -94,8 +96,8 @@ class Walk {
   const ContactNetwork<Dim>& network_;
   const Adjacency& of_;
   const std::vector<bool>& active_;
-  std::vector<int> index_;             // in its part, -1: not reached
-  std::vector<CellCount<Dim>> image_;  // of the cell in which the part holds the grain
+  std::vector<int> index_;             // index of each grain in its part; -1 if it has not been reached
+  std::vector<CellCount<Dim>> image_;  // periodic image of each grain in its unwrapped part
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ Mat<3> contact_frame(const Vec<3>& n) {
 
 namespace {
 
-/// The middle between the walls of each axis.
+/// Returns the middle between the two walls of each axis (length).
 template <int Dim>
 Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   Vec<Dim> middle = Vec<Dim>::Zero();
@@ -30,7 +30,8 @@ Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   return middle;
 }
 
-/// The branch of a contact with a wall, as NetworkContact has it.
+/// Returns the branch vector of a contact with a wall, see NetworkContact::branch. @param to_foot  vector from the
+/// centre of the grain to its foot on the wall
 template <int Dim>
 Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {
   const Vec<Dim> to_middle = middle(packing.walls) - packing.grains.position[c.i];

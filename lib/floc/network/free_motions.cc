@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// A rigid motion is distinct from those already pinned if it moves something by more than this share of its
-/// arm.
+/// Smallest displacement, as a share of the largest displacement in the motion, at which a rigid motion counts as
+/// independent of the motions already fixed.
 constexpr double kDistinct = 1e-6;
 
-/// Orthonormal columns that a matrix with as many rows as columns, or more, takes to less than a bound.
+/// Returns orthonormal columns v with |matrix v| <= bound. @param matrix  matrix with at least as many rows as columns
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
   const SingularValues found = singular_values(matrix);
   const Eigen::Index rank = (found.values.array() > bound).count();
@@ -26,7 +26,7 @@ Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
 template <int Dim>
 using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Axes about which a component can turn without straining its images.
+/// Returns the axes about which a connected part can rotate without straining its periodic images.
 std::vector<RotationVector<2>> free_axes(const Component<2>& part) {
   if (!part.winding.empty()) return {};
   return {RotationVector<2>(1.0)};
@@ -61,17 +61,17 @@ class FreeMotionFinder {
   }
 
  private:
-  /// A grain that hangs on one contact; those that the same grain holds form a linked list.
+  /// Grain that hangs on a single contact. The dead ends held by the same grain form a linked list.
   struct DeadEnd {
     int grain;
     int contact;
-    int next_held;  // -1: the last
+    int next_held;  // index of the next dead end in the list; -1 at the end
   };
-  /// A motion at no cost that is common to some grains of the core.
+  /// Spin without resistance that is common to a group of grains that are no dead ends.
   struct CoreSpin {
     std::vector<int> grains;
     GrainMotion<Dim> motion;
-    int pinned;  // unknown of K
+    int pinned;  // unknown of the stiffness matrix that is not solved for because of this motion
   };
 
   void keep_grain(int grain, bool keep) {
@@ -89,7 +89,7 @@ class FreeMotionFinder {
     alone_.push_back(grain);
   }
 
-  /// Takes off the tips of dead ends; active contacts are those of the core that remains.
+  /// Removes dead ends from their tips. The contacts that stay active are those of the remaining network.
   void remove_dead_ends() {
     std::vector<int> degree(network_.n_grains);
     std::vector<int> tips;
@@ -101,7 +101,7 @@ class FreeMotionFinder {
     while (!tips.empty()) {
       const int tip = tips.back();
       tips.pop_back();
-      if (degree[tip] != 1) continue;  // the last of a tree: its contact went with its neighbour
+      if (degree[tip] != 1) continue;  // last grain of a tree; its contact has been removed with its neighbour
       const int c = *std::find_if(of_[tip].begin(), of_[tip].end(), [&](int k) { return active_[k]; });
       const int holder = other_end(c, tip);
       active_[c] = false;
@@ -127,8 +127,8 @@ class FreeMotionFinder {
         entries_.emplace_back(first_unknown<Dim>(grain) + u, static_cast<int>(free_.kind.size()), motion[u]);
   }
 
-  /// Adds a motion of one grain to the mode that is being made, and that of the dead ends it holds: their
-  /// contacts stay as they are.
+  /// Adds a motion of one grain to the current free motion, and the motions of the dead ends that it holds, which keep
+  /// their contacts unchanged.
   void add_with_dead_ends(int grain, const GrainMotion<Dim>& motion) {
     std::vector<std::pair<int, GrainMotion<Dim>>> moved{{grain, motion}};
     while (!moved.empty()) {
@@ -147,8 +147,8 @@ class FreeMotionFinder {
 
   void finish_mode(FreeMotionKind kind) { free_.kind.push_back(kind); }
 
-  /// Adds the free motions of grains left alone, which can move in any way, and of dead ends, each of which
-  /// moves along every row of its contact that has no stiffness.
+  /// Adds the free motions of grains without contact, which can move in any way, and of dead ends, each of which moves
+  /// along every component of its contact that has no stiffness.
   void add_rolls() {
     for (const int grain : alone_)
       for (int u = 0; u < kDofs<Dim>; ++u) {
@@ -178,8 +178,8 @@ class FreeMotionFinder {
     spins_.push_back({grains, motion, pinned});
   }
 
-  /// Grains joined to `start` by rolling or twisting stiffness, itself included; empty if a tangential spring
-  /// holds any.
+  /// Returns the grains connected to `start` by rolling or twisting stiffness, including `start`; empty if a tangential
+  /// spring or a wall resists their rotation.
   std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
@@ -198,8 +198,8 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
-  /// Without tangential springs a grain spins freely, and grains joined by rolling or twisting stiffness do so
-  /// together.
+  /// Finds free spins: a grain without tangential springs spins freely, and grains connected by rolling or twisting
+  /// stiffness spin together.
   void find_free_spins() {
     std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {
@@ -212,7 +212,8 @@ class FreeMotionFinder {
     }
   }
 
-  /// A sphere held by two contacts without rolling stiffness turns about the line through both.
+  /// Finds spins about an axis: a sphere with two contacts without rolling stiffness rotates freely about the line
+  /// through both.
   void find_axis_spins() {
     if constexpr (Dim == 3) {
       for (int i = 0; i < network_.n_grains; ++i) {
@@ -238,7 +239,9 @@ class FreeMotionFinder {
     }
   }
 
-  /// Rigid motion of a part at a place: translation along an axis first, then turns.
+  /// Returns a rigid motion of a connected part at a point.
+  /// @param place  position of the point in the part (length)
+  /// @param m      number of the motion: translations along the axes first, then rotations about `axes`
   GrainMotion<Dim> rigid_motion(const Vec<Dim>& place, int m,
                                 const std::vector<RotationVector<Dim>>& axes) const {
     GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
@@ -249,7 +252,8 @@ class FreeMotionFinder {
     return motion;
   }
 
-  /// Length over which a turn of a part is like a translation.
+  /// Returns the distance from the first grain of a part to its farthest point, by which rotations are scaled to
+  /// displacements (length).
   double reach_of(const Component<Dim>& part) const {
     double reach = 0.0;
     for (std::size_t k = 0; k < part.grains.size(); ++k)
@@ -257,9 +261,10 @@ class FreeMotionFinder {
     return reach;
   }
 
-  /// The rigid motions of a part that the walls it touches do not resist: shares of all of them, a column each.
-  /// @param reach   of the part
-  /// @param row_of  first row of each of its grains in the motions of the part
+  /// Returns the rigid motions of a connected part that the walls it touches do not resist, one per column, as
+  /// coefficients of all its rigid motions.
+  /// @param reach   reach_of() the part (length)
+  /// @param row_of  first row of each grain of the part in the motions of the part
   Eigen::MatrixXd free_of_walls(const Component<Dim>& part, const std::vector<RotationVector<Dim>>& axes,
                                 double reach, const std::vector<int>& row_of) const {
     const auto n = Dim + static_cast<Eigen::Index>(axes.size());
@@ -295,7 +300,8 @@ class FreeMotionFinder {
 
   double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
 
-  /// Takes a spin that is pinned already out of motions (rows: unknowns of a part, rotations times grain size).
+  /// Subtracts a spin that is already fixed from the motions of a part (rows: unknowns of the part, with rotations
+  /// times grain size).
   void take_out(const CoreSpin& spin, const std::vector<int>& row_of, Eigen::MatrixXd& motions) const {
     const int pinned_dof = spin.pinned % kDofs<Dim>;
     const int pinned_grain = spin.pinned / kDofs<Dim>;
@@ -307,14 +313,15 @@ class FreeMotionFinder {
     motions.row(row_of[pinned_grain] + pinned_dof).setZero();
   }
 
-  /// Pins the unknown that each rigid motion moves most, once the motions before it are pinned.
+  /// Fixes one unknown for each rigid motion of a part: the unknown that the motion moves most, once the previous
+  /// motions are fixed.
   void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
     const std::vector<RotationVector<Dim>> axes = free_axes(part);
     const double reach = reach_of(part);
     const int n = static_cast<int>(part.grains.size());
     for (int k = 0; k < n; ++k) row_of[part.grains[k]] = kDofs<Dim> * k;
     const Eigen::MatrixXd shares = free_of_walls(part, axes, reach, row_of);
-    if (shares.cols() == 0) return;  // walls hold the part
+    if (shares.cols() == 0) return;  // the walls resist every motion of the part
     const auto motion_at = [&](const Vec<Dim>& place, int m) {
       GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
       for (int k = 0; k < static_cast<int>(shares.rows()); ++k)
@@ -333,7 +340,7 @@ class FreeMotionFinder {
     for (int m = 0; m < motions.cols(); ++m) {
       Eigen::Index row = 0;
       const double most = motions.col(m).cwiseAbs().maxCoeff(&row);
-      // A straight part that turns about its own axis may do no more than spin its grains.
+      // The rotation of a straight part about its own axis may be no more than the spin of its grains.
       if (!(most > kDistinct * extent[m])) continue;
       free_.kept[first_unknown<Dim>(part.grains[row / kDofs<Dim>]) + row % kDofs<Dim>] = false;
       const double turn = shares.col(m).tail(shares.rows() - Dim).norm() * reach;
@@ -363,9 +370,10 @@ class FreeMotionFinder {
   const ContactNetwork<Dim>& network_;
   const Adjacency of_;
   std::vector<bool> active_;
-  std::vector<int> first_held_;  // index of a dead end for each grain, -1: holds none
+  std::vector<int>
+      first_held_;  // for each grain, index of the first dead end that it holds; -1 if there is none
   std::vector<int> alone_;
-  std::vector<DeadEnd> dead_ends_;  // the tips first
+  std::vector<DeadEnd> dead_ends_;  // in the order of removal, tips first
   std::vector<CoreSpin> spins_;
   std::vector<Eigen::Triplet<double>> entries_;
   FreeMotions free_;

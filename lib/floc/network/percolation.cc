@@ -7,16 +7,17 @@
 namespace floc {
 namespace {
 
-/// A block: a largest set of contacts any two of which lie on a common loop, or a single contact.
+/// Block of a network: a maximal set of contacts any two of which lie on a common loop, or a single contact.
 struct Block {
   std::vector<int> contacts;
   std::vector<int> grains;
-  bool winds = false;  // holds a loop around the cell, or from a wall to another
-  bool held = false;   // a loop through walls, whichever
+  bool winds = false;  // whether the block contains a loop around the cell, or from one wall to another
+  bool held = false;   // whether the block contains a loop through any walls
 };
 
-/// Blocks of a network by depth-first search (Hopcroft and Tarjan), contacts between the same two grains and of
-/// a grain with its own image kept apart. All walls together are one more grain, whose images are the upper walls.
+/// Finds the blocks of a network by depth-first search (Hopcroft and Tarjan). Several contacts between the same two
+/// grains, and contacts of a grain with its own image, are kept apart. All walls together count as one additional
+/// grain, whose periodic images are the upper walls.
 template <int Dim>
 class BlockSearch {
  public:
@@ -39,8 +40,8 @@ class BlockSearch {
  private:
   struct Visit {
     int grain;
-    int contact;           // through which it was reached
-    std::size_t next = 0;  // of its contacts
+    int contact;           // contact through which the grain was reached; -1 for the root
+    std::size_t next = 0;  // number of contacts of the grain already followed
   };
 
   void search(int root) {
@@ -81,7 +82,7 @@ class BlockSearch {
     path.push_back({other, c});
   }
 
-  /// The contacts opened since `first`, it included, are a block.
+  /// Closes a block, which consists of the contacts opened since `first`, including `first`.
   void close_block(int first) {
     Block block;
     const int number = static_cast<int>(blocks_.size());
@@ -107,33 +108,34 @@ class BlockSearch {
   static CellCount<Dim> cells(const NetworkContact<Dim>& contact) {
     CellCount<Dim> cells = contact.image.template cast<std::int64_t>();
     if (!contact.on_wall()) return cells;
-    constexpr double kAlong = 0.5;  // the normal of a wall is that of an axis
+    constexpr double kAlong = 0.5;  // the normal of a wall is along an axis
     for (int a = 0; a < Dim; ++a) cells[a] += contact.normal()[a] > kAlong;
     return cells;
   }
 
   const ContactNetwork<Dim>& network_;
   Adjacency of_;
-  std::vector<int> depth_;  // of each grain in the search tree, from 1; 0: not reached
-  std::vector<int> low_;    // least depth that a grain's subtree has a contact with
+  std::vector<int> depth_;  // depth of each grain in the search tree, from 1; 0 if not reached
+  std::vector<int> low_;    // least depth of a grain that the subtree of each grain touches
   std::vector<CellCount<Dim>> image_;
   std::vector<bool> seen_;
-  std::vector<int> open_;  // contacts not yet given to a block
+  std::vector<int> open_;  // contacts that do not yet belong to a block
   std::vector<int> last_block_;
   std::vector<Block> blocks_;
 };
 
-/// Removes, from the tips, blocks that do not wind around the cell and share a grain with at most one part of
-/// the others. @param n_nodes  number of grains, plus one for the walls  @return one entry per block: whether
-/// it was removed
+/// Removes hanging blocks, from the tips: blocks that do not wind around the cell and are connected to at most one
+/// other part of the network, through a single grain.
+/// @param n_nodes  number of grains, plus one for the walls
+/// @return one entry per block: whether it was removed
 std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
   std::vector<std::vector<int>> of(n_nodes);
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
     for (const int grain : blocks[b].grains) of[grain].push_back(b);
   std::vector<int> n_left(n_nodes);
   for (int i = 0; i < n_nodes; ++i) n_left[i] = static_cast<int>(of[i].size());
-  // Joints are grains that a block shares with other blocks still left. Blocks and joints form trees, so that a
-  // block with at most one joint is a tip.
+  // Joints are grains that a block shares with other remaining blocks. Blocks and joints form trees, so that a block
+  // with at most one joint is a tip.
   std::vector<int> n_joints(blocks.size(), 0);
   std::vector<int> tips;
   const auto is_tip = [&](int b) { return !blocks[b].winds && !blocks[b].held && n_joints[b] <= 1; };
@@ -148,8 +150,8 @@ std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
     if (gone[tip]) continue;
     gone[tip] = true;
     for (const int grain : blocks[tip].grains) {
-      // Only the last block left at a grain loses a joint there: as long as two are left, the grain still joins
-      // them.
+      // If a single block remains at a grain, the grain is no longer a joint of that block. As long as two blocks
+      // remain, the grain still joins them.
       if (--n_left[grain] != 1) continue;
       const int last = *std::find_if(of[grain].begin(), of[grain].end(), [&](int b) { return !gone[b]; });
       --n_joints[last];

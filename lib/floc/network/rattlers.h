@@ -8,14 +8,15 @@ namespace floc {
 
 /// Finds the rattlers, grains that carry no force (docs/physics.md, "Coordination and rattlers").
 ///
-/// With adhesion, rattlers are grains without any interaction; a grain held by a contact of zero force is none.
-/// Without adhesion they are grains none of whose contacts carries more than `smallest_force`, or that touch
-/// one grain only; such grains are removed until none is left. In a packing that carries no force at all, where
-/// this criterion cannot tell rattlers from other grains, only grains without contact count.
+/// With adhesion, rattlers are grains without any contact or attraction; a grain held by a contact of zero force is not
+/// a rattler. Without adhesion, a grain is a rattler if none of its contacts carries more than `smallest_force`, or if
+/// it has fewer than two contacts. Rattlers are removed with their contacts, and the search is repeated until no new
+/// rattler is found. In a packing that carries no force at all, this criterion cannot distinguish rattlers from other
+/// grains, and only grains without contact are rattlers.
 ///
-/// @param smallest_force  largest normal force that counts as none (force), >= 0
+/// @param smallest_force  largest normal force that counts as zero (force), >= 0
 /// @return one entry per grain: whether it is a rattler
-/// @throws InputError for another force
+/// @throws InputError if `smallest_force` is negative or not finite
 template <int Dim>
 std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_force);
 

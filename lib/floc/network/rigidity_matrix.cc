@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Index pairs of the shear unknowns in the order of Voigt: 23, 13, 12 in 3D, 12 in 2D.
+/// Returns the pair of axes of a shear strain, in Voigt's order: 23, 13, 12 in 3D; 12 in 2D.
 template <int Dim>
 constexpr std::array<int, 2> shear_pair(int shear) {
   if constexpr (Dim == 2) return {0, 1};
@@ -17,7 +17,7 @@ constexpr std::array<int, 2> shear_pair(int shear) {
 
 using RowMajorMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Appends the entries of a block's row that do not vanish. Columns must come in ascending order.
+/// Appends the nonzero entries of one row of a block to a row of the matrix. Columns must come in ascending order.
 void append(RowMajorMatrix& matrix, int row, int first_column, const auto& values) {
   for (int b = 0; b < values.size(); ++b)
     if (values[b] != 0.0) matrix.insertBack(row, first_column + b) = values[b];
@@ -45,13 +45,13 @@ ContactRows<Dim> contact_rows(const NetworkContact<Dim>& c) {
   g.on_j.setZero();
   g.on_strain.setZero();
   for (int a = 0; a < Dim; ++a) {
-    // Overlap grows when j approaches i; tangential displacements count along the tangent.
+    // The overlap increases when j approaches i; tangential displacements are positive along the tangent.
     const Vec<Dim> axis = a == 0 ? Vec<Dim>(-c.frame.col(0)) : Vec<Dim>(c.frame.col(a));
     g.on_i.template block<1, Dim>(a, 0) = -axis.transpose();
     g.on_j.template block<1, Dim>(a, 0) = axis.transpose();
     g.on_i.template block<1, kRotationDofs>(a, Dim) = -moment<double>(c.arm_i, axis).transpose();
     g.on_j.template block<1, kRotationDofs>(a, Dim) = moment<double>(c.arm_j, axis).transpose();
-    // A strain E moves j against i by -E branch.
+    // A strain E displaces j relative to i by -E branch.
     for (int e = 0; e < Dim; ++e) g.on_strain(a, e) = -axis[e] * c.branch[e];
     for (int e = Dim; e < kSymmetric<Dim>; ++e) {
       const auto [p, q] = shear_pair<Dim>(e - Dim);

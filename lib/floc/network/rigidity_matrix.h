@@ -6,10 +6,10 @@
 
 namespace floc {
 
-/// Set of the strains of the cell that are unknowns.
+/// Strains of the cell that are unknowns of the response.
 enum class StrainSet {
-  diagonal,  ///< eps_11, eps_22 (, eps_33); shear strains clamped
-  full,      ///< then gamma_12 (2D), or gamma_23, gamma_13, gamma_12 (3D); gamma = 2 eps
+  diagonal,  ///< eps_11, eps_22 (and eps_33); shear strains are fixed at zero
+  full,      ///< diagonal strains, then gamma_12 (2D) or gamma_23, gamma_13, gamma_12 (3D); gamma = 2 eps
 };
 
 template <int Dim>
@@ -17,56 +17,60 @@ constexpr int n_strains(StrainSet set) {
   return set == StrainSet::diagonal ? Dim : kSymmetric<Dim>;
 }
 
-/// Returns the strain tensor of one unit of a strain unknown, in the order of `StrainSet`. Shortening positive.
+/// Returns the strain tensor for a unit of one strain unknown, shortening positive.
+/// @param column  number of the strain unknown in the order of StrainSet
 template <int Dim>
 Mat<Dim> unit_strain(int column);
 
-/// Relative motion of one contact, linear in the unknowns. Rows: overlap; tangential displacement of j against
-/// i along each tangent; rotation of j against i, in 3D about the normal (twisting), then about each tangent
-/// (rolling). Row by row they are conjugate to normal force, tangential force on i and moment on i: forces f
-/// balance loads G^T f.
+/// Matrix of the relative motion of one contact, which is linear in the unknowns. Its rows are: overlap; tangential
+/// displacement of j relative to i along each tangent; rotation of j relative to i, in 3D about the normal (twisting),
+/// then about each tangent (rolling). The rows are work-conjugate to the normal force, the tangential force on i and
+/// the moments on i: contact forces f balance the loads G^T f.
 template <int Dim>
 struct ContactRows {
-  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;  ///< unknowns of i; those of j are added if i = j
-  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_j;  ///< unknowns of j; zero if i = j
-  Eigen::Matrix<double, kDofs<Dim>, kSymmetric<Dim>> on_strain;  ///< strains in the order of StrainSet::full
+  /// columns for the unknowns of i; if i = j, those of j are added
+  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;
+  Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_j;  ///< columns for the unknowns of j; zero if i = j
+  /// columns for the strains, in the order of StrainSet::full
+  Eigen::Matrix<double, kDofs<Dim>, kSymmetric<Dim>> on_strain;
 };
 
-/// One stiffness for each row of `ContactRows`.
+/// Stiffness for each component of the relative motion of a contact, in the order of the rows of `ContactRows`.
 template <int Dim>
 using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the rows of a contact.
+/// Returns the matrix of the relative motion of a contact.
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// Returns the rows of a contact on the displacement that the two walls of each axis share, one column per
-/// axis. They are zero except for the overlap with a wall of that axis, since walls move along their normal
-/// alone.
+/// Returns the relative motion of a contact for unit displacements of the walls, which the two walls of an axis share;
+/// one column per axis. The entries are zero except for the overlap with a wall of that axis, since a wall moves along
+/// its normal only.
 template <int Dim>
 Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
 
 /// Returns the number of unknowns of the boundary: the strains and, for each axis between walls, the common
-/// displacement of its two walls over wall_shift_unit().
+/// displacement of its two walls divided by wall_shift_unit().
 template <int Dim>
 int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns the side of a cube (square) as large as the network (length). A displacement divided by it is like a
-/// strain.
+/// Returns the side of a cube (square in 2D) that has the volume of the network (length). Dividing a displacement of
+/// walls by it gives a number comparable to a strain.
 template <int Dim>
 double wall_shift_unit(const ContactNetwork<Dim>& network);
 
-/// The rows of a contact on the unknowns of the boundary.
+/// Relative motion of a contact (rows as in ContactRows) per unit of each unknown of the boundary (columns).
 template <int Dim>
 using BoundaryRows =
     Eigen::Matrix<double, kDofs<Dim>, Eigen::Dynamic, Eigen::ColMajor, kDofs<Dim>, kSymmetric<Dim> + Dim>;
 
-/// Returns the rows of a contact on the unknowns of the boundary. @param rows  contact_rows() of the contact
+/// Returns the relative motion of a contact per unit of each unknown of the boundary.
+/// @param rows  contact_rows() of the contact
 template <int Dim>
 BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact,
                                 const ContactRows<Dim>& rows, StrainSet strains);
 
-/// Returns the axes of the rotations of `ContactRows`, as columns in the coordinates of space.
+/// Returns the axes of the relative rotations in `ContactRows`, as columns in the coordinates of space.
 inline Mat<1> rotation_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }
@@ -79,23 +83,23 @@ inline Mat<3> rotation_axes(const Mat<3>& frame) {
 template <int Dim>
 RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 
-/// Returns the rows on which the force carried by a contact acts: relative translation alone, without
-/// rotations.
+/// Returns the rows of a contact for relative translation alone, without rotations, on which the contact force acts.
 template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
-/// Returns the geometric stiffness of translation_rows(): -F_N/r along the tangents, and zero at a wall, whose
-/// normal does not turn (force/length).
+/// Returns the geometric stiffness of the normal force for the rows of translation_rows(): -F_N/r along the tangents
+/// (force/length). It is zero at a wall, whose normal does not turn.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 
-/// Returns the rigidity matrix G: kDofs rows per contact (order of `ContactRows`) x [kDofs columns per grain,
-/// then the strains]. Without prestress K = G^T k G.
+/// Returns the rigidity matrix G of a network. It has kDofs rows per contact (in the order of `ContactRows`); its
+/// columns are kDofs unknowns per grain, then the strains. Without prestress the stiffness matrix is K = G^T k G.
 template <int Dim>
 Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns sqrt(k) G, whose square is K. It loses only half the digits that K loses to soft modes.
-/// @pre no stiffness is negative (a distant attraction's has no square root).
+/// Returns sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; its square is the stiffness matrix K. For
+/// soft modes, it loses only half as many digits to rounding as K.
+/// @pre no stiffness is negative (attractions across a gap have a negative stiffness)
 template <int Dim>
 Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 

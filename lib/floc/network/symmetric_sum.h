@@ -9,9 +9,10 @@
 
 namespace floc {
 
-/// A stiffness matrix of bodies with `Size` unknowns each, as add_contact() sums it up: the lower triangle of
-/// the bodies' block in compressed columns. The columns of a body hold its diagonal block from the diagonal
-/// down, then a block for each neighbour, zeros included: the pattern does not depend on the stiffnesses.
+/// Stiffness matrix of bodies with `Size` unknowns each, as a sum over contacts by add_contact(). The block of the
+/// bodies is stored as its lower triangle in compressed columns. The columns of a body contain its diagonal block from
+/// the diagonal down, then one block for each neighbour, zeros included, so that the pattern does not depend on the
+/// stiffnesses.
 template <int Size>
 class SymmetricSum {
  public:
@@ -28,8 +29,8 @@ class SymmetricSum {
     lay_out(n_grains);
   }
 
-  /// @param block  rows of grain `low`, columns of grain `high`, low <= high; below the diagonal its transpose
-  ///               is stored
+  /// Adds a block for a pair of grains, low <= high.
+  /// @param block  rows of grain `low`, columns of grain `high`; its transpose is stored below the diagonal
   void add(int low, int high, const Block& block) {
     if (low == high) return add_diagonal(low, block);
     const auto first = graph_.neighbour.begin() + graph_.start[low];

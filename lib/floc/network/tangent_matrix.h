@@ -8,49 +8,51 @@
 
 namespace floc {
 
-/// Derivatives of the forces of a contact, rows and columns in the order of `ContactRows`; not symmetric where
-/// one force depends on another. See contact_tangents().
+/// Derivatives of the forces of a contact with respect to its relative motion, with rows and columns in the order of
+/// `ContactRows`, see contact_tangents(). Not symmetric if one force depends on another.
 template <int Dim>
 using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
-/// Action of the unknowns of the boundary (strains of the cell, displacements of walls) on one contact.
+/// Effect of the unknowns of the boundary (strains of the cell, displacements of walls) on one contact.
 template <int Dim>
 struct BoundaryColumns {
   static constexpr int kMaxColumns = 2 * kSymmetric<Dim>;
-  /// Displacement of j against i for a unit of each unknown: Dim rows, one column per unknown.
+  /// Displacement of j relative to i for a unit of each boundary unknown: Dim rows, one column per unknown.
   Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMaxColumns> displacement;
-  /// Derivative of displacement^T (force on i) by the displacement of j against i, with the force held fixed:
-  /// one row per unknown, Dim columns. Zero for a wall; the force itself where a strain displaces along it by a
-  /// component of the branch.
+  /// Derivative of displacement^T (force on i) with respect to the displacement of j relative to i, at fixed force: one
+  /// row per unknown, Dim columns. It is zero for a displacement of a wall. For a strain, `displacement` is
+  /// proportional to a component of the branch, so that the derivative is the force.
   Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMaxColumns, Dim> follow;
 };
 
-/// Derivative of the forces on grains and boundary by their unknowns, the sum of G^T D G over contacts and of
-/// all geometric terms, including those of tangential forces and rolling moments: the tangent of a Newton
-/// iteration. Not symmetric.
+/// Tangent matrix of a Newton iteration: derivative of the forces on grains and boundary with respect to their
+/// unknowns. It is the sum over contacts of G^T D G and of all geometric terms, including those of tangential forces
+/// and rolling moments. Not symmetric.
 ///
-/// Unknowns: translations and rotations (times the grain's size) of each grain, then those of the boundary.
-/// Loads correspond: force, and moment over the grain's size. The sign is that of a stiffness: minus the
-/// derivative of the force on what moves. The pattern is that of the pairs it was made for; values are added
-/// contact by contact.
+/// The unknowns are the translations and rotations (times the grain's size) of each grain, then the unknowns of the
+/// boundary. The loads are the forces and moments (over the grain's size) on the grains, then those on the boundary.
+/// The sign is that of a stiffness: minus the derivative of the force. The sparsity pattern is fixed by the pairs of
+/// grains given to the constructor; values are added contact by contact.
 template <int Dim>
 class TangentMatrix {
  public:
-  /// @param graph  contact_graph() of the contacts that may be added
+  /// @param grain_size  size of each grain (length)
+  /// @param graph       contact_graph() of the contacts that may be added
+  /// @param n_boundary  number of unknowns of the boundary
   TangentMatrix(std::vector<double> grain_size, const ContactGraph& graph, int n_boundary);
 
-  /// Sets the matrix to zero, with `regularisation` on the diagonal.
+  /// Sets the matrix to `regularisation` on the diagonal and zero elsewhere.
   void reset(double regularisation);
 
-  /// Adds a contact of two round grains: its arms lie along the branch, in constant shares of it, and its
-  /// history turns with the branch and, about it, with the mean rotation of the two grains.
+  /// Adds a contact of two round grains. Its lever arms lie along the branch, as constant shares of it. Its tangential
+  /// history turns with the branch, and about the branch with the mean rotation of the two grains.
   void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
            const BoundaryColumns<Dim>& boundary);
 
-  /// Adds to the block of the boundary.
+  /// Adds a matrix to the block of the boundary unknowns.
   void add_boundary(const Eigen::Ref<const Eigen::MatrixXd>& block);
 
-  /// Returns the matrix, of order kDofs * grains + boundary unknowns, compressed.
+  /// Returns the matrix, of order kDofs * grains + boundary unknowns, in compressed columns.
   const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
  private:
@@ -59,8 +61,9 @@ class TangentMatrix {
 
   std::vector<double> grain_size_;
   int n_boundary_;
-  std::vector<int> start_;      // of each grain in `neighbour_`, and the end
-  std::vector<int> neighbour_;  // of each grain, itself among them, ascending
+  std::vector<int>
+      start_;  // index in `neighbour_` of the first neighbour of each grain, then the size of `neighbour_`
+  std::vector<int> neighbour_;  // neighbours of each grain, including itself, ascending
   Eigen::SparseMatrix<double> matrix_;
 };
 

@@ -6,41 +6,48 @@
 
 namespace floc {
 
-/// One interaction of a state: two surfaces that touch, as the law defines it, or that attract each other
-/// across a gap (a distant attraction). Signs: normal force positive in compression; shear force and rolling
-/// moment are those on grain i.
+/// One interaction of a packing: two surfaces that touch, by the criterion of the contact law, or that attract
+/// each other across a gap (a distant attraction). The normal force is positive in compression; the shear force
+/// and the rolling moment act on grain i.
 template <int Dim>
 struct Contact {
   int i = 0;  ///< index of the first grain
-  int j = 0;  ///< index of the second; may equal i (a grain and its own image)
-  Vec<Dim, int> image = Vec<Dim, int>::Zero();  ///< branch = x[j] + image * cell.matrix - x[i]
-  int key = 0;                                  ///< distinguishes several contacts of one pair and image
-  double gap = 0.0;                             ///< distance between the surfaces (length), < 0: overlap
-  Vec<Dim> normal = Vec<Dim>::Zero();           ///< unit vector from i to j
-  Vec<Dim> arm_i = Vec<Dim>::Zero();            ///< vector from the centre of i to the contact point (length)
-  Vec<Dim> arm_j = Vec<Dim>::Zero();        ///< vector from the end of the branch to the contact point (length)
-  double normal_force = 0.0;                ///< static: elastic plus adhesive (force)
-  double elastic_force = 0.0;               ///< elastic part, >= 0 (force)
-  Vec<Dim> shear_force = Vec<Dim>::Zero();  ///< tangential force on i (force)
-  /// Moment of the rolling spring on i (force * length).
+  int j = 0;  ///< index of the second grain or of a wall; may equal i (a grain and its own image)
+  /// Periodic image of j: branch = x[j] + image * cell.matrix - x[i].
+  Vec<Dim, int> image = Vec<Dim, int>::Zero();
+  /// Number that distinguishes contacts of one pair of grains and one image.
+  int key = 0;
+  double gap = 0.0;                    ///< distance between the surfaces (length), negative if they overlap
+  Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from i to j
+  Vec<Dim> arm_i = Vec<Dim>::Zero();   ///< vector from the centre of i to the contact point (length)
+  /// Vector from the centre of j (or the point on the wall) to the contact point (length).
+  Vec<Dim> arm_j = Vec<Dim>::Zero();
+  double normal_force = 0.0;                ///< static normal force: elastic part plus adhesive part (force)
+  double elastic_force = 0.0;               ///< elastic part of the normal force, >= 0 (force)
+  Vec<Dim> shear_force = Vec<Dim>::Zero();  ///< tangential force on grain i (force)
+  /// Moment of the rolling spring on grain i (force * length).
   RotationVector<Dim> rolling_moment = RotationVector<Dim>::Zero();
-  /// For spheres, moment of the twisting spring on i about the normal (force * length).
+  /// For spheres, moment of the twisting spring on grain i about the normal (force * length).
   double twisting_moment = 0.0;
-  double kn = 0.0;              ///< elastic normal stiffness, -F0/D0 for a distant attraction
+  /// Elastic normal stiffness (force/length). For a distant attraction it is -F0/D0, with the pull-off force F0
+  /// and the range D0 of the attraction.
+  double kn = 0.0;
   double kt = 0.0;              ///< tangential stiffness (force/length)
   double kr = 0.0;              ///< rolling stiffness (force * length)
   double ktw = 0.0;             ///< twisting stiffness (force * length)
-  bool sliding = false;         ///< the tangential spring is at its cap
-  bool rolling_yield = false;   ///< the rolling spring is at its cap
-  bool twisting_yield = false;  ///< the twisting spring is at its cap
-  bool distant = false;         ///< the surfaces do not touch, but are in the range of the law
-  ContactHistory<Dim> history = ContactHistory<Dim>::Zero();  ///< history, at the places of HistoryLayout
+  bool sliding = false;         ///< whether the tangential force has reached its cap
+  bool rolling_yield = false;   ///< whether the rolling moment has reached its cap
+  bool twisting_yield = false;  ///< whether the twisting moment has reached its cap
+  bool distant = false;         ///< whether the surfaces do not touch but attract each other across a gap
+  /// History of the contact under its law, arranged as in HistoryLayout.
+  ContactHistory<Dim> history = ContactHistory<Dim>::Zero();
 
-  /// Whether any spring of the contact is at its cap (mobilised).
+  /// Whether the force of any spring of the contact has reached its cap (mobilised).
   bool is_mobilised() const { return sliding || rolling_yield || twisting_yield; }
 };
 
-/// Moment of the rolling and the twisting spring on i (force * length), in 3D as a vector in space.
+/// Returns the moment of the rolling and the twisting spring on grain i (force * length), in 3D as a vector in
+/// space.
 template <int Dim>
 RotationVector<Dim> spring_moment(const RotationVector<Dim>& rolling, double twisting, const Vec<Dim>& normal) {
   if constexpr (Dim == 3)

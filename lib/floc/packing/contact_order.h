@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Order of pairs of grains and of the contacts of a packing: by (i, j, image), then by the key of types that
-/// have one.
+/// Returns whether a pair of grains, or a contact, precedes another one in the order of sorted lists: by (i, j,
+/// image), then by the key if the type has one.
 template <class Pair>
 bool precedes(const Pair& p, const Pair& q) {
   if (p.i != q.i) return p.i < q.i;
@@ -19,7 +19,7 @@ bool precedes(const Pair& p, const Pair& q) {
   return false;
 }
 
-/// Returns a pair with its grains exchanged: i, j and image change, its forces and other members do not.
+/// Returns a pair with its grains exchanged: i, j and image change; forces and other members do not.
 template <class Pair>
 Pair swapped(Pair pair) {
   std::swap(pair.i, pair.j);
@@ -27,8 +27,8 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Whether a pair is in canonical form, the one of its two forms that lists hold: i < j or, for a grain and its
-/// own image, the first non-zero component of the image is positive.
+/// Returns whether a pair is in its canonical form, the one of its two forms that is stored in lists: i < j or,
+/// for a grain and its own image, the first non-zero component of the image is positive.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;
@@ -36,7 +36,8 @@ bool is_canonical(const Pair& pair) {
   return first != pair.image.end() && *first > 0;
 }
 
-/// Returns a pair in canonical form. Where the pair has to be swapped, only i, j and image change (swapped()).
+/// Returns a pair in its canonical form. If the grains have to be exchanged, only i, j and image change
+/// (swapped()).
 template <class Pair>
 Pair canonical(Pair pair) {
   return is_canonical(pair) ? pair : swapped(std::move(pair));

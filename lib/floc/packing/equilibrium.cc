@@ -17,8 +17,9 @@ double ratio(double value, double scale) {
   return value == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-/// Residual of the stress, in units of F1/a^(Dim-1). Where walls bear the pressure, it is their imbalance over
-/// the pressure: with strong adhesion F1 is much larger than the force by the pressure.
+/// Returns the residual of the stress, in units of F1/a^(Dim-1), where F1 is the force scale and a the largest
+/// diameter. If there are walls, it is the imbalance of the walls divided by the pressure, because with strong
+/// adhesion F1 is much larger than the force due to the pressure.
 template <int Dim>
 double stress_residual(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress,
                        const ForceScale& scale) {

@@ -13,14 +13,20 @@ std::string equilibrium_faults(const State<Dim>& state) {
   std::string faults;
   const auto check = [&](const std::string& what, double value, double limit) {
     if (!(value < limit))
-      faults += fmt::format("{}{} = {:.3g}, limit {:.3g}", faults.empty() ? "" : "; ", what, value, limit);
+      faults += fmt::format("{}{} is {:.3g}, limit {:.3g}", faults.empty() ? "" : "; ", what, value, limit);
   };
-  // The index is negative in a packing without grains.
+  // The index of the worst grain is negative in a packing without grains.
   const auto name = [&](int grain) { return grain < 0 ? grain : state.packing.grains.name(grain); };
-  check(fmt::format("net force of grain {} / F1", name(r.worst_force_grain)), r.force, t.force);
-  check(fmt::format("net moment of grain {} / (F1 a)", name(r.worst_moment_grain)), r.moment, t.moment);
-  check("deviation from the imposed stress / (F1/a^(d-1))", r.stress, t.stress);
-  check("kinetic energy per grain / (F1 a)", r.energy, t.energy);
+  check(fmt::format("net force of grain {} in units of the force scale F1", name(r.worst_force_grain)), r.force,
+        t.force);
+  check(fmt::format("net moment of grain {} in units of F1 a (force scale F1, largest diameter a)",
+                    name(r.worst_moment_grain)),
+        r.moment, t.moment);
+  check(
+      "deviation from the imposed stress in units of F1/a^(d-1) (force scale F1, largest diameter a, d "
+      "dimensions)",
+      r.stress, t.stress);
+  check("kinetic energy per grain in units of F1 a (force scale F1, largest diameter a)", r.energy, t.energy);
   return faults;
 }
 

@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Grains that are held by more than one contact. Grains with fewer contacts are removed repeatedly, with their
-/// contacts.
+/// Returns which grains have at least two contacts. Grains with fewer contacts are removed repeatedly, with
+/// their contacts.
 template <int Dim>
 std::vector<bool> held_grains(const Packing<Dim>& packing) {
   std::vector<bool> held(packing.grains.size(), true);
@@ -26,11 +26,11 @@ std::vector<bool> held_grains(const Packing<Dim>& packing) {
   return held;
 }
 
-/// Contacts of a grain, and the kinds of springs in them that resist its rotations.
+/// Contacts of a grain, and the kinds of their springs that resist a rotation of the grain.
 struct Hold {
   int n_contacts = 0;
-  bool across = false;   ///< a tangential spring in any contact
-  bool rolling = false;  ///< a spring against rolling or twisting in any contact
+  bool across = false;   ///< whether any contact has a tangential spring
+  bool rolling = false;  ///< whether any contact has a rolling or twisting spring
 };
 
 template <int Dim>

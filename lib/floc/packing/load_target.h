@@ -6,19 +6,22 @@
 
 namespace floc {
 
-/// Offset of the lattice vector of an axis along the first axis, imposed by a simple shear.
+/// Offset along the first axis of the lattice vector of another axis, imposed by a simple shear.
 struct ImposedOffset {
-  int axis;       ///< axis of the lattice vector, > 0
-  double offset;  ///< (length)
+  int axis;       ///< axis of the lattice vector, counted from 0; never 0
+  double offset;  ///< component of the lattice vector along the first axis (length)
 };
 
-/// Load on the boundary of an equilibrium: a stress or a length on each axis, and the shear of the lattice.
+/// Load on the boundary of a packing in equilibrium: a stress or a length on each axis, and the shear of the
+/// lattice.
 template <int Dim>
 struct LoadTarget {
-  Vec<Dim> stress =
-      Vec<Dim>::Zero();  ///< stress on axes under stress, compression positive (force/length^(Dim-1))
-  Vec<Dim> side = Vec<Dim>::Zero();  ///< length imposed on other axes (length); zero on axes under stress
-  std::optional<ImposedOffset> offset = {};  ///< absent: the lattice is not sheared
+  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)); not used on axes with an imposed
+  /// length.
+  Vec<Dim> stress = Vec<Dim>::Zero();
+  Vec<Dim> side = Vec<Dim>::Zero();  ///< length imposed on an axis (length); zero on axes under stress
+  /// Imposed offset of a lattice vector; absent: the lattice is not sheared.
+  std::optional<ImposedOffset> offset = {};
 
   static LoadTarget normal_stress(const Vec<Dim>& stress) { return {stress}; }
 
@@ -26,7 +29,8 @@ struct LoadTarget {
   bool any_strained() const { return side.maxCoeff() > 0.0; }
   /// Whether zero stress is imposed on every axis.
   bool unloaded() const { return !any_strained() && stress.isZero(0.0); }
-  /// Stress imposed on each axis, or carried where a length is imposed. It sets the scale of forces.
+  /// Returns the stress on each axis: the imposed stress or, if a length is imposed, the stress that the
+  /// packing carries. It determines the force scale.
   /// @param carried  stress of the packing
   Vec<Dim> stress_with(const Mat<Dim>& carried) const {
     Vec<Dim> out = stress;

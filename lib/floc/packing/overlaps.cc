@@ -10,18 +10,18 @@
 namespace floc {
 namespace {
 
-/// Factor of the densest solid fraction that is still accepted, for crystals compressed by some tenths of a
-/// percent.
+/// Factor by which the solid fraction may exceed the largest one of hard grains without a warning. It allows
+/// for crystals compressed by some tenths of a percent.
 constexpr double kCompressedCrystal = 1.01;
-/// Relative difference up to which radii count as equal; it covers rounding.
+/// Relative difference below which two radii count as equal; it covers rounding.
 constexpr double kEqual = 1e-9;
 
 std::string small_overlaps_rule(const Law& law) {
-  return fmt::format("normal.law = \"{}\" is for small overlaps", law.normal_keyword());
+  return fmt::format("normal.law = \"{}\" holds only for small overlaps", law.normal_keyword());
 }
 
-/// Says in words that the solid fraction is impossible for equal grains; empty where it is possible or grains
-/// differ.
+/// Returns a message if the grains are equal and the solid fraction is impossible for hard grains; otherwise
+/// empty.
 template <int Dim>
 std::string density_fault(const Packing<Dim>& packing) {
   const auto& radius = packing.grains.radius;
@@ -61,8 +61,8 @@ std::string overlap_warning(const Packing<Dim>& packing) {
   std::string text;
   if (found.deep_share > 0.0)
     text = fmt::format(
-        "{:.3g} % of the contacts overlap by more than a tenth of a radius, the deepest by {:.3g} of it, the "
-        "mean of all by {:.3g}",
+        "{:.3g} % of the contacts overlap by more than a tenth of a radius; the largest overlap is {:.3g} of a "
+        "radius, the mean overlap of all contacts is {:.3g} of a radius",
         100.0 * found.deep_share, found.largest, found.mean);
   if (const std::string dense = density_fault(packing); !dense.empty())
     text += (text.empty() ? "" : "; ") + dense;
@@ -75,7 +75,7 @@ std::string overlap_warning(const Packing<Dim>& packing) {
 std::string question_of_units(const Law& law) {
   return law.parameters().normal.visit([]<class Model>(const Model& model) {
     const Number<Model>& stiffness = Model::kNumbers[0];
-    return fmt::format("is {} = {:.6g} in the units of lengths and forces?", stiffness.symbol,
+    return fmt::format("is {} = {:.6g} consistent with the units of lengths and forces?", stiffness.symbol,
                        model.*stiffness.member);
   });
 }
@@ -85,8 +85,8 @@ void require_small_overlaps(const std::string& place, const Packing<Dim>& packin
   if (!packing.law.is_for_small_overlaps()) return;
   const Overlaps found = measure_overlaps(packing);
   if (found.mean > kDeepestMean)
-    throw InputError(place, fmt::format("contacts overlap by {:.3g} of a radius in the mean, expected at most "
-                                        "{}: {}",
+    throw InputError(place, fmt::format("contacts overlap by {:.3g} of a radius in the mean, but at most {} of "
+                                        "a radius is allowed: {}",
                                         found.mean, kDeepestMean, small_overlaps_rule(packing.law)));
 }
 

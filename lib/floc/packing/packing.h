@@ -29,24 +29,25 @@ inline Orientation<Dim> no_rotation() {
   }
 }
 
-/// Round grains, one array entry per grain. Contacts refer to grains by their index in these arrays.
+/// Round grains, with one array entry per grain. Contacts refer to grains by their index in these arrays.
 template <int Dim>
 struct Grains {
-  std::vector<Vec<Dim>> position;  ///< centre (length), inside the cell in a saved state
-  /// Low part of the centre (length), added to `position`: less than half a unit in its last place; empty:
-  /// zero.
+  std::vector<Vec<Dim>> position;  ///< position of the centre (length); in a saved state, inside the cell
+  /// Low part of the position of the centre (length), added to `position` for extended precision. It is less
+  /// than half a unit in the last place of `position`. If the array is empty, the low parts are zero.
   std::vector<Vec<Dim>> position_low;
-  std::vector<Vec<Dim>> velocity;  ///< peculiar: without the affine part of the cell (length/time)
-  std::vector<double> radius;      ///< (length)
-  std::vector<double> mass;        ///< (mass)
+  std::vector<Vec<Dim>> velocity;  ///< peculiar velocity, without the affine motion of the cell (length/time)
+  std::vector<double> radius;      ///< radius of each grain (length)
+  std::vector<double> mass;        ///< mass of each grain (mass)
   std::vector<Orientation<Dim>> orientation;
-  std::vector<RotationVector<Dim>> angular_velocity;  ///< (1/time)
-  /// Identifiers of the grains from another program, used in messages and tables; empty: the indices.
+  std::vector<RotationVector<Dim>> angular_velocity;  ///< angular velocity of each grain (radians/time)
+  /// Identifiers that another program gave to the grains, used in messages and tables; empty: the indices are
+  /// used.
   std::vector<std::int64_t> id;
 
   int size() const { return static_cast<int>(radius.size()); }
 
-  /// Makes n grains at the origin, at rest, of radius and mass zero.
+  /// Makes n grains at the origin, at rest, with zero radius and zero mass.
   static Grains with_size(int n) {
     Grains g;
     g.position.assign(n, Vec<Dim>::Zero());
@@ -61,11 +62,11 @@ struct Grains {
   DoubleDoubleVec<Dim> centre(int i) const {
     return double_double<Dim>(position[i], position_low.empty() ? Vec<Dim>(Vec<Dim>::Zero()) : position_low[i]);
   }
-  /// Identifier of grain i in messages and tables.
+  /// Returns the identifier of grain i in messages and tables.
   std::int64_t name(int i) const { return id.empty() ? i : id[i]; }
-  /// Keeps the identifiers only if they are not the indices.
+  /// Sets the identifiers of the grains. They are stored only if they differ from the indices.
   void set_names(std::vector<std::int64_t> names);
-  /// Keeps the low parts only if at least one of them is not zero.
+  /// Sets the positions of the centres. Low parts are stored only if at least one of them is not zero.
   void set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres);
 
   Ball<Dim> shape(int i) const { return {radius[i]}; }
@@ -75,24 +76,25 @@ struct Grains {
 /// Mechanical state of a packing: cell, walls, grains, laws and contacts.
 template <int Dim>
 struct Packing {
-  /// Periodic cell. An axis between walls is not periodic: the side of the cell is normal to the walls and as
-  /// long as their distance.
+  /// Periodic cell. An axis between walls is not periodic; the side of the cell is then normal to the walls and
+  /// as long as their distance.
   Cell<Dim> cell;
   Grains<Dim> grains;
-  Law law;                             ///< between grains
-  std::vector<Contact<Dim>> contacts;  ///< sorted by (i, j, image, key), i <= j
-  std::vector<Wall<Dim>> walls;        ///< none, or both of an axis, the lower one first, axes ascending
-  Law wall_law;                        ///< between grains and walls
+  Law law;                             ///< contact law between grains
+  std::vector<Contact<Dim>> contacts;  ///< contacts, sorted by (i, j, image, key) with i <= j
+  /// Empty, or both walls of one or more axes: the lower wall first, axes ascending.
+  std::vector<Wall<Dim>> walls;
+  Law wall_law;  ///< contact law between grains and walls
 
-  /// Whether body j of a contact is a wall. The indices of walls follow those of the grains.
+  /// Returns whether body j of a contact is a wall. The indices of walls follow the indices of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }
   const Wall<Dim>& wall(int body) const { return walls[body - grains.size()]; }
-  /// Radius of a body about its end of a branch (length): zero for a wall, since the branch ends on its
-  /// surface.
+  /// Returns the distance of the surface of a body from its end of a branch vector (length): the radius of a
+  /// grain, zero for a wall, because the branch ends on the surface of the wall.
   double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
 };
 
-/// Whether an axis lies between two walls.
+/// Returns whether an axis of the cell lies between two walls.
 template <int Dim>
 bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   for (const Wall<Dim>& wall : walls)
@@ -100,22 +102,22 @@ bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   return false;
 }
 
-/// Cell for a search of neighbours whose centres are closer than `reach` (length). It is widened along axes
-/// between walls, so that no grain is close to an image across them.
+/// Returns the cell in which to search for neighbours whose centres are closer than `reach` (length). The cell
+/// is widened along axes between walls, so that no grain is close to an image on the other side of a wall.
 template <int Dim>
 Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 
-/// Solid fraction: area (2D) or volume (3D) of the grains over that of the cell. Overlaps count twice, as is
-/// customary.
+/// Returns the solid fraction: the area (2D) or volume (3D) of the grains divided by the area or volume of the
+/// cell. Overlaps count twice, as is customary.
 template <int Dim>
 double solid_fraction(const Packing<Dim>& packing);
 
-/// Branch of a contact (length): vector from the centre of i to the centre of the image of j, or to the nearest
-/// point of a wall.
+/// Returns the branch vector of a contact (length) in extended precision: from the centre of i to the centre of
+/// the image of j, or to the nearest point of a wall.
 template <int Dim>
 DoubleDoubleVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Branch of a contact (length), rounded: each component is right to the last digit.
+/// Returns the branch vector of a contact (length), rounded: each component is correct to the last digit.
 template <int Dim>
 Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 

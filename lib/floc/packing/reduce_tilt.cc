@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Wraps grains into the cell. @return the image by which each was displaced
+/// Wraps grains into the cell. @return image by which each grain was displaced
 template <int Dim>
 std::vector<Vec<Dim, int>> wrap(const Cell<Dim>& cell, Grains<Dim>& grains) {
   std::vector<Vec<Dim, int>> images;
@@ -31,7 +31,7 @@ std::vector<Vec<Dim, int>> wrap(const Cell<Dim>& cell, Grains<Dim>& grains) {
 template <int Dim>
 void reduce_tilt(Packing<Dim>& packing, int axis) {
   assert(axis > 0 && packing.cell.matrix.isLowerTriangular(0.0));
-  require_periodic(packing, "a lattice is reduced");
+  require_periodic(packing, "the tilt of a cell is reduced");
   Cell<Dim>& cell = packing.cell;
   const double side = cell.matrix(0, 0);
   const double lengths = sides_in_tilt(cell.matrix(axis, 0), side);

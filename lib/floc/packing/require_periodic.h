@@ -8,13 +8,15 @@
 namespace floc {
 
 /// Requires a packing without walls.
-/// @param what  the computation that needs periodic boundaries, as the subject of a sentence
-/// @param place  place of the packing in the message
+/// @param what  computation that needs periodic boundaries, as the first part of the sentence "... only with
+/// periodic boundaries"
+/// @param place  place of the packing in the message, such as its file
 /// @throws InputError if the packing has walls
 template <int Dim>
 void require_periodic(const Packing<Dim>& packing, const std::string& what,
                       const std::string& place = "packing") {
-  if (!packing.walls.empty()) throw InputError(place, "has walls; " + what + " only with periodic boundaries");
+  if (!packing.walls.empty())
+    throw InputError(place, "this packing has walls; " + what + " only with periodic boundaries");
 }
 
 }  // namespace floc

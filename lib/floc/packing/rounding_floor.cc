@@ -16,7 +16,7 @@ constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
 
 template <int Dim>
 RoundingFloor rounding_floor(const Packing<Dim>& packing, const Vec<Dim>& target_stress) {
-  // Half a unit in the last place of a coordinate, or of its low part where grains have low parts.
+  // Half a unit in the last place of a coordinate, or of its low part if grains have low parts.
   double resolution = kHalfUnit * packing.cell.matrix.cwiseAbs().maxCoeff();
   if (!packing.grains.position_low.empty()) resolution *= kHalfUnit;
   std::vector<double> stiffness(packing.grains.size(), 0.0);

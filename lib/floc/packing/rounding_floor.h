@@ -4,17 +4,21 @@
 
 namespace floc {
 
-/// Imbalance that rounding of the stored numbers leaves in a packing, in units of F1 and F1/a^(Dim-1). No
-/// stored state can be balanced better than this, whatever produced it.
+/// Imbalance of a packing caused by the rounding of the stored numbers, in units of the force scale F1 and of
+/// F1/a^(Dim-1), with the largest diameter a (ForceScale). No stored state can be balanced better, independent
+/// of how it was computed.
 struct RoundingFloor {
-  /// Net force on a grain (F1): half a unit in the last place of its coordinates times the stiffness that holds
-  /// it, and half a unit in the last place of the largest force.
+  /// Net force on a grain, in units of the force scale F1. It is caused by half a unit in the last place of its
+  /// coordinates, times the stiffness of its contacts, and by half a unit in the last place of the largest
+  /// force.
   double force = 0.0;
-  double stress = 0.0;  ///< change of the stress by a rounding of the sides of the cell (F1/a^(Dim-1))
+  /// Change of the stress caused by rounding the sides of the cell, in units of F1/a^(Dim-1) (force scale F1,
+  /// largest diameter a).
+  double stress = 0.0;
 };
 
-/// Estimates the imbalance by rounding of a packing.
-/// @param target_stress  stress on each axis, compression positive
+/// Estimates the imbalance of a packing that is caused by rounding.
+/// @param target_stress  stress imposed on each axis, compression positive
 template <int Dim>
 RoundingFloor rounding_floor(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 

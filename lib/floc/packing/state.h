@@ -11,63 +11,68 @@
 
 namespace floc {
 
-/// Stage of a load path in which axes are loaded differently, with the state at its start, which is the
-/// reference of its steps.
+/// Stage of a load path in which axes are loaded differently from each other (such as an oedometric test), with
+/// the state at its start, to which the steps of the stage refer.
 struct StageReference {
-  std::string control;         ///< "oedometric", "triaxial", ...; empty outside such stages
-  int axis = 0;                ///< driven axis, from 0
-  std::vector<double> sides;   ///< sides of the cell at the start (length)
-  std::vector<double> stress;  ///< stress on each axis at the start, imposed or carried
-  double shear = 0.0;          ///< shear strain from the start of the stage to the end of this step
+  std::string control;        ///< kind of the stage, "oedometric", "triaxial", ...; empty outside such stages
+  int axis = 0;               ///< axis along which the packing is driven, from 0
+  std::vector<double> sides;  ///< sides of the cell at the start of the stage (length)
+  /// Stress on each axis at the start of the stage, imposed or carried (force/length^(Dim-1)).
+  std::vector<double> stress;
+  double shear = 0.0;  ///< shear strain from the start of the stage to the end of this step
 
   bool empty() const { return control.empty(); }
   bool operator==(const StageReference&) const = default;
 };
 
-/// Place of a state on its load path.
+/// Position of a state on its load path.
 struct PathPosition {
-  int step = 0;              ///< number of the equilibrium, 0 for the first saved
-  std::string branch;        ///< "assembly", "load", "unload", ...
-  double time = 0.0;         ///< simulated time since the start (time unit of the scene)
-  std::int64_t n_steps = 0;  ///< time steps since the start
-  std::string ending;  ///< end of the relaxation: "static", "polished", "dynamic", ...; empty if not known
+  int step = 0;              ///< number of the equilibrium, 0 for the first saved state
+  std::string branch;        ///< branch of the load path: "assembly", "load", "unload", ...
+  double time = 0.0;         ///< simulated time since the start of the run (time unit of the scene)
+  std::int64_t n_steps = 0;  ///< number of time steps since the start of the run
+  std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
 };
 
-/// Origin of a state: program, seed and parent. It holds no clock time, so that repeated runs give identical
-/// files.
+/// Origin of a state: program, seed and parent. It contains no date or time, so that repeated runs give
+/// identical files.
 struct Provenance {
-  std::string program;  ///< "floc 0.1.0", or the program a converted packing came from
+  std::string program;  ///< "floc 0.1.0", or the program that a converted packing came from
   std::string commit;
   std::string compiler;
   std::uint64_t seed = 0;
-  std::uint64_t stream_state = 0;  ///< state of the random stream, from which the run continues
+  std::uint64_t stream_state = 0;  ///< state of the random stream, with which the run continues
   std::string parent_sha256;  ///< hash of the state file that the run continued from; empty for the first state
-  std::string source;         ///< converted packings: the file they came from
+  std::string source;         ///< file that a converted packing came from
 };
 
-/// Saved state: all data that determine how a run continues from it, and all data that an analysis needs.
+/// Saved state of a run: all data that determine how the run continues from it, and all data that an analysis
+/// needs.
 template <int Dim>
 struct State {
-  std::string units = "reduced";  ///< "reduced" or "SI"
+  std::string units = "reduced";  ///< system of units, "reduced" or "SI"
   Packing<Dim> packing;
-  /// Stress imposed on each axis, compression positive; on an axis with an imposed length, the stress that it
-  /// carried.
+  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)); if a length is imposed on an
+  /// axis, the stress that the packing carried along it.
   Vec<Dim> target_stress = Vec<Dim>::Zero();
-  Vec<Dim> target_side = Vec<Dim>::Zero();          ///< length imposed on an axis; zero where a stress is
-  std::optional<ImposedOffset> target_offset = {};  ///< offset imposed by a step of simple shear
+  /// Length imposed on each axis (length); zero if a stress is imposed.
+  Vec<Dim> target_side = Vec<Dim>::Zero();
+  /// Offset of a lattice vector imposed by a step of simple shear.
+  std::optional<ImposedOffset> target_offset = {};
   EquilibriumTolerance tolerance;
-  Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing, when saved
-  Residuals residuals;                 ///< reached when saved
+  Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing when it was saved
+  Residuals residuals;                 ///< residuals reached when the state was saved
   int n_negative = -1;  ///< number of negative eigenvalues of the stiffness matrix; -1: not determined
-  /// For a law with liquid, number of bridges that would form or break if the liquid were shared out once more.
-  /// It is above 0 if the bridges kept their volumes after many trials; -1: not determined.
+  /// For a law with liquid bridges, number of bridges that would form or break if the liquid were distributed
+  /// once more; -1: not determined. It is above 0 if many trials did not settle which pairs have bridges, so
+  /// that the bridges kept their volumes.
   int n_bridges_unsettled = -1;
-  /// Forces on the walls as recorded in the file that the state was read from, in the order of the walls. A
-  /// saved file records the forces of the contacts instead.
+  /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read.
+  /// When a state is saved, the forces of its contacts on the walls are recorded instead.
   std::vector<double> wall_force = {};
   PathPosition path;
-  std::string scene;  ///< text of the scene, empty for converted packings
+  std::string scene;  ///< text of the scene; empty for converted packings
   Provenance provenance;
 };
 

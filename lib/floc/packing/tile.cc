@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Rounds towards minus infinity.
+/// Returns n/d rounded towards minus infinity.
 int floor_divide(int n, int d) {
   return n >= 0 ? n / d : -((d - 1 - n) / d);
 }
@@ -23,7 +23,8 @@ Vec<Dim, int> place_of(int tile, const Vec<Dim, int>& copies) {
   return place;
 }
 
-/// Contact of copy `tile`: finds the copy that its second grain belongs to, and the image of that copy.
+/// Returns a contact of copy `tile`. Its second grain may belong to another copy, or to a periodic image of a
+/// copy.
 template <int Dim>
 Contact<Dim> placed(Contact<Dim> c, int tile, int n_grains, const Vec<Dim, int>& copies,
                     const ContactHistory<Dim>& parity) {
@@ -62,7 +63,7 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   repeat(out.grains.mass, n_tiles);
   repeat(out.grains.orientation, n_tiles);
   repeat(out.grains.angular_velocity, n_tiles);
-  if (n_tiles > 1) out.grains.id.clear();  // each would be that of several grains
+  if (n_tiles > 1) out.grains.id.clear();  // several grains would share each identifier
   out.contacts.clear();
   out.contacts.reserve(n_tiles * packing.contacts.size());
   const ContactHistory<Dim> parity = swap_parity<Dim>(packing.law);

@@ -5,16 +5,17 @@
 namespace floc {
 
 /// Rigid plane across an axis of the cell, with grains on one side of it. It moves only along its normal. A
-/// wall is a body of contacts: the indices of walls follow those of the grains, in the order of Packing::walls.
+/// wall can be the second body of a contact: the indices of walls follow the indices of the grains, in the
+/// order of Packing::walls.
 template <int Dim>
 struct Wall {
-  int axis;               ///< axis of its normal, from 0
-  int side;               ///< +1: grains lie below the wall on the axis; -1: above
-  double position;        ///< position on the axis (length)
-  double velocity = 0.0;  ///< velocity along the axis (length/time)
-  double mass = 0.0;      ///< infinite for a wall that does not follow forces (mass)
+  int axis;               ///< axis of the normal of the wall, from 0
+  int side;               ///< +1 if the grains lie below the wall on this axis, -1 if they lie above
+  double position;        ///< position of the wall on its axis (length)
+  double velocity = 0.0;  ///< velocity of the wall along its axis (length/time)
+  double mass = 0.0;      ///< mass of the wall (mass); infinite if the wall does not follow forces
 
-  /// Unit vector from the grains to the wall.
+  /// Returns the unit vector normal to the wall that points from the grains to the wall.
   Vec<Dim> normal() const { return side * Vec<Dim>::Unit(axis); }
 
   bool operator==(const Wall&) const = default;

@@ -10,11 +10,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Directories in which the module may lie, relative to the program: beside it as built, or as installed.
+/// Directories in which the PETSc module of floc may be, relative to the program: in the build tree, and as installed.
 constexpr const char* kPlaces[] = {".", FLOC_PETSC_MODULE_FROM_PROGRAM};
 
-/// Returns the path of the module; its bare name, which the loader looks up, if it lies in none of these
-/// directories.
+/// Returns the path of the PETSc module; if it is in none of these directories, its file name, for which the dynamic
+/// loader searches.
 fs::path module_path() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();
@@ -34,16 +34,18 @@ bool has_parallel_solver() {
 std::unique_ptr<ParallelSolver> load_parallel_solver() {
   if (!has_parallel_solver())
     throw std::runtime_error(
-        "this floc was built without PETSc: expected a build with -DFLOC_PETSC=ON, for which Debian's package "
-        "is "
-        "libpetsc-real-dev");
-  // PETSc brings along some eighty libraries, which take longer to load than most commands take.
+        "this floc was built without PETSc: build it with -DFLOC_PETSC=ON, which needs PETSc (Debian package "
+        "libpetsc-real-dev)");
+  // The module is loaded only when needed: PETSc depends on some eighty libraries, which take longer to load than most
+  // commands take to run.
   void* module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);
   if (module == nullptr)
     throw std::runtime_error(std::string("the PETSc module cannot be loaded: ") + dlerror());
   using Make = ParallelSolver* (*)();
   const auto make = reinterpret_cast<Make>(dlsym(module, "floc_make_petsc_solver"));
-  if (make == nullptr) throw std::runtime_error(std::string("not floc's PETSc module: ") + dlerror());
+  if (make == nullptr)
+    throw std::runtime_error(std::string("the library that was loaded is not floc's PETSc module: ") +
+                             dlerror());
   return std::unique_ptr<ParallelSolver>(make());
 }
 

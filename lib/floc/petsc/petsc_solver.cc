@@ -1,4 +1,4 @@
-// The module that floc loads when it is to solve with PETSc; nothing else includes its headers or links it.
+// Module that floc loads to solve with PETSc. No other source file includes PETSc's headers or links it.
 #include <petscksp.h>
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Steps of one solution at most, and those without a new best after which no more comes of it.
+/// Largest number of steps of one solution, and number of steps without a new smallest residual after which it is
+/// stopped.
 constexpr PetscInt kMostSteps = 20000;
 constexpr PetscInt kPatience = 2000;
 
@@ -25,7 +26,7 @@ void check(PetscErrorCode code) {
                            (specific != nullptr && *specific != '\0' ? std::string(": ") + specific : ""));
 }
 
-/// Owns an object of PETSc's.
+/// Owner of a PETSc object, which it destroys.
 template <class T, PetscErrorCode (*Destroy)(T*)>
 class Owned {
  public:
@@ -47,7 +48,7 @@ class Owned {
   T object_ = nullptr;
 };
 
-/// Lends an array to a vector for the while.
+/// Makes a PETSc vector use an existing array as long as this object exists.
 class Lent {
  public:
   Lent(Vec vector, const double* values) : vector_(vector) { check(VecPlaceArray(vector, values)); }
@@ -59,7 +60,7 @@ class Lent {
   Vec vector_;
 };
 
-/// Progress of a solution, for its convergence test.
+/// Progress of a solution, for the convergence test: residual norms and the step of the smallest one.
 struct Progress {
   double reduction = 0.0;
   double first = 0.0;
@@ -87,15 +88,16 @@ std::string words_for(KSPConvergedReason reason, PetscInt steps) {
   const std::string after = " after " + std::to_string(steps) + " steps of conjugate gradients";
   switch (reason) {
     case KSP_DIVERGED_INDEFINITE_MAT:
-      return "the stiffness matrix is not positive definite (a motion of the grains releases energy): found" +
+      return "the stiffness matrix is not positive definite (some motion of the grains releases energy), as "
+             "found" +
              after;
     case KSP_DIVERGED_INDEFINITE_PC:
-      return "the preconditioner is not positive definite, probably because the stiffness matrix is not: "
+      return "the preconditioner is not positive definite, probably because the stiffness matrix is not, as "
              "found" +
              after;
     case KSP_DIVERGED_DTOL:
     case KSP_DIVERGED_ITS:
-      return "the remaining forces no longer fall" + after;
+      return "the remaining forces no longer decrease" + after;
     default:
       return std::string("PETSc gave up (") + KSPConvergedReasons[reason] + ")" + after;
   }
@@ -104,7 +106,7 @@ std::string words_for(KSPConvergedReason reason, PetscInt steps) {
 class PetscSolver final : public ParallelSolver {
  public:
   PetscSolver() {
-    // Signals and words on stderr are floc's.
+    // Signals and error output are handled by floc, not by PETSc.
     PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
     check(PetscInitializeNoArguments());
     check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
@@ -241,7 +243,7 @@ class PetscSolver final : public ParallelSolver {
     PC preconditioner = nullptr;
     check(KSPGetPC(method_, &preconditioner));
     check(PCSetType(preconditioner, PCGAMG));
-    // Plain aggregation takes more iterations than smoothed, and less time and memory (docs/petsc.md).
+    // Plain aggregation takes more iterations than smoothed aggregation, but less time and memory (docs/petsc.md).
     check(PCGAMGSetNSmooths(preconditioner, 0));
     check(KSPSetFromOptions(method_));
   }

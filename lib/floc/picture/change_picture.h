@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Returns a picture of the changes between two states, on the geometry of the first: contacts lost and gained,
-/// kept contacts as thin lines, and the displacement of each grain without the affine part.
-/// @param changes  from `before` to `after`
+/// Returns a picture of the changes between two states, drawn at the grain positions of the first state. It shows lost
+/// and gained contacts, the other contacts as thin lines, and the displacement of each grain without its affine part.
+/// @param changes  changes from `before` to `after`
 template <int Dim>
 PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<Dim>& after,
                                      const ContactChanges<Dim>& changes);

@@ -14,18 +14,18 @@ struct DrawnScale {
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture);
 
-/// Returns the root mean square of the forces of all lines that have one; 0 without any.
+/// Returns the root mean square of the forces of all lines with a force > 0; 0 if there are none.
 template <int Dim>
 double rms_force(const PackingPicture<Dim>& picture);
 
-/// Returns the root mean square length of all arrows; 0 without any.
+/// Returns the root mean square of the lengths of all displacement arrows; 0 if there are none.
 template <int Dim>
 double rms_displacement(const PackingPicture<Dim>& picture);
 
-/// Returns the largest number of the form 1, 2 or 5 times a power of ten that is not above x > 0.
+/// Returns the largest number not above x > 0 that is 1, 2 or 5 times a power of ten.
 double round_number_below(double x);
 
-/// Returns a number in few characters: "13.3", "0.01", "2×10⁻⁵".
+/// Formats a number with at most three digits: "13.3", "0.01", "2×10⁻⁵".
 std::string short_number(double x);
 
 }  // namespace floc

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// A force in which those of a packing are measured, and its name.
+/// Unit in which the forces of a picture are measured (force), and its symbol in the legend.
 struct UnitForce {
   double size;
   const char* name;
@@ -50,7 +50,8 @@ double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
   return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
 }
 
-/// 1 and -1 by the sign of the pressure, 0 of rattlers and of pressures within the tolerance.
+/// Returns the sign of the pressure of each grain: 1 or -1, and 0 for rattlers and for grains whose pressure is zero
+/// within the tolerance.
 template <int Dim>
 std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
   std::vector<int> sign;
@@ -59,7 +60,8 @@ std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& 
   return sign;
 }
 
-/// Gives the grains of the largest connected part a value. @param active  the bonds that join
+/// Sets `shade` to `value` for the grains of the largest connected cluster. @param active  whether each contact joins
+/// its two grains
 template <int Dim>
 void mark_largest(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
                   double value, std::vector<double>& shade) {
@@ -121,7 +123,7 @@ PackingPicture<Dim> increment_forces(const Packing<Dim>& given, const ContactNet
   picture.force_symbol = "δF";
   picture.compression_name = "force grows";
   picture.tension_name = "force falls";
-  picture.note = fmt::format("in colour: {:.0f} % of the contacts, which hold 95 % of the energy",
+  picture.note = fmt::format("in colour: {:.0f} % of the contacts, which hold 95 % of the elastic energy",
                              100.0 * step.energy_share_95);
   for (std::size_t k = 0; k < network.contacts.size(); ++k) {
     const ForceIncrement<Dim>& f = step.increments[k];

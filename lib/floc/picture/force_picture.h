@@ -6,24 +6,27 @@
 
 namespace floc {
 
-/// Returns a picture of the forces of a packing: a line between the centres for each interaction, of the size
-/// |F| = sqrt(F_N^2 + F_T^2) and of the kind given by the sign of the normal force. The unit is F0, or without
-/// adhesion the mean compressive normal force. Rattlers are marked.
+/// Returns a picture of the contact forces of a packing. Each interaction is a line between the grain centres. The
+/// width of the line shows the force |F| = sqrt(F_N^2 + F_T^2), and its colour the sign of the normal force. The unit
+/// of force is the pull-off force F0 or, without adhesion, the mean compressive normal force. Rattlers are marked.
 /// @param zero_force  largest normal force that counts as zero (force)
 template <int Dim>
 PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& packing, double zero_force);
 
-/// Returns a picture of the two phases of particle pressure: grains coloured by the sign of their pressure,
-/// pale outside the largest connected part of their phase, and the bonds within either phase as lines.
-/// Rattlers, and grains whose pressure is no more than zero_force/a^(Dim-1), are in neither phase.
+/// Returns a picture of the two phases of particle pressure. Grains are coloured by the sign of their pressure, in pale
+/// colours outside the largest connected cluster of their phase, and bonds between grains of the same phase are drawn
+/// as lines. Rattlers, and grains whose pressure is not above zero_force/a^(Dim-1), are in neither phase; a is the
+/// largest diameter.
 /// @param zero_force  largest normal force that counts as zero (force)
 template <int Dim>
 PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_force);
 
-/// Returns a picture of the forces that a small step of stress adds. Contacts that hold 95 % of its elastic
-/// energy are lines as in equilibrium_forces(), in the colour of compression where the normal force grows; the
-/// others are background. The unit is the stress times the largest diameter, in 3D times its square.
-/// @param network  network of the packing   @param step  response of the network
+/// Returns a picture of the changes of the contact forces in a small step of stress. The contacts that hold 95 % of the
+/// elastic energy of the step are drawn as lines whose width shows the change of the force. They have the colour of
+/// compression if the normal force grows, and the colour of tension if it falls. The other contacts are thin background
+/// lines. The unit of the change is the step of stress times the largest diameter, in 3D times its square.
+/// @param network  contact network of the packing
+/// @param step  response of the network to the step of stress
 template <int Dim>
 PackingPicture<Dim> increment_forces(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
                                      const StepResponse<Dim>& step);

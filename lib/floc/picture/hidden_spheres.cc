@@ -11,7 +11,7 @@ namespace {
 constexpr double kTilesPerRadius = 8.0;
 constexpr double kMaxTilesPerSide = 3000.0;
 
-/// Square tiles over the picture, each covered or not.
+/// Square tiles that cover the picture. Each tile is marked once a sphere covers it completely.
 class Tiles {
  public:
   explicit Tiles(const std::vector<SeenSphere>& spheres) {
@@ -29,7 +29,8 @@ class Tiles {
                     false);
   }
 
-  /// Whether every tile that a sphere reaches into is covered; then covers the tiles that lie in it.
+  /// Returns whether all tiles that a sphere overlaps are covered by earlier spheres. Afterwards, the tiles that lie
+  /// within the sphere are covered too.
   bool hides_then_cover(const SeenSphere& s) {
     bool hidden = true;
     const int first_row = row_of(s.centre[1] - s.radius, 1), last_row = row_of(s.centre[1] + s.radius, 1);
@@ -49,7 +50,8 @@ class Tiles {
 
  private:
   int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
-  /// Returns the distances from a coordinate to the nearest and the farthest point of a row or column.
+  /// Returns the distances from the coordinate `x` to the nearest and to the farthest point of a row (axis 1) or column
+  /// (axis 0) of tiles.
   std::pair<double, double> distances(int row, int axis, double x) const {
     const double begin = low_[axis] + row * side_ - x, end = begin + side_;
     return {std::max({begin, -end, 0.0}), std::max(-begin, end)};

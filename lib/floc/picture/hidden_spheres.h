@@ -6,8 +6,9 @@
 
 namespace floc {
 
-/// Returns the spheres without those that others hide completely. No visible sphere is removed. Some hidden
-/// ones remain, since slivers narrower than about an eighth of the smallest radius count as visible.
+/// Removes the spheres that are completely hidden behind other spheres and returns the rest. No visible sphere is
+/// removed. Some hidden spheres remain, because gaps narrower than about an eighth of the smallest radius count as
+/// openings.
 std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres);
 
 }  // namespace floc

@@ -15,16 +15,16 @@
 namespace floc {
 namespace {
 
-constexpr double kLatticeMargin = 8.0;  // around everything (points)
+constexpr double kLatticeMargin = 8.0;  // margin around the picture (points)
 constexpr double kMostPixels = 3000.0;
 
-/// The plane that is drawn: in 2D the cell itself, in 3D a section of it.
+/// The plane that is drawn: in 2D the whole cell, in 3D a section through the cell.
 template <int Dim>
 struct Section {
   const Lattice<Dim>& lattice;
-  int right, up;  // axes
-  int across;     // axis, -1 in 2D
-  double at;      // along it (length)
+  int right, up;  // axes that point to the right and upwards in the picture
+  int across;     // axis normal to the section; -1 in 2D
+  double at;      // position of the section along the axis `across` (length)
 
   double width() const { return std::abs(lattice.cell.matrix(right, right)); }
   double height() const { return std::abs(lattice.cell.matrix(up, up)); }
@@ -58,10 +58,12 @@ int nearest_node(const NodeGrid<Dim>& grid, const Vec<Dim>& point, double spacin
   return nearest;
 }
 
-/// The point of the right-angled room along the axes, with the sides of the cell, that is equivalent to x.
+/// Returns the periodic image of the point x that lies in the rectangular box along the axes, whose sides are the
+/// diagonal elements of the cell matrix.
 template <int Dim>
 Vec<Dim> brought_into_room(const Cell<Dim>& cell, Vec<Dim> x) {
-  // The vector of an axis moves along that axis and those before it, so the last axis goes first.
+  // The lattice vector of an axis has components along this axis and the axes before it, so the last axis is treated
+  // first.
   for (int a = Dim; a-- > 0;) {
     const double side = cell.matrix(a, a);
     const double times = std::floor(x[a] / std::abs(side));
@@ -75,7 +77,7 @@ std::uint32_t pixel_of(const Color& c) {
   return 0xff000000u | byte(c.red) << 16 | byte(c.green) << 8 | byte(c.blue);
 }
 
-/// The section as an image: each pixel the colour of the nearest node.
+/// Returns the section as an image, in which each pixel has the colour of the nearest node.
 template <int Dim>
 cairo_surface_t* image_of(const Section<Dim>& section, const LatticePicture<Dim>& picture,
                           double pixels_a_length) {
@@ -102,7 +104,8 @@ void set_source(cairo_t* page, const Color& c) {
   cairo_set_source_rgb(page, c.red, c.green, c.blue);
 }
 
-/// Faces as lines across their bonds; in a section those whose middle is near it.
+/// Draws faces as lines across their bonds. In a 3D section, only faces whose midpoint is within half a spacing of the
+/// section are drawn.
 template <int Dim>
 void draw_faces(cairo_t* page, const Section<Dim>& section, const LatticePicture<Dim>& picture, double scale) {
   set_source(page, palette::kArrow);
@@ -146,9 +149,9 @@ std::vector<std::string> LatticeSheetOptions::validate() const {
     faults.push_back(fmt::format("width = {} points: must be 50 to 5000", width));
   if (cut_axis < 0 || cut_axis > 2) faults.push_back(fmt::format("cut axis = {}: must be 0 to 2", cut_axis));
   if (!(cut_at >= 0.0 && cut_at <= 1.0))
-    faults.push_back(fmt::format("cut = {}: must be a share, 0 to 1", cut_at));
+    faults.push_back(fmt::format("cut = {}: must be a fraction of the cell, 0 to 1", cut_at));
   if (!kPixels.holds(pixels_a_node))
-    faults.push_back(fmt::format("pixels a node = {}: must be 1 to 100", pixels_a_node));
+    faults.push_back(fmt::format("pixels per node = {}: must be 1 to 100", pixels_a_node));
   return faults;
 }
 

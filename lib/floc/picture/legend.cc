@@ -14,9 +14,10 @@
 namespace floc {
 namespace {
 
-constexpr double kBetween = 12.0;  ///< items (points)
+constexpr double kBetween = 12.0;  ///< distance between two items of the legend (points)
 constexpr double kAfterSample = 4.0;
-constexpr double kThickest = 8.0;  ///< sample of a force: a thicker one would cover the lines of text around
+/// Largest width of the sample line of a force (points), so that it does not cover text.
+constexpr double kThickest = 8.0;
 
 template <int Dim>
 std::string name_of(LineKind kind, const PackingPicture<Dim>& picture) {
@@ -84,15 +85,16 @@ LegendItem arrow_item(const PackingPicture<Dim>& picture, const DrawnScale& scal
             set_color(page, palette::kArrow);
             draw_arrow(page, {x, y}, {x + points, y}, 0.8, 4.5);
           },
-          short_number(length) + " a moved"};
+          short_number(length) + " a displacement"};
 }
 
 LegendItem text_item(const std::string& text) {
   return {-kAfterSample, [](cairo_t*, double, double) {}, text};
 }
 
-/// Calls `place(item, x, line)` for each item, lines filled from the left; one that is longer than a line has as
-/// many as its text needs. @return the number of lines
+/// Calls `place(item, x, line)` for each legend item, with its position x in a line (points) and the index of the line.
+/// Lines are filled from the left. An item that is wider than a line takes as many lines as its text needs. @return
+/// number of lines
 template <class Place>
 int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   double x = 0.0;
@@ -108,8 +110,8 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   return n_lines;
 }
 
-/// Returns the end of the longest beginning of a text that fits into `width`: at least one letter, and between
-/// letters of UTF-8.
+/// Returns the number of bytes of the longest beginning of a text that fits into `width` (points). It holds at least
+/// one letter, and never ends inside a letter of UTF-8.
 std::size_t end_of_fitting(const std::string& text, double width) {
   std::size_t end = 0;
   do {

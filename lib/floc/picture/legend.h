@@ -12,59 +12,61 @@
 
 namespace floc {
 
-/// Text of captions and legends, in points.
+/// Size of the text in captions and legends (points).
 inline constexpr double kTextSize = 8.0;
-inline constexpr double kTextLine = 13.0;  ///< from line to line
+/// Distance between the base lines of successive lines of text (points).
+inline constexpr double kTextLine = 13.0;
 
 void set_font(cairo_t* page);
 
-/// Draws a text with its left end on the base line at (x, y).
+/// Draws a text whose left end on the base line is at (x, y), in points.
 void draw_text(cairo_t* page, double x, double y, const std::string& text);
 
-/// Returns the width of a text (points), which is the same for every format.
+/// Returns the width of a text (points). It does not depend on the format of the picture.
 double text_width(const std::string& text);
 
-/// Breaks a text at its spaces into lines no longer than `width` (points). A word that is longer than a line is
-/// broken within.
+/// Breaks a text at its spaces into lines not wider than `width` (points). A word that is wider than a line is broken
+/// too.
 std::vector<std::string> wrapped_text(const std::string& text, double width);
 
-/// One item of a legend: a sample and the text after it.
+/// One item of a legend: a graphical sample and the text to the right of it.
 struct LegendItem {
-  double sample_width;  ///< (points)
-  /// Draws the sample from x to the right, with its middle at height y.
+  double sample_width;  ///< width of the sample (points)
+  /// Draws the sample to the right of x, with its middle at height y (points).
   std::function<void(cairo_t* page, double x, double y)> draw_sample;
   std::string text;
 
   double width() const;
-  /// Returns the lines of the text in a width of `room` points: beside the sample if its words fit there,
-  /// otherwise below it, with the first line empty.
+  /// Returns the lines of the text, for an item with at most `room` points of width. The text is to the right of the
+  /// sample if each of its words fits there; otherwise it is below the sample, and the first line returned is empty.
   std::vector<std::string> lines(double room) const;
   void draw(cairo_t* page, double x, double baseline, double room) const;
 };
 
-/// Returns an item with a line of a given width (points), in 3D a round bar, and its meaning.
+/// Returns a legend item whose sample is a line (in 3D a round bar) of a given width (points), with a text that
+/// explains the line.
 template <int Dim>
 LegendItem line_item(const Color& color, double width, const std::string& text);
 
-/// Returns an item with the colours of a value, from the most negative to the most positive.
+/// Returns a legend item with a colour bar for the values of grains, from the most negative to the most positive value.
 /// @param room  largest length of the bar (points)
 LegendItem color_bar(const GrainShade& shade, double room);
 
-/// Returns the item that shows the line width of a force of round value at this scale; no thicker than a line
-/// of text.
-/// @pre some line has a force
+/// Returns a legend item that shows the line width of a force with a round value. The force is chosen so that the line
+/// is not thicker than the text is high.
+/// @pre some line has a force > 0
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
-/// Returns the legend of a sheet, one item for each element that some picture shows: scale bar, kinds of lines,
+/// Returns the legend of a sheet, with an item for each element that some picture shows: scale bar, kinds of lines,
 /// rattlers, arrows, colours, notes.
-/// @param bar    longest length of the scale bar, roughly (points)
-/// @param width  room for the legend (points)
+/// @param bar  approximate largest length of the scale bar (points)
+/// @param width  width of the legend (points)
 template <int Dim>
 std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictures, const DrawnScale& scale,
                                   double bar, double width);
 
-/// Returns the height of a legend set in lines no longer than `width` (points).
+/// Returns the height of a legend whose lines are not wider than `width` (points).
 double legend_height(const std::vector<LegendItem>& items, double width);
 
 void draw_legend(cairo_t* page, const std::vector<LegendItem>& items, double left, double top, double width);

@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Returns the width of the line of a contact (points).
+/// Returns the width of the line that draws a contact (points).
 /// @param diameter  mean diameter of the grains (points)
 template <int Dim>
 double drawn_width(const ContactLine<Dim>& line, const DrawnScale& scale, double diameter) {
-  // Least widths in mean diameters, so that contacts with small forces remain visible.
+  // Smallest line widths, in mean diameters, so that contacts with small forces remain visible.
   constexpr double kFaintest = 0.02;
   constexpr double kMarked = 0.09;
   if (line.kind == LineKind::lost || line.kind == LineKind::gained) return 1.5 * kMarked * diameter;

@@ -12,10 +12,10 @@
 namespace floc {
 namespace {
 
-/// Marks that cairo takes at once: long paths cost more than their length.
+/// Number of shapes that are combined in one cairo path. The time for a path grows faster than its length.
 constexpr int kBatch = 200;
 constexpr double kSmallestOutlined = 2.5;
-/// Widths of lines are rounded to this (points): lines of one width share a path, which keeps files small.
+/// Step to which line widths are rounded (points). Lines of equal width share one path, which keeps files small.
 constexpr double kWidthStep = 0.05;
 constexpr int kShades = 64;
 
@@ -23,7 +23,7 @@ struct Segment {
   Vec<2> from, to;
 };
 
-/// Draws one picture.
+/// Draws one picture of a 2D packing.
 class Drawing {
  public:
   Drawing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement)
@@ -75,7 +75,7 @@ class Drawing {
         by_width[{line.kind, std::max(1, level)}].push_back(
             {on_page(line.from + shift), on_page(line.to + shift)});
       };
-      // A line to a wall has no periodic copies.
+      // Contacts with walls have no periodic copies.
       if (line.j >= static_cast<int>(picture_.position.size()))
         add(Vec<2>::Zero());
       else
@@ -101,7 +101,8 @@ class Drawing {
   }
 
  private:
-  /// Grains of one number have one colour: 0 and 1 plain and rattlers, otherwise shades.
+  /// Returns a number for the fill colour of a grain: the index of its shade or, in pictures without shades, 1 for
+  /// rattlers and 0 for other grains.
   int fill_of(int i) const {
     if (!picture_.shade.value.empty()) {
       const double share = std::clamp(picture_.shade.value[i] / picture_.shade.largest, -1.0, 1.0);
@@ -146,7 +147,7 @@ class Drawing {
   const Placement& placement_;
   Box box_;
   PeriodicCopies<2> copies_;
-  double diameter_;  ///< mean (points)
+  double diameter_;  ///< mean diameter of the grains (points)
 };
 
 }  // namespace

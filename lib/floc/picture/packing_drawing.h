@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Box that holds a cell with one corner at the origin.
+/// Rectangle around a periodic cell that has one corner at the origin (length).
 struct Box {
   Vec<2> low = Vec<2>::Zero();
   Vec<2> high = Vec<2>::Zero();
@@ -17,7 +17,7 @@ struct Box {
 };
 Box box_of(const Cell<2>& cell);
 
-/// Place of a picture on the page (points): the upper left corner of the box of its cell.
+/// Position of a picture on the page (points): the upper left corner of the rectangle around its cell.
 struct Placement {
   double left = 0.0, top = 0.0;
   DrawnScale scale;
@@ -27,14 +27,14 @@ void set_color(cairo_t* page, const Color& color);
 
 Color color_of(LineKind kind);
 
-/// Draws grains, lines and arrows of a picture, each with the periodic copies of it that reach into the cell,
-/// cut at the cell's border. Outlines of grains are left out if the mean diameter is below 2.5 points.
+/// Draws the grains, lines and arrows of a picture, clipped at the border of the cell. Periodic copies that reach into
+/// the cell are drawn too. Outlines of grains are left out if the mean diameter is below 2.5 points.
 void draw_packing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
-/// Draws the border of the cell.
+/// Draws the border of the periodic cell.
 void draw_cell(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
-/// Draws an arrow from one point of the page to another, with a head no longer than `largest_head` (points).
+/// Draws an arrow between two points of the page, whose head is not longer than `largest_head` (points).
 void draw_arrow(cairo_t* page, const Vec<2>& from, const Vec<2>& to, double width, double largest_head);
 
 }  // namespace floc

@@ -20,7 +20,7 @@ template PackingPicture<3> grains_of(const Packing<3>&);
 
 std::vector<std::string> Slab::validate() const {
   if (from >= 0.0 && from < to && to <= 1.0) return {};
-  return {fmt::format("slab from {} to {}: fractions of the cell, 0 <= from < to <= 1", from, to)};
+  return {fmt::format("slab from {} to {}: must be fractions of the cell with 0 <= from < to <= 1", from, to)};
 }
 
 PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab) {
@@ -32,7 +32,7 @@ PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& sla
   part.shade.value.clear();
   const auto n = static_cast<int>(picture.position.size());
   constexpr int kOutside = -1;
-  std::vector<int> place(n, kOutside);  // of a grain of the whole in the part
+  std::vector<int> place(n, kOutside);  // index in `part` of each grain of `picture`
   for (int i = 0; i < n; ++i) {
     const double s = picture.cell.reduced(picture.cell.wrapped(picture.position[i]))[slab.axis];
     if (s < slab.from || s >= slab.to) continue;
@@ -43,7 +43,7 @@ PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& sla
     if (!picture.shade.value.empty()) part.shade.value.push_back(picture.shade.value[i]);
   }
   const auto n_part = static_cast<int>(part.position.size());
-  // Numbers of walls follow those of the grains.
+  // The indices of walls follow the indices of the grains.
   const auto place_of = [&](int body) { return body < n ? place[body] : body - n + n_part; };
   for (ContactLine<3>& line : part.lines) line.i = place_of(line.i), line.j = place_of(line.j);
   for (DisplacementArrow<3>& arrow : part.arrows) arrow.grain = place_of(arrow.grain);

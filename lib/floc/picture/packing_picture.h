@@ -10,10 +10,10 @@
 
 namespace floc {
 
-/// Meaning of a line between two grains. Kinds are drawn in this order, the last on top.
+/// Meaning of a line between two grains. Lines are drawn in this order of their kinds, so the last kind is on top.
 enum class LineKind {
-  background,  ///< a contact in the background: outside the set shown
-  zero,        ///< no normal force within the tolerance
+  background,  ///< a contact that is not in the set of contacts that the picture emphasizes
+  zero,        ///< a contact whose normal force is zero within the tolerance
   distant,
   tension,
   compression,
@@ -21,17 +21,17 @@ enum class LineKind {
   gained,
 };
 
-/// A contact as a line between the centres of its grains.
+/// A contact, drawn as a line between the centres of its two grains.
 template <int Dim>
 struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
-  Vec<Dim> to = Vec<Dim>::Zero();  ///< centre of the image of the other grain
+  Vec<Dim> to = Vec<Dim>::Zero();  ///< centre of the periodic image of the second grain that is in contact
   LineKind kind = LineKind::compression;
-  double force = 0.0;  ///< size of the force in `PackingPicture::force_unit`; the width is proportional to it
-  int i = 0, j = 0;    ///< bodies at its start and at its end
+  double force = 0.0;  ///< force in `PackingPicture::force_unit`, to which the line width is proportional
+  int i = 0, j = 0;    ///< indices of the grains (or walls) at both ends
 };
 
-/// Displacement of a grain.
+/// Displacement of a grain, drawn as an arrow.
 template <int Dim>
 struct DisplacementArrow {
   Vec<Dim> from = Vec<Dim>::Zero();
@@ -39,51 +39,51 @@ struct DisplacementArrow {
   int grain = 0;
 };
 
-/// A value of every grain, shown as its colour.
+/// A value of every grain, which is drawn as the colour of the grain.
 struct GrainShade {
   std::vector<double> value;  ///< value of each grain
-  double largest = 1.0;       ///< value of the last colour, > 0, which larger values have too
-  std::string name;           ///< name of the value in the legend
+  double largest = 1.0;       ///< value > 0 at which the colour scale ends; larger values have the last colour
+  std::string name;           ///< name of the quantity in the legend
 };
 
-/// A layer of a cell between two lattice planes, as fractions of a lattice vector.
+/// A layer of a cell between two lattice planes, whose positions are fractions of a lattice vector.
 struct Slab {
-  int axis = 2;  ///< index of the lattice vector, from 0
+  int axis = 2;  ///< index of the lattice vector, counted from 0
   double from = 0.0, to = 1.0;
 
-  /// Every fault as "name = value: requirement".
+  /// Returns all errors of the slab, as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// A packing to be drawn, in the unit of length of the state: grains, lines, arrows, colours. Nothing here is
-/// cut or copied yet: the drawing repeats periodically and cuts at the border of the cell.
+/// A picture of a packing: grains, lines, arrows and colours, in the unit of length of the state. It holds each element
+/// once, without periodic copies; the functions that draw it add copies and clip at the border of the cell.
 template <int Dim>
 struct PackingPicture {
   Cell<Dim> cell;
   std::vector<Vec<Dim>> position;
   std::vector<double> radius;
-  std::vector<bool> rattler;  ///< one entry per grain, or empty: none is marked
+  std::vector<bool> rattler;  ///< whether each grain is a rattler; empty: no rattlers are marked
   std::vector<ContactLine<Dim>> lines;
-  std::string force_unit;  ///< in words for the legend, such as "F₀"
+  std::string force_unit;  ///< symbol of the unit of force in the legend, such as "F₀"
   std::string force_symbol = "F";
-  // Names of kinds of lines in the legend.
+  // Texts in the legend for kinds of lines.
   std::string compression_name = "compression";
   std::string tension_name = "tension";
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow<Dim>> arrows;
   std::optional<Slab> slab;  ///< part of the cell that is shown, see part_in_slab()
-  GrainShade shade;          ///< without values: grains are grey
-  /// Caption above the picture, broken between these parts if they do not fit on one line.
+  GrainShade shade;          ///< values that colour the grains; if there are none, grains are grey
+  /// Parts of the caption above the picture. A part is broken only if it is wider than a line.
   std::vector<std::string> caption;
   std::string note;  ///< note in the legend; may be empty
 };
 
-/// Returns a picture of the cell and the grains of a packing.
+/// Returns a picture with the cell and the grains of a packing.
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
-/// Returns the part of a picture in a slab: grains whose centres lie in it, their arrows, and lines between two
-/// of them. A centre on the border between two slabs is in the upper one.
+/// Returns the part of a picture that lies in a slab of the cell: grains whose centres lie in the slab, their arrows,
+/// and lines between two such grains. A centre on the border between two slabs is in the upper slab.
 PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab);
 
 }  // namespace floc

@@ -52,7 +52,7 @@ Page::Page(PictureFormat format, double width, double height, double pixels_per_
     : format_(format),
       surface_(surface_of(format, width, height, pixels_per_point, &bytes_)),
       context_(cairo_create(surface_)) {
-  // cairo writes the current time into a pdf unless the date is set.
+  // Without a date, cairo would write the current time into a pdf file.
   if (format == PictureFormat::pdf)
     cairo_pdf_surface_set_metadata(surface_, CAIRO_PDF_METADATA_CREATE_DATE, "");
   cairo_set_source_rgb(context_, 1.0, 1.0, 1.0);

@@ -8,11 +8,11 @@
 
 namespace floc {
 
-/// A white page that cairo draws on, with the origin at its upper left and lengths in points (1/72 inch). The
-/// output contains no time stamp: equal drawings give equal bytes.
+/// A white page on which cairo draws. The origin is the upper left corner, and lengths are in points (1/72 inch). The
+/// picture file has no time stamp, so that equal drawings give equal files.
 class Page {
  public:
-  /// @param pixels_per_point  resolution of a png, and of parts embedded as an image
+  /// @param pixels_per_point  resolution of a png, and of embedded images in other formats
   Page(PictureFormat format, double width, double height, double pixels_per_point);
   ~Page();
   Page(const Page&) = delete;
@@ -20,8 +20,8 @@ class Page {
 
   cairo_t* context() const { return context_; }
 
-  /// Returns the bytes of the picture. The page cannot be drawn on afterwards.
-  /// @throws std::runtime_error with cairo's message if it failed
+  /// Returns the content of the picture file. The page cannot be drawn on afterwards.
+  /// @throws std::runtime_error with the error message of cairo
   std::string finish();
 
  private:
@@ -31,17 +31,17 @@ class Page {
   cairo_t* context_;
 };
 
-/// Image, of the same resolution as a png, that receives all drawing while this object exists and is then
-/// painted on the page. Used for drawings of so many parts that as vectors they would take too long to show.
+/// Pixel image, with the resolution of a png, that is drawn on instead of the page. Its destructor paints it on the
+/// page. It is used for drawings with so many shapes that a file with all of them as vectors would be slow to display.
 class ImageLayer {
  public:
-  /// @param left, top, width, height  the part of the page it covers (points)
+  /// @param left,  top, width, height  part of the page that the image covers (points)
   ImageLayer(cairo_t* page, double left, double top, double width, double height, double pixels_per_point);
   ~ImageLayer();
   ImageLayer(const ImageLayer&) = delete;
   ImageLayer& operator=(const ImageLayer&) = delete;
 
-  /// Returns the context of the image, which has the coordinates of the page.
+  /// Returns the cairo context of the image, in which coordinates are coordinates of the page.
   cairo_t* context() const { return context_; }
 
  private:

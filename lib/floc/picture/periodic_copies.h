@@ -7,16 +7,17 @@
 
 namespace floc {
 
-/// Finds the periodic copies of an object that reach into the cell 0 <= s < 1 (s: reduced coordinates), for any
-/// lattice vectors and also for objects larger than the cell.
+/// Finds the periodic copies of an object that reach into the cell 0 <= s < 1, where s are reduced coordinates. The
+/// cell may have any lattice vectors, and the object may be larger than the cell.
 template <int Dim>
 class PeriodicCopies {
  public:
   explicit PeriodicCopies(const Cell<Dim>& cell)
       : cell_(cell), reciprocal_(cell.matrix.transpose().inverse()), reach_(reciprocal_.rowwise().norm()) {}
 
-  /// Calls `draw(shift)` with the displacement of each copy that reaches into the cell, of the convex hull of
-  /// two disks (3D: balls) of one radius (length).
+  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell, with the displacement of the
+  /// copy. The object is the convex hull of two disks (3D: balls) of equal radius with centres `from` and `to`
+  /// (length).
   template <class Draw>
   void of_segment(const Vec<Dim>& from, const Vec<Dim>& to, double radius, Draw&& draw) const {
     const Vec<Dim> a = reciprocal_ * from, b = reciprocal_ * to;
@@ -40,8 +41,8 @@ class PeriodicCopies {
   static int last(double low) { return static_cast<int>(std::floor(1.0 - low)); }
 
   Cell<Dim> cell_;
-  Mat<Dim> reciprocal_;  ///< rows: reciprocal vectors, so s = reciprocal_ x
-  Vec<Dim> reach_;       ///< extent of a ball of radius 1 in reduced coordinates
+  Mat<Dim> reciprocal_;  ///< its rows are the reciprocal lattice vectors, so that s = reciprocal_ x
+  Vec<Dim> reach_;       ///< extent of a ball of radius 1 along each reduced coordinate
 };
 
 }  // namespace floc

@@ -12,7 +12,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// A number without the zeros that end its decimals.
+/// Formats a number with at most two decimals, without trailing zeros.
 std::string short_coordinate(double x) {
   std::string text = fmt::format("{:.2f}", x);
   while (text.back() == '0') text.pop_back();
@@ -20,7 +20,7 @@ std::string short_coordinate(double x) {
   return text == "-0" ? "0" : text;
 }
 
-/// A path's data with its numbers shortened.
+/// Appends the data of an svg path to `out`, with shortened numbers.
 void append_path(std::string_view path, std::string& out) {
   for (std::size_t i = 0; i < path.size();) {
     double x = 0.0;
@@ -34,7 +34,7 @@ void append_path(std::string_view path, std::string& out) {
   }
 }
 
-/// Text that precedes a name in an svg, beginnings of names that cairo counts, and text that precedes the data
+/// Texts that precede a name in an svg, beginnings of the names that cairo numbers, and the text that precedes the data
 /// of a path.
 constexpr std::string_view kBeforeName[] = {"id=\"", "href=\"#", "url(#"};
 constexpr std::string_view kCounted[] = {"surface", "image", "source-"};
@@ -53,8 +53,8 @@ std::string plain_svg(std::string_view svg) {
     i += text.size();
     return true;
   };
-  // Names whose number cairo counts through the process are numbered anew, in the order of their first
-  // appearance, so that a definition and the references to it keep one name.
+  // The names that cairo numbers are numbered again, in the order of their first appearance. A definition and the
+  // references to it thus get the same new name.
   const auto take_name = [&] {
     for (const std::string_view prefix : kCounted) {
       if (!take(prefix)) continue;
@@ -65,7 +65,7 @@ std::string plain_svg(std::string_view svg) {
       return;
     }
   };
-  // Only names depend on the process and only paths take much room, so that all other text is copied as it is.
+  // Only names depend on the process, and only paths take much space, so all other text is copied unchanged.
   while (i < svg.size()) {
     bool taken = false;
     for (const std::string_view before : kBeforeName)

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Returns an svg of cairo in a smaller form that does not depend on earlier drawings of the process. Names of
-/// surfaces and images, which cairo counts through a process, are numbered in the order of their appearance,
-/// and coordinates of paths have two decimals (a hundredth of a point) in place of six.
+/// Returns an svg written by cairo in a smaller form that does not depend on earlier drawings of this process. cairo
+/// counts the names of surfaces and images through the whole process; here they are numbered in the order in which they
+/// appear in the svg. Coordinates of paths have two decimals (a hundredth of a point) instead of six.
 std::string plain_svg(std::string_view svg);
 
 }  // namespace floc

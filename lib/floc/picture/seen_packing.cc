@@ -12,14 +12,15 @@ namespace floc {
 namespace {
 
 constexpr double kWithLines = 0.25;
-/// Length over width of tubes that are left out: slivers around the contact point of whole spheres.
+/// Tubes shorter than this, in units of their width, are not drawn: they would be slivers around the contact point of
+/// two spheres of full size.
 constexpr double kShortest = 0.05;
-/// Cosine between a face and the line of sight below which it is seen end on.
+/// Cosine of the angle between the normal of a face and the line of sight below which the face counts as seen edge-on.
 constexpr double kEndOn = 1e-9;
 
 using Interval = std::pair<double, double>;
 
-/// Returns the interval of t in which a + b t + c t^2 < 0 (c >= 0).
+/// Returns the interval of t in which a + b t + c t^2 < 0, for c >= 0.
 std::optional<Interval> negative_part(double a, double b, double c) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   if (c == 0.0) return a < 0.0 ? std::optional(Interval{-kInfinite, kInfinite}) : std::nullopt;
@@ -28,7 +29,8 @@ std::optional<Interval> negative_part(double a, double b, double c) {
   return Interval{(-b - std::sqrt(root)) / (2.0 * c), (-b + std::sqrt(root)) / (2.0 * c)};
 }
 
-/// The part of a segment in the cell 0 <= s <= 1, from reduced coordinates of its ends.
+/// Returns the part of a line segment that lies in the cell 0 <= s <= 1, as fractions of its length. Both ends are
+/// given in reduced coordinates.
 std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   Interval part{0.0, 1.0};
   for (int a = 0; a < 3; ++a) {
@@ -44,7 +46,7 @@ std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   return part.first < part.second ? std::optional(part) : std::nullopt;
 }
 
-/// Collects the visible parts of one picture.
+/// Collects the visible parts of a picture of spheres.
 class Sight {
  public:
   Sight(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale)
@@ -75,7 +77,7 @@ class Sight {
   }
 
  private:
-  /// Adds the spheres and sets the range of depths, which includes hidden spheres.
+  /// Adds the spheres and sets the range of their depths, which includes spheres that will be hidden.
   void add_spheres() {
     seen_.far = std::numeric_limits<double>::infinity();
     seen_.near = -seen_.far;
@@ -99,7 +101,8 @@ class Sight {
     }
   }
 
-  /// A tube begins where its mantle leaves the sphere: sqrt(R^2 - (width/2)^2) from the centre.
+  /// Adds the tube of a contact. It begins where its surface meets the sphere, at the distance sqrt(R^2 - (width/2)^2)
+  /// from the centre of a sphere of radius R.
   void add_tube(const ContactLine<3>& line, const Vec<3>& from, const Vec<3>& to) {
     const auto in_cell = part_in_cell(picture_.cell.reduced(from), picture_.cell.reduced(to));
     if (!in_cell) return;
@@ -164,7 +167,7 @@ class Sight {
   const DrawnScale& scale_;
   Camera camera_;
   double size_;
-  double diameter_;  ///< mean (points)
+  double diameter_;  ///< mean diameter of the grains (points)
   std::vector<Vec<3>> home_;
   SeenPacking seen_;
 };
@@ -184,8 +187,8 @@ std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const V
   const Vec<3> apart = from - sphere.centre, along = to - from;
   const Vec<2> apart2 = apart.head<2>(), along2 = along.head<2>();
   const double r2 = sphere.radius * sphere.radius;
-  // The hidden region is the sphere and the part behind its equator of the cylinder of its outline. It is
-  // convex, so that the segment crosses it once.
+  // The hidden region is the sphere, together with the cylinder behind its equator whose cross-section is the outline
+  // of the sphere. This region is convex, so that the segment crosses it only once.
   std::optional<Interval> cylinder =
       negative_part(apart2.squaredNorm() - r2, 2.0 * apart2.dot(along2), along2.squaredNorm());
   if (!cylinder) return std::nullopt;

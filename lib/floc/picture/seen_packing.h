@@ -10,7 +10,7 @@
 
 namespace floc {
 
-// Points are in the coordinates of a Camera: to the right, upwards, towards the eye (length).
+// Points are in the coordinates of a Camera: x to the right, y upwards, z towards the eye (length).
 
 struct SeenSphere {
   Vec<3> centre = Vec<3>::Zero();
@@ -19,12 +19,12 @@ struct SeenSphere {
 };
 
 enum class TubeEnd {
-  round,      ///< about the centre of a sphere narrower than the tube
-  at_sphere,  ///< where the tube leaves a sphere
-  cut,        ///< at a face of the cell or at a wall
+  round,      ///< a round end at the centre of a sphere that is narrower than the tube
+  at_sphere,  ///< an end at the surface of a sphere
+  cut,        ///< a flat end at a face of the cell or at a wall
 };
 
-/// A contact between the surfaces of its spheres as drawn.
+/// A contact, drawn as a tube between the surfaces of its two spheres.
 struct SeenTube {
   Vec<3> from = Vec<3>::Zero();
   Vec<3> to = Vec<3>::Zero();
@@ -38,52 +38,54 @@ struct SeenArrow {
   Vec<3> to = Vec<3>::Zero();
 };
 
-/// An edge of a parallelepiped.
+/// An edge of a cell or a slab, which are parallelepipeds.
 struct SeenEdge {
   Vec<3> from = Vec<3>::Zero();
   Vec<3> to = Vec<3>::Zero();
   int axis = 0;
-  bool behind = false;   ///< whether both faces that meet in it face away from the eye
-  bool outline = false;  ///< whether exactly one of these faces does
-  std::vector<std::pair<double, double>> visible;  ///< parts that no sphere hides, as fractions of its length
+  bool behind = false;   ///< whether both adjacent faces of the edge face away from the eye
+  bool outline = false;  ///< whether exactly one adjacent face faces away from the eye
+  /// Parts that no sphere hides, as fractions of the length of the edge.
+  std::vector<std::pair<double, double>> visible;
 };
 
-/// Visible parts of a packing of spheres, in the order in which they are drawn.
+/// Visible parts of a packing of spheres, with the order in which they are drawn.
 struct SeenPacking {
   enum class Part { sphere, tube, arrow };
   struct Mark {
     Part part;
     int index;
-    double depth;  ///< coordinate towards the eye of a sphere's centre, or of the middle of a tube or an arrow
+    /// Coordinate towards the eye: of the centre of a sphere, or of the middle of a tube or arrow.
+    double depth;
   };
 
   std::vector<SeenSphere> spheres;
   std::vector<SeenTube> tubes;
   std::vector<SeenArrow> arrows;
-  /// Parts from the farthest to the nearest. For spheres that do not overlap, the order of their centres is
-  /// exact: in parallel projection, a plane separates the two, with the sphere of the nearer centre in front of
-  /// it.
+  /// Parts in the order from the farthest to the nearest. For spheres that do not overlap, the order of their centres
+  /// is exact: a plane separates two such spheres, and in parallel projection the sphere with the nearer centre is in
+  /// front of it.
   std::vector<Mark> order;
-  double far = 0.0, near = 0.0;      ///< least and largest depth of the spheres
-  std::vector<SeenEdge> cell_edges;  ///< twelve
-  std::vector<SeenEdge> slab_edges;  ///< twelve, or none without a slab
+  double far = 0.0, near = 0.0;  ///< smallest and largest coordinate towards the eye of the centres of spheres
+  std::vector<SeenEdge> cell_edges;  ///< the twelve edges of the cell
+  std::vector<SeenEdge> slab_edges;  ///< the twelve edges of the slab; empty without a slab
 };
 
-/// Returns the drawn radius of a sphere over its own radius.
+/// Returns the ratio of the drawn radius of spheres to their true radius.
 double sphere_size(const PackingPicture<3>& picture, const View& view);
 
-/// Returns the spheres of the cell, each once where its centre is, and the contacts, cut at the faces of the
-/// cell. Spheres that are hidden completely are left out.
-/// @param scale  for the widths of tubes and the lengths of arrows
+/// Returns the visible parts of a packing: each sphere once, at the image of its centre in the cell, and the contacts,
+/// cut at the faces of the cell. Spheres that are completely hidden are left out.
+/// @param scale  scale of the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 
-/// Returns the part of a segment that a sphere hides or contains, as fractions of its length within [0, 1];
-/// nothing if there is none.
+/// Returns the part of a line segment that a sphere hides or contains, as fractions of the length of the segment in [0,
+/// 1]; absent if the whole segment is visible.
 std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
                                                      const SeenSphere& sphere);
 
-/// Returns the edges of the part of a cell between two corners in reduced coordinates, each visible over all
-/// its length.
+/// Returns the edges of the part of a cell between two corners, given in reduced coordinates. Each edge is marked as
+/// visible over its whole length.
 std::vector<SeenEdge> edges_of(const Cell<3>& cell, const Camera& camera, const Vec<3>& low,
                                const Vec<3>& high);
 

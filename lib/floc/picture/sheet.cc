@@ -14,18 +14,20 @@
 namespace floc {
 namespace {
 
-constexpr double kMargin = 5.0;   ///< (points)
-constexpr double kGap = 12.0;     ///< between the pictures of a strip
-constexpr double kTallest = 1.3;  ///< height of a picture over the width of the page
-/// Light and shade need more pixels than flat colours.
+constexpr double kMargin = 5.0;   ///< margin of the page (points)
+constexpr double kGap = 12.0;     ///< distance between two pictures (points)
+constexpr double kTallest = 1.3;  ///< largest height of a picture, in units of the width of the page
+/// Smallest resolution of images, in pixels per point. Shaded spheres in 3D need more pixels than the flat colours of
+/// 2D.
 template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsPerSide = 3000.0;
 constexpr double kPixelsPerDiameter = 6.0;
-/// Each part in 3D has a gradient of its own, about 600 bytes.
+/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D each shape has a
+/// separate colour gradient, which takes about 600 bytes.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
-constexpr double kAxisRoom = 10.0;  ///< around a picture in 3D, for the names of the axes (points)
+constexpr double kAxisRoom = 10.0;  ///< margin around a picture in 3D for the names of the axes (points)
 
 Box drawn_box(const PackingPicture<2>& picture, const SheetOptions&) {
   return box_of(picture.cell);
@@ -35,7 +37,7 @@ Box drawn_box(const PackingPicture<3>& picture, const SheetOptions& options) {
   return box_of(picture, options.view);
 }
 
-/// The layout of a sheet (points).
+/// Positions and scales of the pictures, captions and legend of a page (points).
 template <int Dim>
 class Layout {
  public:
@@ -71,7 +73,7 @@ class Layout {
     return std::min(std::max(kMinPixels<Dim>, kPixelsPerDiameter / smallest), std::max(most, kMinPixels<Dim>));
   }
 
-  /// Returns the placement of the box of each picture.
+  /// Returns the position and scales of each picture.
   const std::vector<Placement>& placements() const { return placements_; }
   const std::vector<Box>& boxes() const { return boxes_; }
 
@@ -92,7 +94,7 @@ class Layout {
   }
 
  private:
-  /// Sets the lengths on the page (points) of a unit force and of a unit displacement.
+  /// Sets the lengths (points) that a unit force and a unit displacement have on the page.
   void set_scales() {
     double moved = 0.0, force = 0.0, force_diameter = 0.0;
     for (const PackingPicture<Dim>& p : pictures_) {
@@ -115,7 +117,7 @@ class Layout {
       double row = 0.0;
       for (std::size_t k = first; k < end; ++k) row = std::max(row, size_of(k)[1]);
       for (std::size_t k = first; k < end; ++k) {
-        // A single picture stands in the middle, those of a strip at the upper left of their places.
+        // A single picture is centred on the page; several pictures are at the upper left of their columns.
         const double left = pictures_.size() == 1 ? 0.5 * (inner_width() - size_of(k)[0])
                                                   : static_cast<double>(k - first) * (column_width_ + kGap);
         placements_.push_back({kMargin + left + room_, top + above + room_, scale_of(k)});
@@ -155,20 +157,20 @@ class Layout {
 
   const std::vector<PackingPicture<Dim>>& pictures_;
   const SheetOptions& options_;
-  double room_;  ///< around each picture
+  double room_;  ///< margin around each picture (points)
   std::vector<Box> boxes_;
   int columns_ = 1;
   double column_width_ = 0.0;
   DrawnScale scale_;
   std::vector<LegendItem> legend_;
-  std::vector<std::vector<std::string>> captions_;  ///< lines of each picture's
-  bool own_keys_ = false;                           ///< each picture has its own force scale, and a key for it
+  std::vector<std::vector<std::string>> captions_;  ///< lines of the caption of each picture
+  bool own_keys_ = false;  ///< whether each picture has its own force scale and its own legend for it
   std::vector<Placement> placements_;
   double legend_top_ = 0.0;
   double height_ = 0.0;
 };
 
-/// A picture at its place, ready to be drawn.
+/// A picture with its position on the page, ready to be drawn.
 template <int Dim>
 class Placed;
 
@@ -243,8 +245,8 @@ std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const S
     placed.emplace_back(pictures[k], layout.placements()[k], layout.boxes()[k], options);
     n_marks += placed.back().n_marks();
   }
-  // A png is an image as it is. Other formats embed grains and lines as an image where as vectors they would
-  // take megabytes; frames, axes and text stay vectors.
+  // In svg and pdf, grains and lines are embedded as an image if they would take megabytes as vectors; frames, axes and
+  // text are always vectors. A png is an image in any case.
   const bool as_image =
       options.format != PictureFormat::png && options.as_image.value_or(n_marks > kMaxVectors<Dim>);
   Page page(options.format, options.width, layout.height(), pixels);

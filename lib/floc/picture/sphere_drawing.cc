@@ -9,17 +9,18 @@
 namespace floc {
 namespace {
 
-/// Share of white in the colour of the farthest parts: less for spheres, which hide each other, than for a
-/// network.
+/// Fraction of white in the colour of the parts farthest from the eye. It is smaller in pictures of full spheres, which
+/// hide each other, than in pictures of contact networks.
 constexpr double kPaleSpheres = 0.25;
 constexpr double kPaleTubes = 0.65;
-/// Radius below which light and shade are invisible and only make files large (points).
+/// Radius below which shading would be invisible (points). Smaller shapes have a single colour, which keeps files
+/// small.
 constexpr double kSmallestShaded = 0.6;
-/// Width of arrows and length of their heads, in mean diameters: thinner than in 2D, because more of them
+/// Width of arrows and length of their heads, in mean diameters. Arrows are thinner than in 2D, because more of them
 /// overlap.
 constexpr double kArrowWidth = 0.04;
 constexpr double kArrowHead = 0.2;
-/// Direction from which the light comes, on the page (y down), a unit vector.
+/// Unit vector on the page (x to the right, y down) that points to where the light comes from.
 const Vec<2> kLight = Vec<2>(-0.6, -0.8);
 
 Color mixed(const Color& a, const Color& b, double share) {
@@ -45,7 +46,7 @@ void fill_with(cairo_t* page, cairo_pattern_t* pattern) {
   cairo_pattern_destroy(pattern);
 }
 
-/// Draws one picture.
+/// Draws one picture of a packing of spheres.
 class SeenDrawing {
  public:
   SeenDrawing(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement)
@@ -138,12 +139,12 @@ class SeenDrawing {
     const Bar bar = {on_page(tube.from), on_page(tube.to), 2.0 * half, bulge(tube.from_end),
                      bulge(tube.to_end)};
     draw_bar(page_, bar, color);
-    // Of two cut ends, only the one that faces the eye is visible.
+    // If both ends of a tube are cut, only the end that faces the eye is visible.
     if (tube.to_end == TubeEnd::cut && along[2] > 0.0) draw_cut(bar.to, along, half, color);
     if (tube.from_end == TubeEnd::cut && along[2] < 0.0) draw_cut(bar.from, along, half, color);
   }
 
-  /// The flat end of a tube.
+  /// Draws the flat end of a tube.
   void draw_cut(const Vec<2>& at, const Vec<3>& along, double half, const Color& color) const {
     if (half < kSmallestShaded || std::abs(along[2]) < 0.05) return;
     cairo_save(page_);
@@ -160,11 +161,11 @@ class SeenDrawing {
     cairo_stroke(page_);
   }
 
-  /// The edge across the middle of the cell from the first.
+  /// Returns the cell edge parallel to the first edge and diagonally opposite to it.
   const SeenEdge& opposite() const { return seen_.cell_edges[3]; }
 
-  /// Returns the edge of the outline along an axis that is lowest on the page, and of equally low ones the left
-  /// one; null if the axis is seen end on.
+  /// Returns the edge along an axis, among the edges of the outline of the cell, that is lowest on the page; among
+  /// equally low edges, the left one. Null if the axis is seen end-on.
   const SeenEdge* labelled_edge(int axis) const {
     constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;
@@ -180,8 +181,8 @@ class SeenDrawing {
     return best;
   }
 
-  /// Returns the distance from a point on the outline, outwards, at which an object of a given length along the
-  /// outline is clear of spheres (points).
+  /// Returns the distance (points) from a point of the outline, in the direction `out`, at which a label with a given
+  /// length along the outline overlaps no sphere.
   double clear_of_spheres(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
     constexpr double kClearance = 4.0;
     double away = 0.0;
@@ -194,7 +195,8 @@ class SeenDrawing {
     return away + kClearance;
   }
 
-  /// @param middle  of the cell, which the arrow keeps away from
+  /// Draws a labelled arrow for an axis beside a cell edge. @param middle  middle of the cell; the arrow is on the
+  /// other side of the edge
   void draw_axis(const Vec<2>& from, const Vec<2>& to, const Vec<2>& middle, char name) const {
     constexpr double kLength = 18.0, kLetter = 5.0, kLeast = 6.0;
     const Vec<2> along = (to - from).normalized(), half_way = 0.5 * (from + to);
@@ -262,8 +264,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   cairo_translate(page, bar.from[0], bar.from[1]);
   cairo_rotate(page, std::atan2(along[1], along[0]));
   cairo_new_path(page);
-  // In the frame of the bar, an end is half an ellipse: the end of a cylinder that is tilted towards the eye,
-  // or a round end. Flat ends are lines, because cairo cannot scale an arc by zero.
+  // In the coordinates of the bar, an end is half an ellipse. It is the flat end of a cylinder tilted towards the eye,
+  // or a round end. Ends without bulge are straight lines, because cairo cannot scale an arc by zero.
   const auto end_at = [&](double x, double bulge, double begin) {
     if (bulge <= 1e-3 * half) {
       cairo_line_to(page, x, begin < 0.0 ? -half : half);
@@ -279,13 +281,14 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   end_at(length, bar.bulge_to, -0.5 * std::numbers::pi);
   end_at(0.0, bar.bulge_from, 0.5 * std::numbers::pi);
   cairo_close_path(page);
-  // Bars too thin to show a gradient get one colour, which keeps files small.
+  // Bars that are too thin to show a gradient have a single colour, which keeps files small.
   if (half < kSmallestShaded) {
     set_color(page, darker(color, 0.1));
     cairo_fill(page);
     return cairo_restore(page);
   }
-  // The bright line along the bar lies on the side of the light, as far as the light comes from across the bar.
+  // The bright line along the bar is on the side of the light. Its distance from the middle line grows with the angle
+  // between the light and the bar.
   cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, -half, 0.0, half);
   add_stop(gradient, 0.0, darker(color, 0.45));
   add_stop(gradient, 0.18, darker(color, 0.1));

@@ -8,34 +8,34 @@
 
 namespace floc {
 
-/// Returns the box that holds a cell and its spheres, as seen and drawn (length).
+/// Returns the rectangle around a cell and its spheres, as seen from the viewpoint and with the drawn radii (length).
 Box box_of(const PackingPicture<3>& picture, const View& view);
 
-/// Draws a sphere with light from the upper left, with lengths in points.
+/// Draws a sphere that is lit from the upper left. Centre and radius are in points.
 void draw_ball(cairo_t* page, const Vec<2>& centre, double radius, const Color& color);
 
-/// A round bar in the same light (points).
+/// A round bar that is lit from the upper left, as the spheres are. Lengths are in points.
 struct Bar {
   Vec<2> from = Vec<2>::Zero();
   Vec<2> to = Vec<2>::Zero();
   double width = 1.0;
-  /// Lengths by which the ends bulge (points): half the width if round, otherwise half the width times the sine
-  /// of the angle of the bar to the page.
+  /// Lengths by which the ends bulge (points). A round end bulges by half the width; a flat end by half the width times
+  /// the sine of the angle between the bar and the page.
   double bulge_from = 0.0, bulge_to = 0.0;
 };
 void draw_bar(cairo_t* page, const Bar& bar, const Color& color);
 
-/// Draws spheres, tubes and arrows from the farthest to the nearest, after the edges of the cell (and the slab)
-/// that lie behind them. Distant parts are paler.
-/// @param picture  the one that is seen
-/// @param box      of the picture
+/// Draws spheres, tubes and arrows from the farthest to the nearest, after the edges of the cell (and of the slab) that
+/// lie behind them. Parts farther from the eye are paler.
+/// @param picture  picture from which `seen` was computed
+/// @param box  rectangle around the picture, from box_of()
 void draw_seen(cairo_t* page, const SeenPacking& seen, const PackingPicture<3>& picture, const Box& box,
                const Placement& placement);
 
-/// Draws the edges of the cell that do not lie behind, where no sphere hides them.
+/// Draws the edges of the cell that are not behind the cell, except where spheres hide them.
 void draw_front_edges(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement);
 
-/// Draws arrows beside the outline of the cell along its three vectors, with the letters x, y, z.
+/// Draws short arrows along the three cell vectors, outside the outline of the cell, with the letters x, y and z.
 void draw_axes(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement);
 
 }  // namespace floc

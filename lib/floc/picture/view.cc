@@ -18,7 +18,7 @@ std::vector<std::string> View::validate() const {
          fmt::format("elevation of the view = {} degrees: must be between -90 and 90", elevation));
   if (sphere_size)
     demand(*sphere_size >= 0.0 && *sphere_size <= 1.0,
-           fmt::format("sphere size = {} of the true one: must be between 0 and 1", *sphere_size));
+           fmt::format("sphere size = {} times the true size: must be between 0 and 1", *sphere_size));
   return faults;
 }
 

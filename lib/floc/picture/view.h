@@ -8,27 +8,27 @@
 
 namespace floc {
 
-/// The viewpoint of a picture of spheres: parallel projection, z upright. The defaults show three faces of a
-/// cell, none of them edge-on.
+/// The viewpoint of a picture of spheres, in parallel projection with the z axis upright. With the defaults, three
+/// faces of a cubic cell are visible, none of them edge-on.
 struct View {
-  /// Azimuth of the eye (degrees): 0 on the x axis, 90 on the y axis.
+  /// Azimuth of the eye (degrees): 0 if the eye is on the x axis, 90 if it is on the y axis.
   double azimuth = -65.0;
-  /// Height of the eye above the x-y plane (degrees), -90 to 90.
+  /// Elevation of the eye above the x-y plane (degrees), -90 to 90.
   double elevation = 20.0;
-  /// Drawn radius of a sphere over its own, 0 to 1. If absent, 1, or 0.25 where there are lines between
-  /// centres.
+  /// Ratio of the drawn radius of a sphere to its true radius, 0 to 1. If absent, it is 1, or 0.25 if the picture has
+  /// lines between centres.
   std::optional<double> sphere_size;
 
-  /// Every fault as "name = value: requirement".
+  /// Returns all errors of the viewpoint, as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// Rotation of space into the coordinates of the viewer.
+/// Rotates vectors in space to the coordinates of the viewer.
 class Camera {
  public:
   explicit Camera(const View& view);
 
-  /// Returns a point or a vector in the coordinates of the viewer: to the right, upwards, and towards the eye.
+  /// Returns a point or a vector in the coordinates of the viewer: x to the right, y upwards, z towards the eye.
   Vec<3> seen(const Vec<3>& x) const { return rotation_ * x; }
 
  private:

@@ -9,45 +9,50 @@ namespace floc {
 
 std::string in_words(const Unmet& unmet) {
   const auto against = [&unmet](const char* what) {
-    return fmt::format("{} {:.2e} against {:.0e}", what, unmet.value, unmet.limit);
+    return fmt::format("{} {:.2e} (limit {:.0e})", what, unmet.value, unmet.limit);
   };
-  // There is no default case, so that the compiler names a demand without words.
+  // There is no default case, so that the compiler warns of a criterion without a text.
   switch (unmet.demand) {
     case Demand::none:
       return "";
     case Demand::lengths:
-      return "the axes have not reached the lengths imposed";
+      return "the axes have not yet reached their imposed lengths";
     case Demand::response:
-      return against("the stress has not answered to the load of this step: off by");
+      return against("the stress has not yet responded to the load of this step: its residual is");
     case Demand::density:
       return against("the density is not steady: it changes by");
     case Demand::stress:
-      return against("the stress of the axes with a length imposed is not steady: it changes by");
+      return against("the stress on the axes with an imposed length is not steady: it changes by");
     case Demand::contacts:
       return "contacts still open and close";
     case Demand::duration:
       return "the packing has not been steady for long enough";
     case Demand::rest:
-      return against("the grains still move: their kinetic energy is");
+      return against(
+          "the grains still move: their mean kinetic energy, in units of force scale times largest diameter, "
+          "is");
     case Demand::wall_load:
       return "a wall has not yet borne half of its pressure";
     case Demand::pressure:
-      return against("walls are off their pressure by");
+      return against("walls do not yet bear their imposed pressure: the relative difference is");
     case Demand::energy_ratio:
-      return against("kinetic over elastic energy is");
+      return against("the ratio of kinetic to elastic energy is still");
     case Demand::mechanisms:
-      return fmt::format("the structure that carries the load has {:.0f} mechanisms, expected none",
-                         unmet.value);
+      return fmt::format(
+          "the structure that carries the load still has {:.0f} mechanisms (motions without stiffness)",
+          unmet.value);
     case Demand::stability:
       return fmt::format(
-          "at rest but not stable: {:.0f} negative eigenvalues of the stiffness matrix, expected "
-          "none",
+          "the packing is at rest but not stable: its stiffness matrix has {:.0f} negative eigenvalues",
           unmet.value);
     case Demand::liquid:
       // Even if no bridge forms or breaks, the volumes of the bridges may still change.
-      return unmet.value > 0.0
-                 ? fmt::format("liquid still moves: {:.0f} bridges would form or break", unmet.value)
-                 : "liquid still moves between the bridges";
+      return unmet.value > 0.0 ? fmt::format(
+                                     "liquid still moves: {:.0f} bridges would form or break if the liquid "
+                                     "were shared out once more",
+                                     unmet.value)
+                               : "liquid still moves: the volumes of bridges would change if the liquid were "
+                                 "shared out once more";
   }
   return "";
 }
@@ -68,8 +73,9 @@ std::string worst_residual(const Residuals& residuals, const EquilibriumToleranc
       [](const auto& p, const auto& q) { return p.value * q.tolerance < q.value * p.tolerance; });
   if (worst->value < worst->tolerance) return "";
   const auto name = [&](int grain) { return id.empty() ? grain : id[grain]; };
-  const std::string where = worst->grain >= 0 ? fmt::format(" (grain {})", name(worst->grain)) : "";
-  return fmt::format("{} {:.2e} against {:.0e}{}", worst->name, worst->value, worst->tolerance, where);
+  const std::string where = worst->grain >= 0 ? fmt::format(", on grain {}", name(worst->grain)) : "";
+  return fmt::format("{} residual {:.2e} (tolerance {:.0e}){}", worst->name, worst->value, worst->tolerance,
+                     where);
 }
 
 }  // namespace floc

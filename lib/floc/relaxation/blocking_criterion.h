@@ -8,38 +8,38 @@
 
 namespace floc {
 
-/// Criteria of an equilibrium besides the tolerances of its residuals.
+/// Criteria that an equilibrium has to meet besides the tolerances of its residuals.
 enum class Demand {
   none,
-  lengths,       ///< axes have reached the lengths imposed
-  response,      ///< the stress has responded to the load of the step
-  density,       ///< the solid fraction, or the void ratio of a box, is steady
-  stress,        ///< the stress that strained axes carry is steady
-  contacts,      ///< no contact has opened or closed lately
+  lengths,       ///< all axes have reached their imposed lengths
+  response,      ///< the stress has responded to the load of this step
+  density,       ///< the solid fraction, or the void ratio of a packing between walls, is steady
+  stress,        ///< the stress carried by axes with an imposed length is steady
+  contacts,      ///< no contact has opened or closed for some time
   duration,      ///< the packing has been steady for long enough
-  rest,          ///< the kinetic energy of the grains that touch others is small
-  wall_load,     ///< every wall has borne half of its pressure
-  pressure,      ///< every wall bears its pressure
-  energy_ratio,  ///< kinetic over elastic energy is small, where it ends a compaction
-  mechanisms,    ///< the structure that carries the load has no mechanisms
+  rest,          ///< the kinetic energy of the grains that touch other grains is small
+  wall_load,     ///< every wall has at some time borne half of its imposed pressure
+  pressure,      ///< every wall bears its imposed pressure
+  energy_ratio,  ///< the ratio of kinetic to elastic energy is small, if this ends a compaction
+  mechanisms,    ///< the structure that carries the load has no mechanisms (motions without stiffness)
   stability,     ///< the stiffness matrix has no negative eigenvalue
-  liquid,        ///< no bridge changes when the liquid is shared out once more
+  liquid,        ///< no liquid bridge changes when the liquid is shared out once more
 };
 inline constexpr int kDemands = static_cast<int>(Demand::liquid) + 1;
 
-/// First criterion that a packing does not meet.
+/// First criterion that a packing does not meet, with its measured value.
 struct Unmet {
   Demand demand = Demand::none;
-  double value = 0.0;  ///< measured value; for mechanisms, stability and liquid a count
-  double limit = 0.0;  ///< upper limit of the value, where the criterion has one
+  double value = 0.0;  ///< measured value; a count for mechanisms, stability and liquid
+  double limit = 0.0;  ///< upper limit of the value, if the criterion has one
 };
 
-/// Unmet criterion in words; empty if there is none.
+/// Describes an unmet criterion in words; empty if there is none.
 std::string in_words(const Unmet& unmet);
 
-/// Residual with the largest ratio to its tolerance, with its grain, in words; empty if all are below their
-/// tolerances.
-/// @param id  identifiers of the grains; empty: their indices
+/// Describes the residual with the largest ratio to its tolerance, with its grain, in words; empty if all residuals are
+/// below their tolerances.
+/// @param id  identifiers of the grains; if empty, the message names grains by their indices
 std::string worst_residual(const Residuals& residuals, const EquilibriumTolerance& tolerance,
                            std::span<const std::int64_t> id = {});
 

@@ -10,36 +10,38 @@
 
 namespace floc {
 
-/// Kind of control of one component of the boundary.
+/// Kind of control of one component of the boundary of a packing.
 enum class Imposed {
   stress,  ///< the component follows the stress that acts on it
   rate,    ///< the component moves at a given strain rate; at rate zero it is fixed
 };
 
-/// Strain ramp of axes from one length to another, at rest at both ends. With t = time/duration, the
-/// logarithmic strain is proportional to 3 t^2 - 2 t^3 (docs/physics.md, "Boundary control"). The offset of a
-/// sheared lattice vector follows the same function.
+/// Strain ramp that takes axes from one length to another; the axes are at rest at both ends. With t = time/duration,
+/// the logarithmic strain is proportional to 3 t^2 - 2 t^3 (docs/physics.md, "Boundary control"). The offset of a
+/// sheared lattice vector is a linear function of 3 t^2 - 2 t^3, too.
 template <int Dim>
 struct StrainRamp {
-  static constexpr double kPeak = 1.5;  ///< largest rate over the mean rate
+  static constexpr double kPeak = 1.5;  ///< ratio of the largest strain rate to the mean strain rate
 
-  Vec<Dim> from = Vec<Dim>::Zero(),
-           to = Vec<Dim>::Zero();             ///< sides (length); axes with equal sides do not move
-  double begun = 0.0;                         ///< time since the ramp began (time)
-  double duration = 0.0;                      ///< (time)
-  int sheared_axis = 0;                       ///< axis whose lattice vector moves along the first axis; 0: none
-  double offset_from = 0.0, offset_to = 0.0;  ///< component of that vector along the first axis (length)
-  double height = 1.0;                        ///< length of the sheared axis before the ramp (length)
+  /// Lengths of the axes before and after the ramp (length); axes with equal lengths do not move.
+  Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();
+  double begun = 0.0;     ///< time that has passed since the ramp began (time)
+  double duration = 0.0;  ///< duration of the ramp (time)
+  /// Index of the axis whose lattice vector is displaced along the first axis; 0 if there is no shear.
+  int sheared_axis = 0;
+  /// Components of the sheared lattice vector along the first axis, before and after the ramp (length).
+  double offset_from = 0.0, offset_to = 0.0;
+  double height = 1.0;  ///< length of the sheared axis before the ramp (length)
 
   bool any() const { return from != to || shears(); }
   bool shears() const { return offset_from != offset_to; }
   bool over(double since) const { return begun + since >= duration; }
-  /// Length of an axis a time `since` from now.
+  /// Returns the length of an axis when a time `since` from now has passed (length).
   double length(int axis, double since) const {
     if (over(since)) return to[axis];
     return from[axis] * std::pow(to[axis] / from[axis], share(since));
   }
-  /// Offset of the sheared lattice vector a time `since` from now.
+  /// Returns the offset of the sheared lattice vector when a time `since` from now has passed (length).
   double offset(double since) const {
     return over(since) ? offset_to : offset_from + share(since) * (offset_to - offset_from);
   }
@@ -52,36 +54,37 @@ struct StrainRamp {
   }
 
  private:
-  /// Share of the ramp that is done a time `since` from now.
+  /// Returns the share of the ramp, from 0 to 1, that is completed when a time `since` from now has passed.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);
   }
 };
 
-/// Control of the boundary of a packing (docs/physics.md, "Boundary control"): each component follows a stress
-/// or moves at a strain rate. The lattice is kept lower triangular (its first vector along the first axis), so
-/// that it shears but does not turn. Components in the order of StrainSet::full: 11, 22 (, 33), then 12 (2D),
-/// or 23, 13, 12 (3D).
+/// Control of the boundary of a packing (docs/physics.md, "Boundary control"): each component follows a stress or moves
+/// at a strain rate. The lattice is kept lower triangular (its first vector along the first axis), so that it shears
+/// but does not turn. The components are in the order of StrainSet::full: 11, 22, 12 in 2D, and 11, 22, 33, 23, 13, 12
+/// in 3D.
 template <int Dim>
 struct BoundaryControl {
   std::array<Imposed, kSymmetric<Dim>> imposed;
-  /// Stress, compression positive (force/length^(Dim-1)), or strain rate, shortening positive, gamma for shear
-  /// (1/time).
+  /// Imposed stress of each component, compression positive (force/length^(Dim-1)), or its imposed strain rate:
+  /// shortening positive, and the rate of the engineering shear strain gamma for shear components (1/time).
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
   double mass = 0.0;  ///< inertia M of a component of the lattice (mass)
-  double rate_cap = std::numeric_limits<double>::infinity();  ///< largest strain rate under stress (1/time)
-  StrainRamp<Dim> ramp;  ///< strain ramp of axes at a rate; it replaces their target
-  /// Mean stress that sets the scale of forces; absent: the mean of the imposed stresses.
+  /// Largest strain rate of components that follow a stress (1/time).
+  double rate_cap = std::numeric_limits<double>::infinity();
+  StrainRamp<Dim> ramp;  ///< strain ramp of axes that are controlled by rate; it replaces their target
+  /// Mean stress that sets the scale of forces; if absent, the mean of the imposed stresses (force/length^(Dim-1)).
   std::optional<double> reference_stress;
 
-  /// Fixes all components.
+  /// Returns a control that fixes all components of the boundary.
   static BoundaryControl fixed() {
     BoundaryControl control;
     control.imposed.fill(Imposed::rate);
     return control;
   }
-  /// Imposes a stress on each axis and fixes the shear components.
+  /// Returns a control that imposes a stress on each axis and fixes the shear components.
   static BoundaryControl normal_stress(const Vec<Dim>& stress, double mass,
                                        double rate_cap = std::numeric_limits<double>::infinity()) {
     BoundaryControl control = fixed();
@@ -92,8 +95,9 @@ struct BoundaryControl {
     return control;
   }
 
-  /// Imposes stresses or lengths on the axes and fixes the shear components.
-  /// @param stress  stress imposed on each axis, or carried on strained axes
+  /// Returns a control that imposes a stress on some axes and fixes the axes with an imposed length and the shear
+  /// components.
+  /// @param stress  stress imposed on each axis, or carried by it if a length is imposed
   static BoundaryControl imposing(const LoadTarget<Dim>& load, const Vec<Dim>& stress, double mass,
                                   double rate_cap = std::numeric_limits<double>::infinity()) {
     BoundaryControl control = normal_stress(stress, mass, rate_cap);
@@ -124,7 +128,8 @@ struct BoundaryControl {
       if (what == Imposed::stress) return true;
     return false;
   }
-  /// Reference stress if there is one, else the mean of the stresses imposed on axes; zero if none is imposed.
+  /// Returns the reference stress if there is one, otherwise the mean of the stresses imposed on axes; zero if no
+  /// stress is imposed.
   double mean_stress() const {
     if (reference_stress) return *reference_stress;
     double sum = 0.0;
@@ -135,7 +140,7 @@ struct BoundaryControl {
   }
 };
 
-/// Axes of component k: (a, b), a <= b.
+/// Returns the axes (a, b) of component k of the strain or stress, with a <= b.
 template <int Dim>
 constexpr std::array<int, 2> component_axes(int k) {
   if (k < Dim) return {k, k};
@@ -143,7 +148,8 @@ constexpr std::array<int, 2> component_axes(int k) {
   return k == 3 ? std::array{1, 2} : k == 4 ? std::array{0, 2} : std::array{0, 1};
 }
 
-/// Index of the component that shears the planes across an axis along the first axis. @pre axis > 0
+/// Returns the index of the strain component that shears the planes normal to `axis` along the first axis. @pre axis >
+/// 0
 template <int Dim>
 constexpr int shear_component(int axis) {
   return Dim == 2 ? 2 : 6 - axis;

@@ -20,18 +20,20 @@
 namespace floc {
 namespace {
 
-/// Change of the void ratio during the finish beyond which the motion is set free again.
+/// Change of the void ratio during the final phase of a relaxation (power control) beyond which the packing moves
+/// freely again.
 constexpr double kFinishVoidRatio = 1e-3;
-/// Longest finish (T). After it the state is recorded as it is, where the scene accepts states that are not
-/// equilibria.
+/// Longest duration of the final phase of a relaxation (power control), in time units T. If the scene accepts states
+/// that are not equilibria, the state is then recorded as it is.
 constexpr double kLongestFinish = 60.0;
-/// Distance over the distance at the start beyond which walls without contacts are lost.
+/// Ratio of the distance between two walls to their distance at the start beyond which the walls count as lost if no
+/// grain touches them.
 constexpr double kLargestExpansion = 4.0;
-/// Distance of walls below which a box has closed, in largest diameters. Overlaps are small, so that grains
-/// cannot fit.
+/// Distance between two walls below which a box counts as closed, in largest diameters. Overlaps are small, so that
+/// grains do not fit into such a box.
 constexpr double kBoxClosed = 0.5;
 
-/// Visits every member under the name that checkpoints have for it.
+/// Function that visits every member of a CompactionProgress under the name that it has in checkpoints.
 constexpr auto kBoxMembers = [](auto& p, const auto& visit) {
   visit("stage", p.phase);
   visit("n_steps", p.n_steps);
@@ -47,8 +49,10 @@ constexpr auto kBoxMembers = [](auto& p, const auto& visit) {
 
 CompactionProgress parsed(const std::string& text) {
   if (text.empty()) return {};
-  return members_from_json<CompactionProgress>(text, "progress", "is not that of a box of this version",
-                                               kBoxMembers);
+  return members_from_json<CompactionProgress>(
+      text, "progress",
+      "does not hold the progress of a compaction between walls in the format of this version of floc",
+      kBoxMembers);
 }
 
 template <int Dim>
@@ -75,7 +79,7 @@ BoxRelaxer<Dim>::BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packi
       time_step_(time_step_of(packing_, options.time_step, target_.mean())),
       time_unit_(compaction_time(packing_, target_.mean())) {
   if (load.any_strained())
-    throw InputError("packing", "has walls: expected a pressure on each axis, not a length");
+    throw InputError("packing", "has walls, so that each axis needs a pressure, but a length is imposed");
   measure();
   if (progress_.skin == 0.0)
     progress_.skin = options.skin ? *options.skin * largest_diameter(packing_.grains)
@@ -89,15 +93,15 @@ BoxRelaxer<Dim>::BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packi
   }
 }
 
-/// Whether the walls of an axis follow the pressure.
+/// Whether the walls of an axis follow the pressure, that is, whether their mass is finite.
 template <int Dim>
 bool BoxRelaxer<Dim>::under_pressure(int axis) const {
   return std::any_of(packing_.walls.begin(), packing_.walls.end(),
                      [axis](const Wall<Dim>& w) { return w.axis == axis && follows_forces(w); });
 }
 
-/// Control of the walls. Walls that still move at their given speed are under a rate, the others under the
-/// pressure; walls of infinite mass do not move under a pressure.
+/// Returns the control of the walls. Walls that still move at their given speed are under a strain rate, the other
+/// walls under the pressure. Walls of infinite mass do not move under a pressure.
 template <int Dim>
 BoundaryControl<Dim> BoxRelaxer<Dim>::control() {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -121,12 +125,13 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
-    // The packing is the one that the chunk began with, but the dynamics has taken its contacts.
+    // The packing is still in its state at the beginning of the chunk of time steps, but its contacts have been moved
+    // into the dynamics and have to be found again.
     find_contacts(packing_);
     measure();
     return give_up("diverged", "the motion diverged: run.time_step is too large, or box.mass too small for it");
   }
-  // Freed first, so that a large packing is not held twice.
+  // The old packing is freed first, so that a large packing is not stored twice.
   packing_ = {};
   packing_ = dynamics->release_packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
@@ -137,8 +142,8 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   if (std::string words = lost(); !words.empty()) return give_up("lost", std::move(words));
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
-  // A scene that names a longest time gets the state at that time as it is. A finish that has begun by then
-  // goes on: check_finish() limits how long it may take.
+  // If the scene sets a longest time, the state at that time is recorded as it is. If the final phase of the relaxation
+  // (power control) has begun by then, it goes on: check_finish() limits its duration.
   if (options_.compaction.longest) {
     if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
     return stop_here();
@@ -163,11 +168,11 @@ RelaxationStatus BoxRelaxer<Dim>::give_up(const char* ending, std::string words)
   return RelaxationStatus::gave_up;
 }
 
-/// Reason why grains and walls no longer form a packing, in words; empty while they do.
+/// Returns the reason, in words, why grains and walls no longer form a packing; empty if they do.
 template <int Dim>
 std::string BoxRelaxer<Dim>::lost() const {
   const Grains<Dim>& g = packing_.grains;
-  // A grain whose centre has passed a wall overlaps it by more than its radius, which no contact law describes.
+  // A grain whose centre has passed a wall overlaps the wall by more than its radius, which no contact law describes.
   for (const Wall<Dim>& wall : packing_.walls)
     for (int i = 0; i < g.size(); ++i)
       if (!(wall.side * (wall.position - g.position[i][wall.axis]) > 0.0))
@@ -177,26 +182,27 @@ std::string BoxRelaxer<Dim>::lost() const {
             g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
-  // Walls that follow their forces close the box where the grains cannot bear the pressure, and move off for ever where
+  // Walls that follow their forces close the box if the grains cannot bear the pressure, and move away without end if
   // no grain touches them.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);
     if (side < kBoxClosed * a)
       return fmt::format(
-          "the box closes: its walls across axis {} are {:.4g} apart, with grains of {:.4g} between them",
+          "the box closes: its walls across axis {} are {:.4g} apart, which is too close for the grains "
+          "between them, whose largest diameter is {:.4g}",
           axis + 1, side, a);
     if (follows_forces(packing_.walls[w]) && force[w] == 0.0 &&
         side > kLargestExpansion * progress_.start_side[axis])
       return fmt::format(
-          "the walls across axis {} run away: no grain touches them at a distance of {:.4g}, where "
-          "they began at {:.4g}; expected a higher pressure, or less motion of the grains",
+          "the walls across axis {} run away: no grain touches them at a distance of {:.4g}, which was {:.4g} "
+          "at the beginning; choose a higher pressure, or grains that move less at the beginning",
           axis + 1, side, progress_.start_side[axis]);
   }
   return "";
 }
 
-/// Whether every wall has borne half of its pressure at some time. Before that a compaction cannot end.
+/// Whether every wall has borne half of its pressure at some time. Before that, a compaction cannot end.
 template <int Dim>
 bool BoxRelaxer<Dim>::is_armed() {
   if (progress_.armed) return true;
@@ -212,8 +218,7 @@ bool BoxRelaxer<Dim>::is_armed() {
   return progress_.armed = all;
 }
 
-/// Whether the void ratio has been steady over the window of time of [SVI2024] (docs/physics.md, "Boxes with
-/// walls").
+/// Whether the void ratio has been steady over the time required by [SVI2024] (docs/physics.md, "Boxes with walls").
 template <int Dim>
 bool BoxRelaxer<Dim>::void_ratio_is_steady() {
   std::vector<double>& recent = progress_.void_ratio;
@@ -245,9 +250,9 @@ bool BoxRelaxer<Dim>::has_ended() {
   return steady && residuals_.stress < CompactionEnd::kSettledPressure;
 }
 
-/// Begins the finish once the compaction has ended and no mechanism is left. A packing with mechanisms moves on
-/// until more contacts hold it, since power control would freeze it as it is. Where the ratio of energies ends
-/// the compaction, such a state is recorded as it is.
+/// Begins the final phase of the relaxation (power control) once the compaction has ended and no mechanism is left. A
+/// packing with mechanisms moves on until more contacts support it, since power control would freeze it in its present
+/// state. If the ratio of energies ends the compaction, a state with mechanisms is recorded as it is.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::check_motion() {
   if (!has_ended()) return RelaxationStatus::running;
@@ -277,7 +282,8 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
     if (!stability_.may_be_stable()) {
       unmet_ = {Demand::stability, static_cast<double>(*stability_.n_negative)};
     } else if (const LiquidChange change = share_liquid_once_more(); !change.nothing()) {
-      unmet_ = {Demand::liquid, static_cast<double>(change.n_changed())};  // every chunk shares it out anew
+      // The liquid is shared out anew at the beginning of every chunk of time steps.
+      unmet_ = {Demand::liquid, static_cast<double>(change.n_changed())};
     } else {
       n_mechanisms_ = least_mechanisms(packing_);
       ending_ = "dynamic";
@@ -288,8 +294,8 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   return long_enough && may_stop() ? stop_here() : RelaxationStatus::running;
 }
 
-/// Changes of the bridges if the liquid were shared out once more. The packing itself is not changed; without
-/// liquid nothing is counted.
+/// Returns the changes of the liquid bridges if the liquid were shared out once more. The packing itself is not
+/// changed. Without liquid, the changes are zero.
 template <int Dim>
 LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   if (!holds_liquid(packing_)) return {};
@@ -299,7 +305,8 @@ LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   return change;
 }
 
-/// Records the state as it is. Its stability is kept if it has been determined at rest.
+/// Ends the relaxation with the present state, which need not be an equilibrium. Its stability is kept if it has been
+/// determined at rest.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);
@@ -327,10 +334,11 @@ RelaxationReport BoxRelaxer<Dim>::report() const {
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
   report.blocking =
-      words_.empty()
-          ? fmt::format("t = {:.1f} T, K/E {:.1e}, walls off by {:.1e} of their pressure, force {:.1e}",
-                        progress_.time / time_unit_, energy_ratio_, residuals_.stress, residuals_.force)
-          : words_;
+      words_.empty() ? fmt::format(
+                           "t = {:.1f} T, kinetic over elastic energy {:.1e}, wall pressures off by {:.1e} of "
+                           "their targets, force residual {:.1e}",
+                           progress_.time / time_unit_, energy_ratio_, residuals_.stress, residuals_.force)
+                     : words_;
   return report;
 }
 

@@ -10,27 +10,33 @@
 
 namespace floc {
 
-/// Progress of a compaction. Together with the packing it determines how the compaction continues.
+/// Progress of the compaction of a packing between walls. Together with the packing it determines how the compaction
+/// continues.
 struct CompactionProgress {
   enum Phase { moving, finishing };
   int phase = moving;
-  std::int64_t n_steps = 0;        ///< time steps of this relaxation so far
-  double time = 0.0;               ///< simulated time of this relaxation so far
-  double skin = 0.0;               ///< skin of the Verlet list (length); 0 before the first chunk
+  std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
+  double time = 0.0;         ///< simulated time of this relaxation so far (time)
+  double skin = 0.0;         ///< skin of the Verlet lists (length); 0 before the first chunk of time steps
   std::vector<double> start_side;  ///< sides of the box when the relaxation began (length)
-  std::vector<double> void_ratio;  ///< void ratio at the end of each recent chunk, the oldest first
-  /// For each axis: sign of pressure - target while its walls move at their given speed; 0 once they bear it.
+  /// Void ratio at the end of each recent chunk of time steps, the oldest first.
+  std::vector<double> void_ratio;
+  /// For each axis: sign of (pressure - target pressure) while its walls move at their given speed; 0 once the walls
+  /// bear their pressure.
   std::vector<double> closing_sign;
-  bool armed = false;            ///< every wall has borne half of its pressure
-  double finishing_since = 0.0;  ///< void ratio when finishing began
-  double finishing_time = 0.0;   ///< time when finishing began
+  /// Whether every wall has borne half of its pressure at some time, so that the compaction may end.
+  bool armed = false;
+  /// Void ratio at the beginning of the final phase of the relaxation (power control).
+  double finishing_since = 0.0;
+  /// Simulated time at the beginning of the final phase of the relaxation, which uses power control (time).
+  double finishing_time = 0.0;
 };
 
-/// Relaxer of a packing between walls under pressure. The packing moves freely until the criterion of the
-/// options (CompactionEnd) is met and the structure that carries the load has no mechanism; power control then
-/// takes it to equilibrium. If the options end the compaction at a given time or ratio of energies, the state
-/// at that point is recorded as "stopped", with the number of its mechanisms. Otherwise the relaxation is given
-/// up at RelaxationOptions::max_time. Walls of infinite mass and periodic axes do not move.
+/// Relaxer of a packing between walls under pressure. The packing moves freely until the criterion of the options
+/// (CompactionEnd) is met and the structure that carries the load has no mechanism (motion without stiffness). Power
+/// control then takes the packing to equilibrium. If the options end the compaction at a given time or a given ratio of
+/// energies, the state at that point is recorded with the ending "stopped" and the number of its mechanisms. Otherwise
+/// the relaxation is given up at RelaxationOptions::max_time. Walls of infinite mass and periodic axes do not move.
 template <int Dim>
 class BoxRelaxer final : public Equilibrator<Dim> {
  public:
@@ -38,13 +44,14 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   /// @throws InputError if a length is imposed on an axis
   BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
              const std::string& progress = "");
-  /// @param target_stress  pressure on the walls of each axis
+  /// Makes the relaxer of a packing under a pressure on the walls of each axis.
+  /// @param target_stress  pressure on the walls of each axis (force/length^(Dim-1))
   BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
              const std::string& progress = "")
       : BoxRelaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress), progress) {}
 
-  /// Advances by one chunk. The relaxation is given up if a wall loses contact with the packing, a grain passes
-  /// a wall or the box closes.
+  /// Advances the relaxation by one chunk of time steps. The relaxation is given up if a wall loses contact with the
+  /// packing, a grain passes a wall or the box closes.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -74,20 +81,20 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   Packing<Dim> packing_;
   Vec<Dim> target_;
   CompactionProgress progress_;
-  Mat<Dim> stress_;  ///< static stress of the packing
+  Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;
   double energy_ratio_ = 0.0;
-  Stability stability_;  ///< determined once the residuals are within tolerance
-  Unmet unmet_;          ///< first unmet criterion besides the residuals
+  Stability stability_;  ///< stability of the packing, determined once the residuals are within tolerance
+  Unmet unmet_;          ///< first criterion, other than the residuals, that is not met
   int n_mechanisms_ = -1, n_bridges_unsettled_ = -1;
   std::string ending_, words_;
   double time_step_;
-  double time_unit_;  ///< T
+  double time_unit_;  ///< time unit T of the compaction, from compaction_time() (time)
   MotionObserver<Dim> observer_;
 };
 
-/// Time unit of a compaction, T = sqrt(m/(P a^(Dim-2))) with m and a of the largest grain (time);
-/// inertial_time() where the pressure is zero.
+/// Returns the time unit of a compaction, T = sqrt(m/(P a^(Dim-2))), with m the mass and a the diameter of the largest
+/// grain and P the pressure (time); inertial_time() if the pressure is zero.
 template <int Dim>
 double compaction_time(const Packing<Dim>& packing, double pressure);
 

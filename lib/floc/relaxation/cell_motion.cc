@@ -25,8 +25,8 @@ CellMotion<Dim>::CellMotion(const Cell<Dim>& cell, std::vector<Wall<Dim>> walls,
   strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
 }
 
-/// Sides of a rectangular boundary: the distance of the walls where an axis lies between two, otherwise the
-/// diagonal of the lattice.
+/// Returns the sides of the boundary: for an axis between two walls the distance between them, otherwise the diagonal
+/// component of the lattice.
 template <int Dim>
 Vec<Dim> CellMotion<Dim>::sides() const {
   Vec<Dim> sides = lattice_.diagonal();
@@ -64,7 +64,8 @@ Vec<Dim> CellMotion<Dim>::image_shift(const Vec<Dim, int>& image) const {
 template <int Dim>
 Vec<Dim, int> CellMotion<Dim>::wrap(Vec<Dim>& position) const {
   Vec<Dim, int> image = Vec<Dim, int>::Zero();
-  for (int b = Dim - 1; b >= 0; --b) {  // the last lattice vector alone reaches along the last axis
+  // The loop begins with the last axis, since only the last lattice vector has a component along the last axis.
+  for (int b = Dim - 1; b >= 0; --b) {
     if (walls_.bounds(b)) continue;
     const double cells = std::floor(position[b] / lattice_(b, b));
     image[b] = -static_cast<int>(cells);
@@ -100,9 +101,10 @@ void CellMotion<Dim>::kick_walls(double half_step) {
   walls_.kick(half_step, control_, area);
 }
 
-/// Generalised forces on the components of the lattice that follow a stress. Their work in a small strain is that
-/// of W - V Sigma, where W is the sum of momentum fluxes and of forces times branches. Where all components follow
-/// a stress, the force is the upper part of (W - V Sigma) h^-T.
+/// Returns the generalised forces on the components of the lattice that follow a stress. In a small strain of these
+/// components, they do the work of W - V Sigma, where W is the sum of the momentum fluxes and of forces times branches,
+/// V the volume and Sigma the imposed stress. If all components follow a stress, the force is the upper part of (W - V
+/// Sigma) h^-T, with h the lattice matrix.
 template <int Dim>
 Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums) const {
   Mat<Dim> work = Mat<Dim>::Zero();
@@ -114,7 +116,8 @@ Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums)
     const auto [a, b] = component_axes<Dim>(k);
     if (follows_stress_(a, b)) work(a, b) -= volume * control_.target[k];
   }
-  // Solves work = force h^T on the components that follow a stress, from the last column on.
+  // Solves the equation work = force h^T, with h the lattice matrix, for the components of `force` that follow a
+  // stress, from the last column on.
   Mat<Dim> force = Mat<Dim>::Zero();
   for (int a = 0; a < Dim; ++a)
     for (int b = Dim - 1; b >= a; --b) {
@@ -126,7 +129,9 @@ Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums)
   return force;
 }
 
-/// Half a step of the acceleration M h'' = (W - V Sigma) h^-T, after which the strain rates are capped.
+/// Accelerates the lattice over half a time step by M h'' = (W - V Sigma) h^-T, and then caps its strain rates. Here h
+/// is the lattice matrix, M its inertia, W the sum of momentum fluxes and of forces times branches, V the volume and
+/// Sigma the imposed stress.
 template <int Dim>
 void CellMotion<Dim>::kick_lattice(double half_step, const std::vector<BlockSums<Dim>>& sums) {
   if (control_.any_stress()) {
@@ -159,7 +164,8 @@ void CellMotion<Dim>::advance_strain_ramp(double time_step) {
       ramp.over(time_) ? 0.0 : -missing / (time_step * lattice_(axis, axis));
 }
 
-/// Sets the components of the velocity gradient h' h^-1 that are given. Shortening counts positive.
+/// Sets the imposed components of the velocity gradient h' h^-1 of the lattice, with h the lattice matrix. An imposed
+/// strain rate is positive for shortening.
 template <int Dim>
 void CellMotion<Dim>::impose_rates() {
   if (control_.is_fixed()) return;
@@ -176,7 +182,8 @@ void CellMotion<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-/// In reduced coordinates the grains move by s' = h^-1 v. Taking h at mid-step keeps the scheme symmetric in time.
+/// Moves the boundary over a time step. In reduced coordinates s, the grains move by s' = h^-1 v, with v the peculiar
+/// velocity and h the lattice matrix; h is taken in the middle of the step, which keeps the scheme symmetric in time.
 template <int Dim>
 Drift<Dim> CellMotion<Dim>::drift(double time_step) {
   const Mat<Dim> middle = lattice_ + 0.5 * time_step * lattice_rate_;
@@ -193,7 +200,8 @@ Drift<Dim> CellMotion<Dim>::drift(double time_step) {
 
 template <int Dim>
 Kick<Dim> CellMotion<Dim>::kick_of_grains(double half_step) const {
-  // v' = F/m - h' h^-1 v, the second term taken at the middle of the half step.
+  // The acceleration of a grain is v' = F/m - h' h^-1 v, with h the lattice matrix; the second term is taken in the
+  // middle of the half step.
   const Mat<Dim> drag = 0.5 * half_step * strain_rate_;
   const Mat<Dim> one = Mat<Dim>::Identity();
   const Mat<Dim> gain = right_quotient<Dim>(one, Mat<Dim>(one + drag));

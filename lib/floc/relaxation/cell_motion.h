@@ -10,57 +10,61 @@
 
 namespace floc {
 
-/// The boundary of a packing in motion: the lattice and the walls, moved by the same scheme as the grains. Each
-/// component of the boundary follows a stress or a strain rate (BoundaryControl).
+/// Boundary of a packing in motion: the lattice and the walls, moved by the velocity Verlet scheme that moves the
+/// grains. Each component of the boundary follows a stress or a strain rate (BoundaryControl).
 ///
-/// The lattice vectors are the columns of the matrices here, which are upper triangular, and diagonal for a
-/// rectangular cell. The lattice rests along an axis that lies between walls, so that the grains do not follow
-/// its deformation there.
+/// The matrices of this class are upper triangular, and their columns are the lattice vectors; they are diagonal for a
+/// rectangular cell. Along an axis between walls, the lattice does not move, so that the grains do not follow a
+/// deformation of the lattice there.
 template <int Dim>
 class CellMotion {
  public:
   CellMotion(const Cell<Dim>& cell, std::vector<Wall<Dim>> walls, const BoundaryControl<Dim>& control);
 
   const WallMotion<Dim>& walls() const { return walls_; }
-  /// Matrix h, whose columns are the lattice vectors (length).
+  /// Returns the lattice matrix h, whose columns are the lattice vectors (length).
   const Mat<Dim>& lattice() const { return lattice_; }
-  /// Cell in the form that packings store, with the distance of the walls as the side of each axis between
+  /// Returns the cell in the form that packings store. The side of an axis between walls is the distance between the
   /// walls.
   Cell<Dim> cell() const;
-  /// Whether the lattice, its rate and the sides are finite.
+  /// Whether the lattice vectors, their velocities and the sides are finite.
   bool finite() const;
-  /// Shortest side of the boundary (length).
+  /// Returns the shortest side of the boundary (length).
   double shortest_side() const { return sides().cwiseAbs().minCoeff(); }
-  /// Components (a, b) of the lattice that follow a stress.
+  /// For each component (a, b) of the lattice matrix: whether it follows a stress.
   const Mat<Dim, bool>& follows_stress() const { return follows_stress_; }
 
-  /// Displacement of an image (length).
+  /// Returns the displacement of a periodic image (length).
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
-  /// Moves a position into the cell, except along axes between walls.
-  /// @return the image by which it was moved
+  /// Moves a position into the cell by lattice vectors, except along axes between walls.
+  /// @return the number of lattice vectors along each axis by which the position was moved
   Vec<Dim, int> wrap(Vec<Dim>& position) const;
-  /// Boundary as the kernels of pairs read it. The view of the walls is valid for the lifetime of this object.
-  /// @param slip_time  time over which the present velocities are added to the springs (time)
+  /// Returns the boundary in the form that force kernels read. The view of the walls is valid for the lifetime of this
+  /// object.
+  /// @param slip_time  time over which the present relative velocities stretch the springs (time)
   PairCell<Dim> pair_cell(double slip_time) const;
 
-  /// Lists the pairs of each wall, after a new list of the pairs of grains with walls.
+  /// Sorts the pairs of grains with walls by wall; to be called after new lists of these pairs have been built.
   void list_pairs_of_walls(const PairArrays<Dim>& pairs) { walls_.list_pairs(pairs); }
-  /// Sums the forces on the walls, after the forces of their pairs have been computed.
+  /// Sums the forces on each wall; to be called after the forces of the pairs of grains with walls have been computed.
   void sum_forces_on_walls(const Interaction<Dim>& interaction) { walls_.sum_forces(interaction); }
 
-  /// Sets the strain rates of the axes that follow a strain ramp, so that a drift over a time step brings them
-  /// to the position of the ramp at the end of the step.
+  /// Sets the strain rates of the axes on a strain ramp, so that the next drift over `time_step` takes them to their
+  /// lengths on the ramp at the end of the step.
   void advance_strain_ramp(double time_step);
-  /// Accelerates the lattice and the walls over half a step. @param sums  of the blocks of grains
+  /// Accelerates the lattice and the walls over half a time step.
+  /// @param sums  contributions of the blocks of grains to the virial and the momentum flux
   void kick(double half_step, const std::vector<BlockSums<Dim>>& sums);
   /// Moves the lattice and the walls by a time step, and returns how this step deforms the positions of the grains.
   Drift<Dim> drift(double time_step);
-  /// Acceleration of the grains over half a step, with the drag of the present deformation of the lattice.
+  /// Returns the coefficients of the acceleration of the grains over half a step, with the drag by the present
+  /// deformation of the lattice.
   Kick<Dim> kick_of_grains(double half_step) const;
 
-  /// Twice the kinetic energy of the components that follow a stress; 0 where none does.
+  /// Returns twice the kinetic energy of the components of the lattice that follow a stress; 0 if no component follows
+  /// a stress.
   double twice_kinetic_energy_of_lattice() const;
-  /// Stops everything that follows a stress, and keeps the rates that are imposed.
+  /// Sets the velocities of all components that follow a stress to zero, and keeps imposed strain rates.
   void stop();
 
  private:
@@ -74,10 +78,11 @@ class CellMotion {
 
   BoundaryControl<Dim> control_;
   WallMotion<Dim> walls_;
-  Mat<Dim> lattice_, lattice_rate_;  ///< h and h'
-  Mat<Dim> strain_rate_;             ///< velocity gradient h' h^-1 at mid-step
+  Mat<Dim> lattice_, lattice_rate_;  ///< lattice matrix h (length) and its rate h' (length/time)
+  /// Velocity gradient h' h^-1 of the lattice matrix h, in the middle of the last time step (1/time).
+  Mat<Dim> strain_rate_;
   Mat<Dim, bool> follows_stress_ = Mat<Dim, bool>::Constant(false);
-  double time_ = 0.0;  ///< since this object was made
+  double time_ = 0.0;  ///< time since this object was made
 };
 
 }  // namespace floc

@@ -6,13 +6,15 @@
 
 namespace floc {
 
-/// Response of the cell or the walls to their load in one part of a run. Members that are set replace those of
-/// RelaxationOptions there.
+/// Options of one part of a run for the response of the cell, or of the walls, to their load. Members that are set
+/// replace the members of RelaxationOptions in that part of the run.
 struct CellResponse {
   std::optional<double> inertial_number_cap;
   std::optional<double> cell_mass;
   std::optional<double> wall_speed = {};
-  std::optional<double> strain_rate_cap = {};  ///< at most one of the two caps
+  /// Cap on the strain rate |L'/L| of the cell, in 1/T0 (RelaxationOptions::strain_rate_cap); at most one of
+  /// inertial_number_cap and this cap is set.
+  std::optional<double> strain_rate_cap = {};
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 

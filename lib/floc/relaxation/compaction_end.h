@@ -4,22 +4,23 @@
 
 namespace floc {
 
-/// Criterion that ends the dynamic compaction of a box (docs/physics.md, "Boxes with walls"). Times are in T =
-/// sqrt(m/(P a^(Dim-2))), m and a of the largest grain.
+/// Criterion that ends the compaction of a packing between walls (docs/physics.md, "Boxes with walls"). Times are in
+/// units of T = sqrt(m/(P a^(Dim-2))), with m the mass and a the diameter of the largest grain and P the pressure.
 struct CompactionEnd {
   enum class Criterion {
-    /// The void ratio has changed by less than kSettledVoidRatio in kSettledTime, every wall bears its
-    /// pressure, and the structure that carries it has no mechanism.
+    /// The void ratio has changed by less than kSettledVoidRatio in the time kSettledTime, every wall bears its
+    /// pressure, and the structure that carries the pressure has no mechanism (motion without stiffness).
     settled,
-    energy_ratio,  ///< kinetic energy of translations over elastic energy is at most `energy_ratio`
+    /// The ratio of the kinetic energy of translations to the elastic energy is at most `energy_ratio`.
+    energy_ratio,
   };
   Criterion criterion = Criterion::settled;
-  double energy_ratio = 2e-7;  ///< [SVI2024]
-  /// Longest compaction (T), after which the state is recorded as it is; absent: the relaxation is given up at
-  /// its max_time.
+  double energy_ratio = 2e-7;  ///< ratio of kinetic to elastic energy that ends a compaction [SVI2024]
+  /// Longest duration of the compaction (in T), after which the state is recorded as it is; if absent, the relaxation
+  /// is given up at its max_time.
   std::optional<double> longest;
-  /// Speed at which walls move towards or away from each other until they bear their pressure (length/time);
-  /// absent: the pressure acts from the beginning.
+  /// Speed at which the walls of an axis move towards or away from each other until they bear their pressure
+  /// (length/time); if absent, the pressure acts from the beginning.
   std::optional<double> wall_speed;
 
   static constexpr double kSettledVoidRatio = 1e-4;

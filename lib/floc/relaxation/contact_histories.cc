@@ -15,7 +15,8 @@ ContactHistories<Dim>::ContactHistories(Packing<Dim>& packing, const GrainArrays
     const bool swap = !on_wall && pair.j < pair.i;
     histories_.push_back({swap ? swapped(pair) : pair, on_wall, swap, c.history});
   }
-  packing.contacts = std::vector<Contact<Dim>>();  // = {} would keep the room that they took
+  // The assignment = {} would not free the memory of the contacts.
+  packing.contacts = std::vector<Contact<Dim>>();
 }
 
 template <int Dim>

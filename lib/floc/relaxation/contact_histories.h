@@ -8,25 +8,27 @@
 
 namespace floc {
 
-/// Histories of the contacts of a packing that is set in motion. They are stored here until lists of pairs
-/// exist to load them into.
+/// History variables of the contacts of a packing that is set in motion. They are stored here until lists of
+/// neighbouring pairs exist, into which they are copied.
 template <int Dim>
 class ContactHistories {
  public:
-  /// Takes the contacts out of a packing, so that a large one is not held twice.
+  /// Moves the contacts out of a packing, so that the contacts of a large packing are not stored twice.
   /// @param grains  arrays of the grains of the packing
   ContactHistories(Packing<Dim>& packing, const GrainArrays<Dim>& grains);
 
-  /// Contacts beside the first contact of their pair: those between grains, then those with walls.
+  /// Returns the second and further contacts of bodies that have several contacts: those between grains, then those
+  /// with walls.
   PairLists<Dim> further_contacts() const;
-  /// Copies the histories into the pairs of the contacts, and computes the parameters of their liquid bridges.
+  /// Copies the stored history variables of the contacts into the lists of pairs, and computes the parameters of their
+  /// liquid bridges.
   void load_into(Interactions<Dim>& interactions) const;
 
  private:
   struct History {
-    NeighborPair<Dim> pair;  ///< places of the grains in their arrays
+    NeighborPair<Dim> pair;  ///< the two bodies; a grain is given by its place in the arrays of grains
     bool on_wall;
-    bool swapped;  ///< whether the pair is the contact seen from its other grain
+    bool swapped;  ///< whether the first grain of the pair is the second grain of the contact
     ContactHistory<Dim> history;
   };
   std::vector<History> histories_;

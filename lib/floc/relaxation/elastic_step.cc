@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Displacement of an undamped spring under a sudden load, over its displacement in equilibrium.
+/// Ratio of the largest displacement of an undamped spring under a sudden load to its displacement in equilibrium.
 constexpr double kOvershoot = 2.0;
 
 template <class T>
@@ -17,7 +17,7 @@ T extrapolated(const T& start, const T& end) {
   return start + kOvershoot * (end - start);
 }
 
-/// Whether a contact that touches stays below its caps.
+/// Whether the springs of a contact that touches stay below their caps.
 template <int Dim>
 bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   Contact<Dim> beyond = to;
@@ -26,7 +26,8 @@ bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   return !mobilised(law, beyond, 0.0).any() && !to.is_mobilised();
 }
 
-/// Whether the history of the normal law of a contact is unchanged, so that it has dissipated no energy.
+/// Whether the history variables of the normal force law of a contact are unchanged, so that it has dissipated no
+/// energy.
 template <int Dim>
 bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
   constexpr int n = HistoryLayout<Dim>::kNormalRoom;

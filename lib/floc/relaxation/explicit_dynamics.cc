@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Largest distance of a grain, in sides of the cell. The search for neighbours can represent ten times as
-/// much.
+/// Largest coordinate of a grain, in shortest sides of the cell, at which the motion does not count as diverged. The
+/// search for neighbours can represent ten times as much.
 constexpr double kFurthest = 1e8;
 
 template <int Dim>
@@ -23,8 +23,8 @@ LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control
 
 template <int Dim>
 SkinRule skin_rule(const Packing<Dim>& packing, const DynamicsSettings& settings) {
-  // If liquid is shared out with every list, the skin determines the time of that, and must not depend on the
-  // cost of lists.
+  // If the liquid is shared out whenever lists of neighbours are built, the skin determines the times at which this
+  // happens. It then must not depend on the measured cost of the lists.
   return packing.law.liquid() && !settings.holds_liquid ? SkinRule::follows_reach : SkinRule::balances_costs;
 }
 
@@ -57,12 +57,12 @@ void ExplicitDynamics<Dim>::advance(int n_steps, Motion motion) {
   run_in_team(sweep_.n_threads(), [&](int thread, Barrier& barrier) {
     Rotation from = Rotation::at_end;
     for (int k = 0; k < n_steps; ++k) {
-      // Spins at the end of a step are read only after the last step and by power control.
+      // Spins at the end of a step are needed only after the last step and by power control.
       const Rotation to = k + 1 < n_steps && motion == Motion::free ? Rotation::in_middle : Rotation::at_end;
       step(thread, barrier, motion, from, to);
       from = to;
     }
-    measure_motion(thread);  // for skin()
+    measure_motion(thread);  // the function skin() uses the motion measured here
     barrier.wait();
     if (thread == 0) lists_.motion().take_measured();
   });
@@ -74,7 +74,7 @@ void ExplicitDynamics<Dim>::step(int thread, Barrier& barrier, Motion motion, Ro
   barrier.wait();
   std::optional<Rotation> undrifted;
   if (lists_.stale(cell_, range())) {
-    // New lists are built where the grains are at the end of the step.
+    // New lists are built for the positions of the grains at the end of the step.
     sweep_.drift_all(thread, interactions_, step_, from);
     measure_motion(thread);
     barrier.wait();
@@ -108,7 +108,7 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
   if (motion == Motion::power_control) stop_if_slowing();
 }
 
-/// Stops grains and boundary where their kinetic energy has fallen in the last step.
+/// Stops grains and boundary if their kinetic energy has fallen in the last step.
 template <int Dim>
 void ExplicitDynamics<Dim>::stop_if_slowing() {
   double twice_kinetic = sweep_.twice_kinetic_energy();
@@ -129,8 +129,8 @@ void ExplicitDynamics<Dim>::measure_motion(int thread) {
   sweep_.for_each_block(thread, [&](int b) { lists_.motion().measure(b, kernels, step_.grains); });
 }
 
-/// Computes the forces of the present positions and velocities. Histories change only where they are beyond
-/// their caps.
+/// Computes the forces for the present positions and velocities. A history variable changes only if it is beyond its
+/// cap.
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   step_.kick = cell_.kick_of_grains(0.0);
@@ -139,15 +139,16 @@ void ExplicitDynamics<Dim>::refresh_forces() {
     sweep_.compute(thread, interactions_, step_, std::nullopt, Rotation::at_end);
   for (int thread = 0; thread < sweep_.n_threads(); ++thread)
     sweep_.sum_shared(thread, interactions_, step_, Rotation::at_end);
-  lists_.motion().forget();  // a kick of no time does not bound the speeds of the next step
+  // The kick has been made with a step of zero, so that it gives no upper bound of the speeds in the next step.
+  lists_.motion().forget();
   if (interactions_.with_walls()) cell_.sum_forces_on_walls(interactions_.on_walls());
 }
 
-/// Builds new lists if the measured motion requires them. @pre the motion of all blocks has been measured
+/// Builds new lists of neighbours if the measured motion requires them. @pre the motion of all blocks has been measured
 template <int Dim>
 void ExplicitDynamics<Dim>::renew_stale_lists() {
   lists_.motion().take_measured();
-  // If the motion has diverged, no lists can be built; the caller finds out by finite().
+  // If the motion has diverged, no lists can be built; the caller detects this with finite().
   if (!lists_.stale(cell_, range()) || !finite()) return;
   Interaction<Dim>& between_grains = interactions_.between_grains();
   if (liquid_) between_grains.set_range(liquid_->reach(grains_, cell_, between_grains));
@@ -158,7 +159,7 @@ void ExplicitDynamics<Dim>::renew_stale_lists() {
 template <int Dim>
 void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>& further) {
   if (!finite()) return;
-  sweep_.drop_rows();  // gives room to the pairs
+  sweep_.drop_rows();  // frees the memory of the rows (forces and moments of the pairs) for the new pairs
   interactions_.set_pairs(lists_.find(grains_, cell_, interactions_), further, grains_, dt_,
                           sweep_.blocks_of_group());
   sweep_.plan(interactions_);
@@ -166,7 +167,8 @@ void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>& further) {
   step_.grains = lists_.motion().view_of(grains_);
 }
 
-/// Shares the liquid out over lists that reach far enough, unless the bridges keep their volumes.
+/// Shares the liquid out among the pairs, unless the bridges keep their volumes. Lists are built anew until they reach
+/// far enough for all pairs that get liquid.
 template <int Dim>
 void ExplicitDynamics<Dim>::share_liquid() {
   if (!liquid_ || liquid_->keeps_shares()) return;

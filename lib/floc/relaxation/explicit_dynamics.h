@@ -13,14 +13,14 @@
 
 namespace floc {
 
-/// Velocity Verlet steps of a packing (Dynamics). A step kicks and drifts the boundary (CellMotion) and the grains,
-/// finds the pairs anew where bodies have moved too far (NeighborLists), computes the forces and kicks the grains again
-/// (ForceSweep), and ends with the second kick of the boundary. The code that visits every grain or pair is in
-/// kernels/, compiled for each kernel law and instruction set.
+/// Time integration of a packing by velocity Verlet steps (class Dynamics). A step kicks and drifts the boundary
+/// (CellMotion) and the grains, builds new lists of pairs if bodies have moved too far (NeighborLists), computes the
+/// forces and kicks the grains again (ForceSweep), and ends with the second kick of the boundary. The code that visits
+/// every grain or pair is in the folder kernels/, compiled for each contact law and instruction set.
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
-  /// @param packing  its contacts are moved into this object
+  /// @param packing  initial packing, whose contacts are moved into this object
   ExplicitDynamics(Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                    const DynamicsSettings& settings);
 
@@ -32,20 +32,20 @@ class ExplicitDynamics final : public Dynamics<Dim> {
 
  private:
   /// Does one thread's part of a time step.
-  /// @param from, to  stage of the rotation of the grains before and after the step
+  /// @param from, to  stages at which the rotation of the grains is before and after the step
   void step(int thread, Barrier& barrier, Motion motion, Rotation from, Rotation to);
   void begin_step();
   void end_step(Motion motion);
   void stop_if_slowing();
-  /// Measures the motion of the grains of a thread since the lists were built.
+  /// Measures the motion of the grains of a thread's blocks since the neighbour lists were built.
   void measure_motion(int thread);
   void refresh_forces();
 
   void renew_stale_lists();
-  /// @param further  contacts of each interaction beside the first contact of their pair
+  /// @param further  for each interaction, the second and further contacts of bodies that have several contacts
   void build_lists(const PairLists<Dim>& further);
   void share_liquid();
-  /// Gap across which grains interact (length).
+  /// Returns the gap across which grains interact (length).
   double range() const { return interactions_.between_grains().range(); }
 
   Law law_, wall_law_;
@@ -54,10 +54,11 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   CellMotion<Dim> cell_;
   Interactions<Dim> interactions_;
   NeighborLists<Dim> lists_;
-  std::optional<LiquidBridges<Dim>> liquid_;  ///< present where the law has liquid
+  std::optional<LiquidBridges<Dim>> liquid_;  ///< liquid bridges; set if the contact law has liquid
   ForceSweep<Dim> sweep_;
   GrainStep<Dim> step_{};
-  double twice_kinetic_ = 0.0;  ///< energy of grains and boundary after the last step under power control
+  /// Twice the kinetic energy of grains and boundary after the last step under power control (energy).
+  double twice_kinetic_ = 0.0;
 };
 
 }  // namespace floc

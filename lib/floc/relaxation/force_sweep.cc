@@ -7,9 +7,9 @@
 namespace floc {
 namespace {
 
-/// Largest number of blocks whose pairs a thread computes before it sums them. A pass over pairs has a cost at
-/// its beginning and end. With 4000 spheres, 16 blocks are 4 % faster than single blocks, as fast as 4 blocks,
-/// and faster than all blocks.
+/// Largest number of blocks of grains whose pairs a thread computes before it sums their forces. A pass over pairs has
+/// a fixed cost, so that very small groups are slower. With 4000 spheres, groups of 16 blocks are 4 % faster than
+/// single blocks, as fast as groups of 4, and faster than one group of all blocks.
 constexpr int kMaxBlocksOfGroup = 16;
 
 template <int Dim>
@@ -28,7 +28,7 @@ ForceSweep<Dim>::ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const
       needs_virial_(needs_virial),
       sums_(grains.n_blocks()) {}
 
-/// Number of blocks per group, for which all threads have equally many groups of nearly equal size.
+/// Returns the number of blocks per group for which all threads have equally many groups, of nearly equal size.
 template <int Dim>
 int ForceSweep<Dim>::blocks_of_group() const {
   const auto parts = [](int all, int most) { return (all + most - 1) / most; };
@@ -99,8 +99,8 @@ void ForceSweep<Dim>::sum_and_kick(int block, const Interactions<Dim>& interacti
     add_wall_virial(block, interactions.on_walls(), step.grains);
 }
 
-/// Removes the friction of walls from the virial along the periodic axes, to which the walls are parallel. The
-/// kernel sums forces on grains times their positions, which includes the forces by walls.
+/// Removes the contribution of wall friction to the virial along the periodic axes, which are parallel to the walls.
+/// The kernel sums net forces on grains times their positions, which includes the forces that walls exert.
 template <int Dim>
 void ForceSweep<Dim>::add_wall_virial(int block, const Interaction<Dim>& on_walls,
                                       const GrainView<Dim>& grains) {

@@ -10,62 +10,68 @@
 
 namespace floc {
 
-/// Data that the passes over blocks of grains read in a time step.
+/// Data that the passes of a time step over blocks of grains read.
 template <int Dim>
 struct GrainStep {
   GrainView<Dim> grains;
   PairCell<Dim> cell;
-  Kick<Dim> kick;    ///< kick over each half of the step
-  Drift<Dim> drift;  ///< drift over the whole step, between the two kicks
+  Kick<Dim> kick;    ///< coefficients of the acceleration of the grains over each half of the step
+  Drift<Dim> drift;  ///< coefficients of the motion of the grains over the whole step
 };
 
-/// The passes of a time step over blocks of grains, shared out among threads (SweepPlan). A block owns the pairs
-/// whose first grain it owns. Each thread computes the rows of the pairs of its blocks; once all rows that a block
-/// reads are written, the rows of its grains are summed and the grains are kicked. Sums over the packing are kept
-/// block by block, so that the order of additions does not depend on the number of threads.
+/// Passes of a time step over blocks of grains, shared out among threads (SweepPlan). The pairs whose first grain
+/// belongs to a block belong to that block. Each thread computes the rows (forces and moments) of the pairs of its
+/// blocks. Once all rows that a block needs are computed, the rows of each of its grains are summed and the grains are
+/// kicked. Sums over the packing are stored block by block, so that the order of additions does not depend on the
+/// number of threads.
 ///
-/// All threads call the methods that take a thread's number, with a barrier after each of the drift, compute() and
+/// All threads call the methods that have the parameter `thread`, with a barrier after each of the drift, compute() and
 /// sum_shared().
 template <int Dim>
 class ForceSweep {
  public:
-  /// @param needs_virial  components of the virial that drive the lattice
+  /// @param needs_virial  for each component of the virial: whether it drives the lattice
   ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const Mat<Dim, bool>& needs_virial);
 
   int n_threads() const { return plan_.n_threads(); }
-  /// Number of blocks whose pairs are computed in one pass. Lists of pairs are padded accordingly.
+  /// Returns the number of blocks whose pairs are computed in one pass, called a group. The pairs of each group are
+  /// padded.
   int blocks_of_group() const;
-  /// Drops the rows, which are large. @pre plan() is called before the next step
+  /// Frees the memory of the rows (forces and moments of the pairs), which is large. @pre plan() is called before the
+  /// next step
   void drop_rows() { rows_ = RowSums<Dim>(); }
-  /// Plans the passes over new lists of pairs.
+  /// Plans the passes over newly built lists of pairs.
   void plan(Interactions<Dim>& interactions);
 
-  /// Calls visit(block) for each block of a thread.
+  /// Calls visit(block) for each block of grains that belongs to a thread.
   template <class Visit>
   void for_each_block(int thread, const Visit& visit) const {
     const int last = plan_.first_block(plan_.first_group(thread + 1));
     for (int b = plan_.first_block(plan_.first_group(thread)); b < last; ++b) visit(b);
   }
-  /// Kicks and moves all blocks of a thread.
-  /// @param stands  stage of the rotation of the grains
+  /// Kicks and moves the grains of all blocks of a thread.
+  /// @param stands  stage (Rotation) at which the previous step has left the rotation of the grains
   void drift_all(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                  Rotation stands) const;
-  /// Kicks and moves a thread's part of the shared blocks, which pairs of other threads read, too.
+  /// Kicks and moves the grains of a thread's part of the shared blocks. Shared blocks are those that pairs of other
+  /// threads read, too.
   void drift_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                     Rotation stands) const;
-  /// Computes the pairs of a thread's blocks, and sums and kicks those blocks that are not shared.
-  /// @param undrifted  stage of the rotation of blocks that have still to drift, if blocks that are not shared
-  /// have not drifted yet; each drifts just before pairs read it
-  /// @param to  stage at which the rotation is left
+  /// Computes the forces of the pairs of a thread's blocks, and sums the forces on, and kicks, the grains of those
+  /// blocks that are not shared.
+  /// @param undrifted  set if the blocks that are not shared have still to drift: stage of their rotation; each block
+  /// then drifts just before the first pairs read it
+  /// @param to  stage of the rotation at which the grains are left
   void compute(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                std::optional<Rotation> undrifted, Rotation to);
-  /// Sums and kicks a thread's part of the shared blocks. @pre all threads have computed their pairs
+  /// Sums the forces on, and kicks, the grains of a thread's part of the shared blocks. @pre all threads have computed
+  /// the forces of their pairs
   void sum_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step, Rotation to);
 
-  /// Contribution of each block to the sums over the packing.
+  /// Returns the contribution of each block of grains to the sums over the packing.
   const std::vector<BlockSums<Dim>>& sums() const { return sums_; }
   double twice_kinetic_energy() const;
-  /// Sets the sums over velocities to zero, after the grains have been stopped.
+  /// Sets the sums over velocities and spins to zero; to be called after the grains have been stopped.
   void stop();
 
  private:

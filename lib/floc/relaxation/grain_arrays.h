@@ -17,41 +17,43 @@ inline bool all_equal(std::span<const double> numbers) {
   return std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
 }
 
-/// Grains as the force loop reads them: one array per component, in the order of space_order(). The arrays are
-/// padded with zeros to whole blocks of kGrainBlock, and by kWindow more, so that a window that begins at the
-/// last grain lies inside.
+/// Grains in the form that the force loop reads: one array per component, in the order of space_order(). The arrays are
+/// padded with zeros to whole blocks of kGrainBlock grains, and by another kWindow entries, so that a window of kWindow
+/// entries that begins at the last grain lies inside the array.
 template <int Dim>
 struct GrainArrays {
   using Component = AlignedVector<double>;
 
-  std::vector<int> index;        ///< index in the packing of the k-th grain here
-  std::array<Component, Dim> x;  ///< position, not wrapped into the cell
-  std::array<Component, Dim> v;  ///< peculiar velocity
+  std::vector<int> index;        ///< index in the packing of the k-th grain of these arrays
+  std::array<Component, Dim> x;  ///< position of each grain (length), which may be outside the cell
+  /// Peculiar velocity of each grain, which excludes the affine motion of the lattice (length/time).
+  std::array<Component, Dim> v;
   std::array<Component, Dim> force;
   std::array<Component, kRotations<Dim>> spin;
   std::array<Component, kRotations<Dim>> torque;
   std::array<Component, kOrientationNumbers<Dim>> orientation;
   Component radius, mass, inertia;
   Component inverse_mass, inverse_inertia;
-  std::vector<std::int64_t> id;  ///< identifiers as in the packing, and in its order
+  /// Identifiers of the grains, in the order of the packing; empty if the grains have none.
+  std::vector<std::int64_t> id;
 
   GrainArrays(const Grains<Dim>& grains, const std::vector<int>& order);
 
   int size() const { return static_cast<int>(index.size()); }
   int n_blocks() const { return (size() + kGrainBlock - 1) / kGrainBlock; }
-  /// A component without its padding.
+  /// Returns the entries of an array without its padding.
   std::span<const double> of_grains(const Component& component) const {
     return {component.data(), index.size()};
   }
   void copy_positions_to(Grains<Dim>& grains) const;
-  /// Sets velocities and spins to zero.
+  /// Sets the velocities and spins of all grains to zero.
   void stop();
-  /// Orientation of the k-th grain here.
+  /// Returns the orientation of the k-th grain of these arrays.
   Orientation<Dim> orientation_of(std::size_t k) const;
-  /// Pointers to the arrays, as kernels read them.
-  /// @param x_list  positions when the neighbour list was built
-  /// @param inverse_skin_squared  one over the square of the distance that each grain may move before the next
-  /// list (1/length^2)
+  /// Returns pointers to the arrays, in the form that kernels read.
+  /// @param x_list  positions of the grains when the neighbour lists were built
+  /// @param inverse_skin_squared  one over the square of the distance (skin) that each grain may move before new
+  /// neighbour lists are built (1/length^2)
   GrainView<Dim> view(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);
 
  private:

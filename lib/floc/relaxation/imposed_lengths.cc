@@ -1,4 +1,4 @@
-// Members of Relaxer for axes with an imposed length and for a sheared lattice.
+// Member functions of class Relaxer for axes with an imposed length and for a lattice that is sheared.
 
 #include <fmt/format.h>
 
@@ -11,18 +11,20 @@
 namespace floc {
 namespace {
 
-/// Largest strain rate of strained axes, times sqrt(a m/F1). At this rate a strain of 1e-3 takes a short time
-/// compared with the time that a packing takes to settle. Lower caps of the scene apply.
+/// Largest strain rate of axes with an imposed length, times sqrt(a m/F1), with a the largest diameter, m the largest
+/// mass and F1 the force scale. At this rate, a strain of 1e-3 takes a short time compared with the time in which a
+/// packing settles. Lower caps set by the scene apply.
 constexpr double kRampInertialNumber = 1e-3;
-/// Reduced pressure below which strained axes count as carrying no stress: no packing is in equilibrium that
-/// close to zero.
+/// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress: no
+/// packing is in equilibrium at so small a pressure.
 constexpr double kNoPressure = 1e-12;
-/// Side below which a cell has closed, in largest diameters. Overlaps are small, so that grains cannot fit.
+/// Side below which a cell counts as closed, in largest diameters. Overlaps are small, so that grains do not fit into
+/// such a cell.
 constexpr double kClosed = 0.5;
 
 }  // namespace
 
-/// Strain ramp from the lengths before this relaxation to the imposed lengths.
+/// Returns the strain ramp from the lengths of the axes before this relaxation to their imposed lengths.
 template <int Dim>
 StrainRamp<Dim> Relaxer<Dim>::strain_ramp() const {
   StrainRamp<Dim> ramp;
@@ -53,8 +55,8 @@ void Relaxer<Dim>::begin_strain_ramp() {
   if (strain > 0.0) progress_.ramp_duration = StrainRamp<Dim>::kPeak * strain / fastest;
 }
 
-/// Whether the packing carries no stress at the imposed lengths: no contact is left or, without adhesion, the
-/// pressure is zero.
+/// Whether the packing carries no stress at the imposed lengths: with adhesion if no contact is left, without adhesion
+/// if the pressure is zero.
 template <int Dim>
 bool Relaxer<Dim>::carries_no_stress() const {
   if (!load_.any_strained()) return false;
@@ -71,8 +73,8 @@ double Relaxer<Dim>::mean_carried_stress() const {
   return sum / n;
 }
 
-/// Reason why the imposed lengths are too short for grains with small overlaps, in words; empty if they are
-/// not.
+/// Returns the reason, in words, why the imposed lengths are too short for grains with small overlaps; empty if they
+/// are long enough.
 template <int Dim>
 std::string Relaxer<Dim>::overfilled_cell_error() const {
   const double a = largest_diameter(packing_.grains);
@@ -86,15 +88,15 @@ std::string Relaxer<Dim>::overfilled_cell_error() const {
     }
     if (load_.side[k] < kClosed * a)
       return fmt::format(
-          "the cell closes: axis {} is to be {:.4g} long, with grains of {:.4g} in it; expected a smaller "
-          "strain",
+          "the cell closes: axis {} is to be {:.4g} long, which is too short for the largest grain, whose "
+          "diameter is {:.4g}; impose a smaller strain",
           k + 1, load_.side[k], a);
     volume *= load_.side[k] / side;
   }
   const double phi = solid_fraction(packing_) * packing_.cell.volume() / volume;
   if (!all_strained || phi <= 1.0) return "";
   return fmt::format(
-      "the cell closes: at the lengths imposed the grains have {:.4g} times its volume; expected a smaller "
+      "the cell closes: at the imposed lengths the grains would fill {:.4g} times its volume; impose a smaller "
       "strain",
       phi);
 }

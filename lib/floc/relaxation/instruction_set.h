@@ -2,21 +2,21 @@
 
 namespace floc {
 
-/// Neighbouring doubles that one register of the widest set holds.
+/// Number of doubles that a register of the widest instruction set holds.
 inline constexpr int kWindow = 8;
 
-/// Vector instructions that the force loop is compiled for. All give identical results, bit for bit: lanes are
-/// independent, sums have a fixed order, and no operations are fused.
+/// Instruction sets for which the force loop is compiled. All of them give identical results, bit for bit: lanes are
+/// independent, sums have a fixed order, and no multiplication is fused with an addition.
 enum class InstructionSet {
-  portable,  ///< two doubles, on every processor of the architecture
-  avx2,      ///< four doubles
-  avx512,    ///< eight doubles
+  portable,  ///< registers of two doubles; runs on every processor of the architecture
+  avx2,      ///< AVX2, registers of four doubles
+  avx512,    ///< AVX-512, registers of eight doubles
 };
 
-/// Whether floc was compiled for these instructions (FLOC_INSTRUCTION_SETS of CMake) and this processor has them.
+/// Whether floc was compiled for an instruction set (CMake option FLOC_INSTRUCTION_SETS) and this processor has it.
 bool supported(InstructionSet set);
 
-/// Widest instruction set that is supported().
+/// Returns the widest instruction set that is supported().
 InstructionSet widest_instruction_set();
 
 }  // namespace floc

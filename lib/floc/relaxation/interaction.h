@@ -7,31 +7,34 @@
 
 namespace floc {
 
-/// One kind of interaction in a packing, between grains or between grains and walls: its pairs, its law and the
-/// kernel that evaluates it.
+/// Interaction between grains, or between grains and walls, of a packing: its pairs, its contact law and the kernels
+/// that evaluate it.
 template <int Dim>
 class Interaction {
  public:
-  /// @param law   as composed for the kernels (laws_of_same_rows())
-  /// @param rows  kind of the rows of all interactions of the packing, which follows from the law between grains
-  /// @param largest_radius  of the grains
+  /// @param law   contact law as composed for the kernels (laws_of_same_rows())
+  /// @param rows  layout of the rows (force and moments) of the pairs of all interactions of the packing; it follows
+  /// from the law between grains
+  /// @param largest_radius  largest radius of a grain (length)
   Interaction(Partner partner, const Law& parameters, std::shared_ptr<const ComposedLaw> law, RowKind rows,
               double largest_radius, InstructionSet instructions, LatticeShape shape);
-  Interaction(Interaction&&) = delete;  // the kernel is given the address of its law
+  // An interaction cannot be moved, because the address of its contact law is passed to its kernels.
+  Interaction(Interaction&&) = delete;
 
   Partner partner() const { return partner_; }
   const ComposedLaw& law() const { return *law_; }
   RowKind rows() const { return rows_; }
-  /// Largest gap of the pairs in its lists (length): the reach of the law, or of the bridges that exist.
+  /// Returns the largest gap across which bodies interact (length): the range of the contact law, or the widest gap
+  /// that an existing liquid bridge spans.
   double range() const { return range_; }
   void set_range(double range) { range_ = range; }
   const StepKernels<Dim>& kernels() const { return *kernel_.kernels; }
   const PairArrays<Dim>& pairs() const { return pairs_; }
-  /// Volumes of the liquid bridges (length^3). Call refresh_bridges() after a change.
+  /// Volumes of the liquid bridges (length^3). After a change, refresh_bridges() has to be called.
   typename PairArrays<Dim>::Component& bridge_volume() { return pairs_.bridge_volume(); }
   void refresh_bridges() { pairs_.refresh_bridges(*law_); }
   const PairView<Dim>& view() const { return arrays_; }
-  /// View of the pairs that writes rows to another place.
+  /// Returns pointers to the arrays of the pairs with another place for their rows (forces and moments).
   /// @param row  place of the row of pair `with_row`, followed by the rows of later pairs
   PairView<Dim> view(double* row, int with_row) const {
     PairView<Dim> pairs = arrays_;
@@ -40,20 +43,21 @@ class Interaction {
     return pairs;
   }
 
-  /// Takes a new list of pairs, which inherits the history of the one before.
+  /// Replaces the list of pairs. The new pairs inherit the history variables of the old ones.
   void set_pairs(PairArrays<Dim> pairs);
-  /// Drops the numbers that are not inherited by the next list (PairArrays::drop_numbers()).
+  /// Frees the arrays that the next list does not inherit (PairArrays::drop_numbers()).
   void drop_numbers() { pairs_.drop_numbers(); }
-  /// Drops all data but the history (PairArrays::keep_history_alone()).
+  /// Frees all data except the history of the pairs (PairArrays::keep_history_alone()).
   void keep_history_alone() { pairs_.keep_history_alone(); }
-  /// Sets the place of the rows of the list.
+  /// Sets the place to which the pairs write their rows (forces and moments).
   void set_rows(double* rows) { arrays_.row = rows; }
-  /// Computes rows, springs and history of the pairs of the blocks [first, last).
-  /// @param pairs  a view of the pairs
+  /// Computes the rows (forces and moments) of the pairs of the blocks [first, last) and updates their history.
+  /// @param pairs  a view of the pairs of this interaction
   void compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                const PairCell<Dim>& cell) const;
 
-  /// Copies the history of a contact into that of its pair, and back.
+  /// Copies the history variables of a contact into the history variables of its pair (load_history()), or back
+  /// (history()).
   /// @param swapped  whether the first grain of the pair is the second grain of the contact
   void load_history(int pair, const ContactHistory<Dim>& history, bool swapped);
   ContactHistory<Dim> history(int pair, bool swapped) const;
@@ -66,7 +70,8 @@ class Interaction {
   ContactHistory<Dim> swap_parity_;
   struct KernelAndLaw {
     const StepKernels<Dim>* kernels;
-    std::shared_ptr<const void> law;  ///< kernel law, passed to the kernels
+    /// Contact law for which the kernels are compiled; its address is passed to the kernels.
+    std::shared_ptr<const void> law;
   };
   static KernelAndLaw kernel_of(const ComposedLaw& law, Partner partner, InstructionSet instructions,
                                 LatticeShape shape);
@@ -75,12 +80,13 @@ class Interaction {
   PairView<Dim> arrays_;
 };
 
-/// Composes the laws of the interactions of a packing so that all rows are of one kind: if any law has
-/// friction, those without get a friction spring with a coefficient of zero.
-/// @param parameters  law between grains, then the law with walls if there are any
+/// Composes the contact laws of the interactions of a packing in such a way that all rows (forces and moments of pairs)
+/// have one layout: if any law has friction, each law without friction gets a friction spring with a coefficient of
+/// zero.
+/// @param parameters  law between grains, then the law between grains and walls if there are any
 std::vector<std::shared_ptr<const ComposedLaw>> laws_of_same_rows(const std::vector<Law>& parameters);
 
-/// Kind of the rows that pairs of grains write under this law.
+/// Returns the layout of the rows (forces and moments) that pairs of grains write under a contact law.
 template <int Dim>
 RowKind row_kind(const ComposedLaw& law);
 

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Adds further contacts to a list that has one pair per two bodies. Contacts whose bodies are no longer close
-/// are left out.
+/// Adds the second and further contacts of two bodies to a list of pairs that has one entry per two bodies. Contacts
+/// whose bodies are no longer close are left out.
 template <int Dim>
 void add_further(std::vector<NeighborPair<Dim>> further, std::vector<NeighborPair<Dim>>& pairs) {
   if (further.empty()) return;
@@ -46,7 +46,7 @@ void Interactions<Dim>::set_pairs(PairLists<Dim> close, const PairLists<Dim>& fu
   for (std::size_t k = 0; k < list_.size(); ++k) {
     Interaction<Dim>& interaction = list_[k];
     add_further(further[k], close[k]);
-    // Lists are large, so memory is freed early: the numbers of the old list, and the pairs after they are
+    // Lists of pairs are large, so memory is freed early: the numbers of the old list, and the new pairs once they are
     // copied.
     interaction.drop_numbers();
     interaction.set_pairs(

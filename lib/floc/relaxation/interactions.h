@@ -8,12 +8,12 @@
 
 namespace floc {
 
-/// Pairs of each interaction of a packing: those between grains, then those with walls.
+/// Pairs of bodies, one list per interaction of a packing: pairs of grains, then pairs of grains with walls.
 template <int Dim>
 using PairLists = std::vector<std::vector<NeighborPair<Dim>>>;
 
-/// All interactions of a packing: between its grains and, where it has walls, between grains and walls. The rows
-/// that their pairs write are all of one kind, since they are summed together.
+/// All interactions of a packing: between its grains and, if it has walls, between grains and walls. The rows (forces
+/// and moments) that their pairs write all have one layout, since they are summed together.
 template <int Dim>
 class Interactions {
  public:
@@ -22,26 +22,27 @@ class Interactions {
   bool with_walls() const { return list_.size() > 1; }
   Interaction<Dim>& between_grains() { return list_.front(); }
   const Interaction<Dim>& between_grains() const { return list_.front(); }
-  /// @pre with_walls()
+  /// Returns the interaction between grains and walls. @pre with_walls()
   Interaction<Dim>& on_walls() { return list_.back(); }
   const Interaction<Dim>& on_walls() const { return list_.back(); }
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
-  /// Contacts of each interaction beside the first contact of their pair. Their keys distinguish them as long
-  /// as their bodies are close.
+  /// Returns, for each interaction, the second and further contacts of bodies that have several contacts. Each has
+  /// another key (NeighborPair::key), which it keeps as long as its bodies are close.
   PairLists<Dim> further_contacts() const;
-  /// Takes new lists of pairs, which inherit the history of the lists before.
+  /// Replaces the lists of pairs. The new pairs inherit the history variables of the old ones.
   /// @param close            pairs of bodies that are close, for each interaction
-  /// @param further          contacts beside the first contact of their pair, for each interaction
-  /// @param blocks_of_group  blocks whose pairs are always computed together
+  /// @param further          second and further contacts of bodies that have several contacts, for each interaction
+  /// @param blocks_of_group  number of consecutive blocks of grains whose pairs are computed together
   void set_pairs(PairLists<Dim> close, const PairLists<Dim>& further, const GrainArrays<Dim>& grains,
                  double time_step, int blocks_of_group);
-  /// Drops all data but the histories.
+  /// Frees all data except the history variables of the pairs.
   void keep_history_alone();
 
  private:
-  std::deque<Interaction<Dim>> list_;  ///< between grains first, then with walls
+  /// The interaction between grains, followed by the interaction between grains and walls if there are walls.
+  std::deque<Interaction<Dim>> list_;
 };
 
 }  // namespace floc

@@ -8,7 +8,8 @@
 namespace floc {
 namespace {
 
-/// Range of the lists over the present reach of the bridges, so that the next search need not be repeated.
+/// Ratio of the gap across which pairs are listed to the largest gap that a bridge spans at present. The margin makes
+/// it unlikely that the next search has to be repeated.
 constexpr double kReachMargin = 1.05;
 
 template <int Dim>
@@ -42,7 +43,7 @@ double LiquidBridges<Dim>::reach(const GrainArrays<Dim>& grains, const CellMotio
   return reach;
 }
 
-/// Shares of all liquid over the pairs of the list.
+/// Computes how the liquid of the packing is shared out among the listed pairs.
 template <int Dim>
 LiquidShares LiquidBridges<Dim>::shares(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                         const PairArrays<Dim>& pairs) const {

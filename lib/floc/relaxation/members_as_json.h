@@ -7,8 +7,9 @@
 
 namespace floc {
 
-/// Writes a structure as one line of JSON; numbers round-trip. `for_each_member(structure, visit)` calls
-/// visit(name, member) for every member, so that writing and reading cannot differ.
+/// Writes a structure as one line of JSON, from which its numbers are read back without loss.
+/// `for_each_member(structure, visit)` calls visit(name, member) for every member; it serves both writing and reading,
+/// so that the two cannot differ.
 template <class Structure, class ForEachMember>
 std::string members_as_json(const Structure& structure, const ForEachMember& for_each_member) {
   nlohmann::json json;
@@ -17,8 +18,8 @@ std::string members_as_json(const Structure& structure, const ForEachMember& for
 }
 
 /// Reads a structure that members_as_json() wrote.
-/// @param place, problem  place and words of the message if the text is not such a structure
-/// @throws InputError(place) if a member is missing or of another kind
+/// @param place, problem  place and beginning of the error message if the text does not hold such a structure
+/// @throws InputError(place) if a member is missing or its type does not fit
 template <class Structure, class ForEachMember>
 Structure members_from_json(const std::string& text, const std::string& place, const std::string& problem,
                             const ForEachMember& for_each_member) {

@@ -8,17 +8,20 @@
 
 namespace floc {
 
-/// Observer of a packing while it moves. It does not change the results of a run.
+/// Observer that is called at regular intervals with a packing in motion. It does not change the results of a run.
 template <int Dim>
 struct MotionObserver {
-  double interval = 0.0;  ///< simulated time between two calls, at most a chunk (time)
-  /// @param time  since the beginning of the relaxation, or of the chunk where grains aggregate
-  std::function<void(const Packing<Dim>& packing, double time)> callback;  ///< empty: not observed
+  /// Simulated time between two calls of the observer, at most the duration of a chunk of time steps (time).
+  double interval = 0.0;
+  /// Function that is called with the packing; empty if there is no observer.
+  /// @param time  simulated time since the beginning of the relaxation or, while grains aggregate, since the beginning
+  /// of the chunk of time steps
+  std::function<void(const Packing<Dim>& packing, double time)> callback;
 };
 
-/// Advances by a chunk of steps, in equal parts of about the observer's interval, and calls the observer after
-/// each part, and so at the end of the chunk.
-/// @param start  time at the beginning of the chunk (time)
+/// Advances a packing by a chunk of time steps, in equal parts that last about the interval of the observer. The
+/// observer is called after each part, and thus also at the end of the chunk.
+/// @param start  simulated time at the beginning of the chunk (time)
 template <int Dim>
 void advance_observed(Dynamics<Dim>& dynamics, int n_steps, Motion motion, const MotionObserver<Dim>& observer,
                       double start, double time_step) {

@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// Bound of the displacement that the rounding of one step adds, as a share of the furthest coordinate.
+/// Upper bound of the rounding error that one step adds to a displacement, divided by the largest coordinate of a
+/// grain.
 constexpr double kRoundings = 32.0 * std::numeric_limits<double>::epsilon();
 
 template <std::size_t n>
@@ -21,8 +22,8 @@ double furthest(const std::array<AlignedVector<double>, n>& x) {
   return largest;
 }
 
-/// Upper bound of the factor by which an upper triangular matrix stretches a vector: the largest diagonal
-/// component plus the sum of the others.
+/// Returns an upper bound of the factor by which an upper triangular matrix stretches a vector: the largest diagonal
+/// component plus the sum of the other components.
 template <int Dim>
 double stretch_bound(const double (&matrix)[Dim][Dim]) {
   double diagonal = 0.0, others = 0.0;
@@ -48,8 +49,9 @@ void MotionSinceList<Dim>::begin(const GrainArrays<Dim>& grains, const CellMotio
   rounding_ = kRoundings * furthest(x_) / shortest_skin;
 }
 
-/// In a step the displacement x - L x_list becomes x' - L' x_list = S (x - L x_list) + D v', and after the kick
-/// |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|).
+/// Updates the upper bound of the motion. In a step, the displacement x - L x_list of a grain becomes x' - L' x_list =
+/// S (x - L x_list) + D v', with L and S the deformation of the lattice since the lists were built and in this step,
+/// and D the drift matrix. After the kick |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|).
 template <int Dim>
 void MotionSinceList<Dim>::add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums,
                                     const Kick<Dim>& kick, const Drift<Dim>& drift) {
@@ -81,7 +83,8 @@ void MotionSinceList<Dim>::forget() {
 template <int Dim>
 double MotionSinceList<Dim>::shrinking() const {
   if (stretch_.isDiagonal(0.0)) return std::max(0.0, 1.0 - stretch_.diagonal().minCoeff());
-  // |F r| >= |r| - |(F - 1) r|, bounded by the Frobenius norm of F - 1.
+  // With the deformation F, |F r| >= |r| - |(F - 1) r|, and |(F - 1) r| is at most |r| times the Frobenius norm of F -
+  // 1.
   return (stretch_ - Mat<Dim>::Identity()).norm();
 }
 

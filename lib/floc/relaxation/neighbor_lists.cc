@@ -8,16 +8,17 @@
 namespace floc {
 namespace {
 
-/// Cost of a new list of pairs, in time steps (measured at N = 1400 and 100 000).
+/// Computing time of building a new list of pairs, in time steps (measured with 1400 and 100 000 grains).
 constexpr double kListCost = 23.0;
-/// Grains at rest get this share of the skin of the fastest grains, since they may be hit.
+/// Smallest ratio of the skin of a grain to the skin of the fastest grains. Grains at rest need a skin, since they may
+/// be hit.
 constexpr double kMinSkinShare = 0.25;
-/// Thinnest skin, in skin_length_unit().
+/// Smallest skin of a neighbour list, in units of skin_length_unit().
 constexpr double kMinSkin = 1e-4;
-/// Skin under SkinRule::follows_reach, as a share of the range of the interaction. It bounds the approach of
-/// two surfaces before new lists are built.
+/// Ratio of the skin to the range of the interaction under SkinRule::follows_reach. It limits how far two surfaces may
+/// approach each other before new lists are built.
 constexpr double kSkinOfReach = 0.25;
-/// Thinnest skin under SkinRule::follows_reach, in skin_length_unit().
+/// Smallest skin of a neighbour list under SkinRule::follows_reach, in units of skin_length_unit().
 constexpr double kMinSkinOfReach = 1e-3;
 
 }  // namespace
@@ -37,15 +38,15 @@ double NeighborLists<Dim>::min_skin() const {
   return kMinSkin * skin_unit_;
 }
 
-/// Share of the time so far that was spent on building the lists. The skin is optimal where this equals the
-/// share that is spent on pairs out of range.
+/// Returns the share of the computing time that has been spent on building the present lists. The skin is optimal if
+/// this share equals the share that is spent on pairs out of range.
 template <int Dim>
 double NeighborLists<Dim>::cost_share() const {
   return kListCost / steps_;
 }
 
-/// Bound of the skin that motion has consumed since the lists were built (length): the largest displacement of
-/// a body and the affine shrinking.
+/// Returns an upper bound of the part of the skin that the motion has used up since the lists were built (length): the
+/// largest displacement of a body and the affine shortening of distances.
 template <int Dim>
 double NeighborLists<Dim>::consumed_skin(const CellMotion<Dim>& cell, double range) const {
   return std::max(motion_.of_grains() * skin_, 2.0 * motion_.of_walls(cell.walls())) +
@@ -62,7 +63,8 @@ bool NeighborLists<Dim>::stale(const CellMotion<Dim>& cell, double range) const 
 template <int Dim>
 double NeighborLists<Dim>::skin_to_continue_with(const CellMotion<Dim>& cell, double range) const {
   if (!first_ || steps_ == 0) return skin_;
-  // One list was valid for the whole motion: twice the skin that the motion consumed is enough.
+  // The first lists were valid during the whole motion. A skin twice as wide as the part that the motion has used up is
+  // wide enough for the next lists.
   return std::min(skin_, std::max(2.0 * consumed_skin(cell, range), min_skin()));
 }
 
@@ -85,7 +87,8 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   const double cost = cost_share();
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
-  // Twice the skin that the motion consumed is enough for a list that lasts as long.
+  // A skin twice as wide as the part that the motion has used up is wide enough for lists that are used for as many
+  // steps.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }
@@ -96,7 +99,7 @@ PairLists<Dim> NeighborLists<Dim>::find(const GrainArrays<Dim>& grains, const Ce
   adapt_skin(cell, interactions.between_grains());
   const std::vector<double> skin = skins_of_grains(grains);
   motion_.begin(grains, cell, skin, 0.5 * kMinSkinShare * skin_);
-  Grains<Dim> with_skins;  // positions and radii alone
+  Grains<Dim> with_skins;  // grains with their skins added to their radii; only positions and radii are set
   with_skins.position.resize(grains.size());
   with_skins.radius.resize(grains.size());
   grains.copy_positions_to(with_skins);
@@ -108,7 +111,7 @@ PairLists<Dim> NeighborLists<Dim>::find(const GrainArrays<Dim>& grains, const Ce
   return close;
 }
 
-/// Pairs of an interaction that may act before the bodies have moved by their skins.
+/// Returns the pairs of an interaction that may interact before the bodies have moved by their skins.
 template <int Dim>
 std::vector<NeighborPair<Dim>> NeighborLists<Dim>::find(const Interaction<Dim>& interaction,
                                                         const CellMotion<Dim>& cell,
@@ -119,7 +122,7 @@ std::vector<NeighborPair<Dim>> NeighborLists<Dim>::find(const Interaction<Dim>& 
   return find_pairs(search_cell(cell.cell(), walls, largest_diameter_ + range + skin_), with_skins, range);
 }
 
-/// Skin of each grain. All grains use a list for the same time, so faster grains get more of the skin.
+/// Returns the skin of each grain. All grains use a list for the same time, so faster grains get a wider skin.
 template <int Dim>
 std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& grains) const {
   std::vector<double> speed(grains.size());
@@ -129,14 +132,16 @@ std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& 
     speed[k] = std::sqrt(squared);
   }
   const double fastest = speed.empty() ? 0.0 : *std::max_element(speed.begin(), speed.end());
-  const bool comparable = fastest > 0.0 && std::isfinite(fastest);  // not where the motion diverges
+  // Whether speeds can be compared; false if the motion diverges.
+  const bool comparable = fastest > 0.0 && std::isfinite(fastest);
   std::vector<double> skin(grains.size());
   for (int k = 0; k < grains.size(); ++k)
     skin[k] = 0.5 * skin_ * (comparable ? std::max(speed[k] / fastest, kMinSkinShare) : 1.0);
   return skin;
 }
 
-/// Share of the time of a step that is spent on pairs out of range. A grain costs about as much as a pair.
+/// Returns the share of the computing time of a step that is spent on pairs out of range. A grain takes about as much
+/// time as a pair.
 template <int Dim>
 double NeighborLists<Dim>::share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs,
                                               const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,

@@ -9,35 +9,37 @@
 
 namespace floc {
 
-/// Rule for the width of the skin of the lists of neighbours.
+/// Rule for the width of the skin of the lists of neighbours (Verlet lists).
 enum class SkinRule {
-  balances_costs,  ///< building lists takes about as much time as the listed pairs out of range
-  follows_reach,   ///< the skin is a fixed share of the range of the interaction between grains
+  /// The skin is such that building lists takes about as much time as computing the listed pairs that are out of range.
+  balances_costs,
+  follows_reach,  ///< the skin is a fixed share of the range of the interaction between grains
 };
 
-/// Verlet lists of the bodies of a packing in motion. This class finds the pairs that may interact before the
-/// next lists are built, and chooses the time and the skin of the next lists. The interactions own the pairs
-/// that it finds.
+/// Verlet lists of the neighbours of grains in motion. This class finds the pairs that may interact before the next
+/// lists are built, and chooses the time and the skin of the next lists. The pairs that it finds are stored in the
+/// interactions.
 template <int Dim>
 class NeighborLists {
  public:
-  /// @param skin  first guess (length)
+  /// @param skin  first guess of the skin of the lists (length)
   NeighborLists(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, double skin, SkinRule rule);
 
-  /// Adapts the skin to the cost of the lists so far, and finds the pairs of each interaction anew. The lists hold
-  /// one pair for each two bodies.
+  /// Adapts the skin to the cost of the lists so far, and finds the pairs of each interaction anew. Each list contains
+  /// one pair for any two bodies that are close.
   PairLists<Dim> find(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                       const Interactions<Dim>& interactions);
-  /// Whether the lists have to be built anew, because by the bound of the motion a pair outside them may
-  /// interact, or because they hold too many pairs out of range.
+  /// Whether the lists have to be built anew: because a pair outside them may interact, according to the upper bound of
+  /// the motion, or because the lists contain too many pairs that are out of range.
   /// @param range  gap across which grains interact (length)
   bool stale(const CellMotion<Dim>& cell, double range) const;
-  /// First guess of the skin for another object that continues this motion and builds lists at once (length).
+  /// Returns a first guess of the skin for another object that continues this motion and builds its lists at once
+  /// (length).
   double skin_to_continue_with(const CellMotion<Dim>& cell, double range) const;
 
   const MotionSinceList<Dim>& motion() const { return motion_; }
   MotionSinceList<Dim>& motion() { return motion_; }
-  /// Counts a time step, and adds a bound of its motion (MotionSinceList::add_step).
+  /// Counts a time step, and adds an upper bound of the motion in this step (MotionSinceList::add_step()).
   void add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums, const Kick<Dim>& kick,
                 const Drift<Dim>& drift);
 
@@ -52,14 +54,15 @@ class NeighborLists {
   double share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs, const GrainArrays<Dim>& grains,
                             const CellMotion<Dim>& cell, double range) const;
 
-  double skin_;  ///< skin of a pair of the fastest grains (length)
+  double skin_;  ///< skin of a pair of two of the fastest grains (length)
   SkinRule rule_;
   double largest_diameter_;
-  double skin_unit_;  ///< skin_length_unit()
+  double skin_unit_;  ///< unit of skins, skin_length_unit() (length)
   MotionSinceList<Dim> motion_;
-  int steps_ = 0;                    ///< since the lists were built
-  bool first_ = true;                ///< no step has been made with other lists than the first
-  double share_out_of_range_ = 0.0;  ///< share of the time of a step spent on pairs out of range, in new lists
+  int steps_ = 0;      ///< number of time steps since the lists were built
+  bool first_ = true;  ///< whether all time steps have been made with the first lists
+  /// Share of the computing time of a step that is spent on pairs out of range, just after the lists have been built.
+  double share_out_of_range_ = 0.0;
 };
 
 }  // namespace floc

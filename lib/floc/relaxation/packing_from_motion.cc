@@ -9,11 +9,13 @@
 namespace floc {
 namespace {
 
-/// Copies the grains into a packing, wrapped into its cell. @return the image by which each grain was moved
+/// Copies the grains into a packing, and moves them into its cell by lattice vectors.
+/// @return the number of lattice vectors along each axis by which each grain was moved
 template <int Dim>
 std::vector<Vec<Dim, int>> copy_grains(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                        Packing<Dim>& out) {
-  // Centres have no low parts, since positions in motion are rounded to a double.
+  // The centres of the grains have no low parts (Grains::position_low), since positions in motion are rounded to a
+  // double.
   out.grains = Grains<Dim>::with_size(grains.size());
   out.grains.id = grains.id;
   std::vector<Vec<Dim, int>> wrap(grains.size());
@@ -32,8 +34,8 @@ std::vector<Vec<Dim, int>> copy_grains(const GrainArrays<Dim>& grains, const Cel
   return wrap;
 }
 
-/// Whether a pair acts or holds liquid where its bodies are now.
-/// @param key  of the pair
+/// Whether a pair of bodies interacts, or holds liquid, at its present positions.
+/// @param key  bodies and periodic image of the pair
 template <int Dim>
 bool is_contact(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                 const Interaction<Dim>& interaction, int pair, const NeighborPair<Dim>& key) {
@@ -50,8 +52,9 @@ bool is_contact(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
   return !(r.squaredNorm() >= reach * reach) || wet;
 }
 
-/// Adds the pairs of an interaction within its range as contacts, with their histories.
-/// @param wrap  images by which the grains were moved into the cell
+/// Adds the pairs of an interaction that interact or hold liquid as contacts of a packing, with their history
+/// variables.
+/// @param wrap  number of lattice vectors by which each grain was moved into the cell
 template <int Dim>
 void append_contacts(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                      const Interaction<Dim>& interaction, const std::vector<Vec<Dim, int>>& wrap,

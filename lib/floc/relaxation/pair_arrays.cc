@@ -56,7 +56,8 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
       composed.any);
 }
 
-/// Reserves memory, since an array that grows while it is filled is held twice for a moment.
+/// Reserves memory for the pairs. Without it, an array that grows while it is filled would take twice its memory for a
+/// moment.
 template <int Dim>
 void PairArrays<Dim>::reserve(std::size_t n_pairs) {
   i_.reserve(n_pairs), j_.reserve(n_pairs);
@@ -81,8 +82,8 @@ void PairArrays<Dim>::add_numbers(double radius_i, double radius_j, double dampi
   damping_.push_back(damping);
 }
 
-/// Reduced quantity p q/(p + q) of each pair, from a quantity of its grains. For a wall q is infinite; for
-/// padding p = q.
+/// Returns the reduced quantity p q/(p + q) of each pair, where p and q are a quantity of its two bodies, such as the
+/// radius or the mass. For a wall q is infinite; for padding p = q.
 template <int Dim>
 typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {
   if (own_numbers_ == 0) return Component(kPairPadding, floc::reduced(of_grain[0], of_grain[0]));
@@ -92,7 +93,8 @@ typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const dou
   return values;
 }
 
-/// Stores the radii that bridges need. Pairs with walls store none, since walls are dry.
+/// Stores the radii of the two grains of each pair, which liquid bridges need. Pairs with walls store none, since
+/// contacts with walls are dry.
 template <int Dim>
 void PairArrays<Dim>::keep_radii(std::span<const double> radius) {
   for (Component* component : {&radius_i_, &radius_j_, &strength_, &decay_, &reach_})
@@ -132,7 +134,7 @@ const typename PairArrays<Dim>::Component& PairArrays<Dim>::bridge_volume() cons
   return history[HistoryLayout<Dim>::kAdhesion];
 }
 
-/// Fills up the last pack of pairs with padding.
+/// Adds pairs that do not interact until the last pack of pairs is full.
 template <int Dim>
 void PairArrays<Dim>::fill_pack() {
   while (size() % kPairPadding != 0) {

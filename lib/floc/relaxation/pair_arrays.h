@@ -17,60 +17,67 @@ namespace floc {
 
 struct ComposedLaw;
 
-/// Dashpot coefficient to use where the force lags by kDashpotLag steps. The lag increases the damping by the
-/// factor exp(lag c dt/(2 m_eff)) to second order in the step; without this correction a restitution of 0.015
-/// comes out as 0.006 at a tenth of sqrt(m/K_N) and half a step of lag. A coefficient that follows the
-/// stiffness varies in motion and is not corrected.
+/// Returns the damping coefficient to use in a time integration in which the dashpot force lags by kDashpotLag steps.
+/// With time steps dt and the effective mass m_eff, the lag multiplies the damping c by exp(lag c dt/(2 m_eff)), to
+/// second order in dt. The returned coefficient compensates this factor. Without this correction, with half a step of
+/// lag and steps of a tenth of sqrt(m/K_N), with K_N the normal stiffness, a restitution of 0.015 would come out as
+/// 0.006. A coefficient that follows the contact stiffness varies during the motion and is not corrected.
 inline double lagging_damping(double coefficient, double effective_mass, double time_step) {
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 
-/// Neighbour pairs as the force loop reads them, one array per component: pairs of grains i <= j, or of a grain
-/// i and a wall j. A block of grains owns the pairs whose first grain it owns; these are contiguous and in
-/// order. The pairs of each group of blocks are padded to whole vectors with pairs that no grain sums: of a
-/// grain and its own image far away, or of a grain and a wall. Where all grains are equal, numbers that follow
-/// from their sizes are stored once for all pairs.
+/// Neighbouring pairs of bodies in the form that the force loop reads, with one array per component: pairs of grains
+/// with indices i <= j, or pairs of a grain i and a wall j. The pairs whose first grain belongs to a block of grains
+/// belong to that block; they are contiguous and sorted. The pairs of each group of blocks are padded to whole vector
+/// registers with pairs that do not interact: a grain and an image of itself far away, or a grain and a wall whose
+/// forces no grain sums. If all grains are equal, numbers that follow from their sizes are stored once for all pairs.
 template <int Dim>
 class PairArrays {
  public:
   using Component = AlignedVector<double>;
 
-  Component viscous;  ///< dashpot forces of the step before (force); empty where the law has none
-  /// History of the pairs, one array per place of the layout; empty at places that the law does not use.
+  /// Dashpot forces of the previous step (force); empty if the contact law has no damping.
+  Component viscous;
+  /// History variables of the pairs, one array per place of the history layout; empty for places that the contact law
+  /// does not use.
   std::array<Component, HistoryLayout<Dim>::kSize> history;
 
   PairArrays() = default;
-  /// @param pairs            sorted, of grains by their places among `grains`
-  /// @param blocks_of_group  blocks whose pairs are always computed together, and padded together
+  /// @param pairs            pairs, sorted; a grain is given by its place in `grains`
+  /// @param blocks_of_group  number of consecutive blocks whose pairs are computed, and padded, together
   PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, const GrainArrays<Dim>& grains,
              const ComposedLaw& law, double time_step, int blocks_of_group);
 
-  /// Number of pairs, with padding.
+  /// Returns the number of pairs, including padding.
   int size() const { return static_cast<int>(i_.size()); }
   bool padding(int p) const { return image_[0][p] == kPaddingImage; }
   int first_of_block(int b) const { return first_of_block_[b]; }
   int i(int p) const { return i_[p]; }
   int j(int p) const { return j_[p]; }
   NeighborPair<Dim> key(int p) const;
-  /// Pairs whose key is not 0: further contacts of the two bodies of another pair.
+  /// Returns the pairs whose key is not 0: second and further contacts between two bodies that are listed as a pair
+  /// already.
   std::vector<NeighborPair<Dim>> further_contacts() const;
   double radii(int p) const { return radii_[p & own_numbers_]; }
-  /// Index of a pair, -1 where it is not in the list.
+  /// Returns the index of a pair; -1 if the pair is not in these arrays.
   int find(const NeighborPair<Dim>& key) const;
-  /// Takes over the history of an older list of the same grains.
+  /// Copies the history variables and dashpot forces of the pairs that an older list of the same grains also contains.
   void inherit(const PairArrays& old);
-  /// Drops the numbers that only the computation of forces reads. @pre no step uses this list again
+  /// Frees the arrays that only the computation of forces reads. @pre no further step uses these pairs
   void drop_numbers();
-  /// Drops the numbers that drop_numbers() drops, and the dashpot forces that another list would inherit.
+  /// Frees the arrays that only the computation of forces reads (drop_numbers()), and the dashpot forces. The history
+  /// of the pairs is kept.
   void keep_history_alone();
-  /// Recomputes the parameters of the liquid bridges from the volumes in the history; does nothing under laws
-  /// without liquid.
+  /// Recomputes the parameters of the liquid bridges from their volumes, which are part of the history. Does nothing if
+  /// the contact law has no liquid.
   void refresh_bridges(const ComposedLaw& law);
-  /// Volumes of the liquid bridges (length^3), signed as in the history; empty where the law has no liquid.
+  /// Volumes of the liquid bridges (length^3), negative for broken bridges as in the history; empty if the contact law
+  /// has no liquid.
   Component& bridge_volume();
   const Component& bridge_volume() const;
 
-  /// View without rows, which belong to all lists together (row_sums.h).
+  /// Returns pointers to these arrays for the kernels. The pointer to the rows (forces and moments) of the pairs is not
+  /// set: class RowSums owns them.
   PairView<Dim> view();
 
  private:
@@ -85,16 +92,20 @@ class PairArrays {
   void fill_pack();
 
   Partner partner_ = Partner::grain;
-  int own_numbers_ = -1;  ///< PairView::own_numbers
+  int own_numbers_ = -1;  ///< bit mask applied to the indices of pairs (PairView::own_numbers)
   int blocks_of_group_ = 1;
   AlignedVector<int> i_, j_;
-  std::array<AlignedVector<float>, Dim> image_;  ///< whole numbers
-  std::vector<int> key_;                         ///< keys of all pairs; empty where all are 0
+  /// Periodic image of the second grain of each pair, in lattice vectors (whole numbers).
+  std::array<AlignedVector<float>, Dim> image_;
+  std::vector<int> key_;  ///< keys of all pairs (NeighborPair::key); empty if all keys are 0
   Component radii_, share_i_, damping_;
-  Component reduced_radius_, reduced_mass_;                   ///< empty where the law does not need them
-  Component radius_i_, radius_j_, strength_, decay_, reach_;  ///< empty where the law holds no liquid
+  /// Reduced radius and mass of each pair; empty if the contact law does not need them.
+  Component reduced_radius_, reduced_mass_;
+  /// Radii of the two grains and parameters of the liquid bridge of each pair; empty if the contact law has no liquid.
+  Component radius_i_, radius_j_, strength_, decay_, reach_;
   std::vector<int> first_of_block_;
-  std::vector<int> first_of_i_, end_of_i_;  ///< pairs of a grain
+  /// Index of the first pair whose first grain is i, and index after the last pair, for each grain i.
+  std::vector<int> first_of_i_, end_of_i_;
 };
 
 }  // namespace floc

@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// The second body of the pairs of a list.
+/// Kind of the second body of each pair in a list of pairs; the first body is a grain.
 enum class Partner { grain, wall };
 
 }  // namespace floc

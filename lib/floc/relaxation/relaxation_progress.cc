@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Visits every member under the name that checkpoints have for it.
+/// Function that visits the members of a RelaxationProgress under the names that they have in checkpoints.
 constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("stage", p.phase);
   visit("n_steps", p.n_steps);
@@ -26,7 +26,8 @@ constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("force_residual", p.force_residual);
 };
 
-/// Members that are written only if they are not zero, so that other progress keeps its format.
+/// Function that visits the members that are written only if they are not zero. These members were added later, and
+/// checkpoints without them keep their format.
 constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
   visit("liquid_trials", p.liquid_trials);
   visit("steady_stretches", p.steady_chunks);
@@ -46,7 +47,8 @@ std::string as_text(const RelaxationProgress& progress) {
 
 RelaxationProgress relaxation_progress(const std::string& text) {
   auto progress = members_from_json<RelaxationProgress>(
-      text, "progress", "is not that of a relaxation of this version", kProgressMembers);
+      text, "progress", "does not hold the progress of a relaxation in the format of this version of floc",
+      kProgressMembers);
   const nlohmann::json json = nlohmann::json::parse(text);
   kLaterMembers(progress, [&json](const char* name, auto& value) {
     if (json.contains(name)) json[name].get_to(value);

@@ -21,37 +21,42 @@
 namespace floc {
 namespace {
 
-/// Motion has stopped when the solid fraction changed by less than kSteadyPhi over kSteadyWindow time units and
-/// the kinetic energy is within its tolerance. (Power control before that would change the rearrangements.)
+/// Motion has stopped when the solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units and the
+/// kinetic energy is within its tolerance. (Power control at an earlier time would change the rearrangements.)
 constexpr double kSteadyPhi = 2e-5;
 constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
-/// Springs that are not mobilised vibrate without end. Grains that have covered this many largest diameters at
-/// their r.m.s. speed, over this many windows of steady contacts, without a contact opening or closing can only
-/// be vibrating, and their energy is not tested. Grains that move freely meet another grain earlier: in five
-/// shipped scenes of 200 and 400 grains above the tolerance of the energy, the longest path was half a
-/// diameter, and the longest time under load two windows.
+/// Springs below their caps vibrate without end, since nothing dissipates their energy. If no contact opens or closes
+/// while grains cover a path of kVibrationPath largest diameters at their r.m.s. speed, over at least kVibrationWindows
+/// times kSteadyContactsWindow time units, the grains can only be vibrating, and their kinetic energy is not tested.
+/// Grains that move freely meet another grain earlier: in five shipped scenes of 200 and 400 grains whose energy was
+/// above its tolerance, the longest path was half a diameter, and the longest time under load was two times
+/// kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Chains of grains that roll freely swing between their ends without damping, at more energy than the
-/// tolerance. If the density has been steady for this many time units, twice as long as any whole step under
-/// load in the shipped scenes, only such chains move. Over that time the density may drift by kFinishPhi.
+/// Chains of grains that roll freely swing between their ends without damping, with a kinetic energy above the
+/// tolerance. If the density has been steady for kMechanismWindow time units, which is twice as long as any whole step
+/// under load in the shipped scenes, only such chains are moving. Over that time the density may drift by kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
-/// Newton iterations that decide whether a step is elastic: the first one is the elastic response.
+/// Number of Newton iterations after which it is decided whether a load step is elastic. The first iteration gives the
+/// elastic response.
 constexpr int kTrialIterations = 2;
-/// Change of the solid fraction during the finish beyond which the packing has rearranged and its motion is set
-/// free again.
+/// Change of the solid fraction during the final phase of a relaxation (power control and Newton steps) beyond which
+/// the packing has rearranged. The packing then moves freely again.
 constexpr double kFinishPhi = 1e-4;
-/// Bounds of the change of the stress carried by strained axes, in F1/a^(D-1): kSteadyStress over the window of
-/// a steady packing, kFinishStress during the finish.
+/// Bounds of the change of the stress carried by axes with an imposed length, in F1/a^(D-1): kSteadyStress over the
+/// time window in which a packing has to be steady, kFinishStress during the final phase of the relaxation (power
+/// control and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
-/// Cap on |L'/L| sqrt(m/P) without adhesion where the scene names none.
+/// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion that set no cap.
 constexpr double kDefaultInertialNumber = 1e-3;
-/// Largest number of equilibria that are given up because their liquid moves.
+/// Largest number of times that an equilibrium is given up because its liquid bridges change when the liquid is shared
+/// out once more.
 constexpr int kLiquidTrials = 20;
-/// Residual of the forces below which Newton refinement is tried, since it is known to succeed there, and
-/// shortest pause after a failure (chunks), which grows with each.
+/// Residual of the forces below which Newton refinement is tried, because it is known to succeed there
+/// (kRefinementResidual), and shortest pause before the next attempt after a failure, in chunks of time steps
+/// (kRefinementPause). The pause grows with the length of the final phase of the relaxation.
 constexpr double kRefinementResidual = 5e-3;
 constexpr int kRefinementPause = 8;
 
@@ -60,9 +65,10 @@ double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
   return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * skin_length_unit(grains.radius);
 }
 
-/// Mean kinetic energy per grain of those that interact with others (energy), by their scales. A grain without
-/// contacts keeps its spin, which is not a motion of the packing. So does a sphere about its single contact, or
-/// about the line through two contacts: with fewer than three contacts the spin of a sphere does not count.
+/// Returns the kinetic energy of the grains that interact with others, each measured in its own energy scale, averaged
+/// over all grains (energy). A grain without contacts keeps its spin, which is not a motion of the packing. A sphere
+/// also keeps its spin about its single contact, or about the line through its two contacts; the spin of a sphere with
+/// fewer than three contacts is therefore not counted.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
   std::vector<int> n_contacts(packing.grains.size(), 0);
@@ -84,12 +90,12 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
   }
 }
 
-/// Estimate of the time of motion from one equilibrium to the next: number of time steps, and time per step and
-/// contact on one core (docs/performance.md, "Steps").
+/// Estimate of the computing time of the motion from one equilibrium to the next: number of time steps, and computing
+/// time per step and contact on one core (seconds; docs/performance.md, "Steps").
 constexpr double kSettlingSteps = 5000.0;
 constexpr double kSecondsPerContact = 8e-8;
 
-/// Fingerprint of the set of pairs that touch (FNV-1a hash).
+/// Returns a fingerprint of the set of pairs of grains that touch (FNV-1a hash).
 template <int Dim>
 std::uint64_t contact_fingerprint(const Packing<Dim>& packing) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -131,7 +137,7 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
       load_(load),
       target_(load.stress),
       progress_(std::move(progress)) {
-  require_periodic(packing_, "a packing is relaxed");
+  require_periodic(packing_, "a relaxation under stresses or lengths imposed on the cell is possible");
   measure();
   time_step_ = time_step_of(packing_, options.time_step, std::max(target_.mean(), 0.0));
   if (progress_.skin == 0.0) progress_.skin = first_skin(options, packing_.grains);
@@ -139,8 +145,8 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
   if (progress_.imbalance_sign.empty() && !strain_ramp().any()) begin_response();
 }
 
-/// Records the sign of the imbalance on each axis under stress, against which responded_to_load() tests; 0 on
-/// strained axes.
+/// Records, for each axis with an imposed stress, the sign of the difference between the stress and its target, against
+/// which responded_to_load() tests; 0 for axes with an imposed length.
 template <int Dim>
 void Relaxer<Dim>::begin_response() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -201,8 +207,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
   return status;
 }
 
-/// Whether the imbalance of stress has changed sign on each axis since the start, or is within tolerance.
-/// Without this test a small increment of load would count as equilibrium before any motion.
+/// Whether the difference between the stress and its target has changed sign on each axis since the start, or is within
+/// tolerance. Without this test, a packing under a small increment of load would count as balanced before it has moved.
 template <int Dim>
 bool Relaxer<Dim>::responded_to_load() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -219,13 +225,14 @@ bool Relaxer<Dim>::density_is_steady() {
   std::vector<double>& phi = progress_.solid_fraction;
   phi.push_back(solid_fraction(packing_));
   const std::size_t window = chunks_in(kSteadyWindow) + 1;
-  while (phi.size() > window) phi.erase(phi.begin());  // by more than one where the time step has grown
+  // More than one entry is dropped if the time step has grown.
+  while (phi.size() > window) phi.erase(phi.begin());
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
   return phi.size() == window && *high - *low < kSteadyPhi && carried_stress_is_steady(window);
 }
 
-/// Whether the stress carried by strained axes is steady. With imposed lengths the density does not show
-/// whether grains still rearrange.
+/// Whether the stress carried by the axes with an imposed length is steady. With imposed lengths, a steady density does
+/// not show that the grains have stopped rearranging.
 template <int Dim>
 bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   if (!load_.any_strained()) return true;
@@ -236,15 +243,17 @@ bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   return carried.size() == window && *high - *low < kSteadyStress * stress_scale();
 }
 
-/// Scale of stresses, F1/a^(D-1) (force/length^(Dim-1)).
+/// Returns the scale of stresses, F1/a^(D-1) (force/length^(Dim-1)), with F1 the force scale, a the largest diameter
+/// and D the dimension.
 template <int Dim>
 double Relaxer<Dim>::stress_scale() const {
   const ForceScale scale = force_scale(packing_, target_);
   return scale.force / std::pow(scale.length, Dim - 1);
 }
 
-/// Whether no contact has opened or closed for long, so that the packing has stopped rearranging. Undamped
-/// vibrations, and the free motion of a floppy packing without load, may change the density without end.
+/// Whether no contact has opened or closed for so long that the packing has stopped rearranging. This test is needed
+/// because undamped vibrations, and the free motion of a floppy packing without load, may change the density without
+/// end.
 template <int Dim>
 bool Relaxer<Dim>::contacts_are_steady() {
   const std::uint64_t set = contact_fingerprint(packing_);
@@ -253,8 +262,8 @@ bool Relaxer<Dim>::contacts_are_steady() {
   return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kSteadyContactsWindow));
 }
 
-/// Whether grains of this mean kinetic energy, given the time since a contact last opened or closed, can only
-/// be vibrating.
+/// Whether grains with this mean kinetic energy (energy) can only be vibrating, because no contact has opened or closed
+/// for long enough.
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
   const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;
@@ -263,7 +272,8 @@ bool Relaxer<Dim>::vibrates(double energy) const {
          progress_.unchanged_chunks >= static_cast<int>(chunks_in(kVibrationWindows * kSteadyContactsWindow));
 }
 
-/// Whether a packing under load has kept its density for so long that only mechanisms can be moving.
+/// Whether a packing under load has kept its density for so long that only mechanisms (motions without stiffness) can
+/// be moving.
 template <int Dim>
 bool Relaxer<Dim>::only_mechanisms_move(bool steady_density) {
   const double phi = progress_.solid_fraction.back();
@@ -281,8 +291,8 @@ std::size_t Relaxer<Dim>::chunks_in(double time_units) const {
       std::ceil(options_.patience * time_units * time_unit_ / (kStepsPerChunk * time_step_)));
 }
 
-/// Begins the finish once motion has stopped: the packing is steady, the stress has responded to the load, and
-/// the kinetic energy is small or belongs to vibrations alone.
+/// Begins the final phase of the relaxation (power control and Newton steps) once motion has stopped: the packing is
+/// steady, the stress has responded to the load, and the kinetic energy is small or belongs to vibrations alone.
 template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_motion() {
   unmet_ = {Demand::lengths};
@@ -290,7 +300,8 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
     if (!strain_ramp().over(0.0)) return RelaxationStatus::running;
     begin_response();
   }
-  if (carries_no_stress()) return RelaxationStatus::running;  // the next chunk gives up
+  // The relaxation is given up at the beginning of the next chunk of time steps.
+  if (carries_no_stress()) return RelaxationStatus::running;
   const bool responded = responded_to_load();
   const bool steady_density = density_is_steady();
   const bool steady_contacts = contacts_are_steady();
@@ -317,7 +328,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
-/// Criterion by which a packing in motion is not steady.
+/// Returns the criterion by which a packing in motion is not yet steady.
 template <int Dim>
 Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
   if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};
@@ -336,8 +347,9 @@ template <int Dim>
 RelaxationStatus Relaxer<Dim>::check_finish() {
   unmet_ = {};
   ++progress_.finishing_chunks;
-  // The finish only takes out what is left of the motion. If density or stress change by more, the packing has
-  // rearranged, and its free motion has to stop once more.
+  // The final phase of the relaxation (power control and Newton steps) is only meant to remove the rest of the motion.
+  // If density or stress change by more than their limits, the packing has rearranged, and it moves freely until its
+  // motion has stopped once more.
   const bool other_stress =
       load_.any_strained() &&
       std::abs(mean_carried_stress() - progress_.finishing_since_stress) > kFinishStress * stress_scale();
@@ -347,8 +359,9 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.carried_stress.clear();
     return RelaxationStatus::running;
   }
-  // Newton steps are tried below the residual at which they are known to succeed. After a failure the pause
-  // before the next attempt grows with the length of the finish, since an attempt may cost more than motion.
+  // Newton steps are tried below the residual at which they are known to succeed. After a failure, the pause before the
+  // next attempt grows with the time since the beginning of power control, because an attempt may take longer than the
+  // dynamics.
   const bool within = residuals_.within(options_.tolerance);
   const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
   const bool due = progress_.finishing_chunks >= progress_.next_refinement;
@@ -358,7 +371,8 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.next_refinement =
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
-  // Motion alone has brought the residuals below their tolerances: stability and liquid decide.
+  // If the dynamics alone has brought the residuals below their tolerances, stability and liquid decide whether the
+  // state is an equilibrium.
   if (!within) return RelaxationStatus::running;
   Stability found;
   if (!is_stable(packing_, found) || !liquid_rests(packing_, true)) return RelaxationStatus::running;
@@ -374,8 +388,8 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
   return found.may_be_stable();
 }
 
-/// Whether Newton steps are expected to take no longer than the motion of this relaxation has taken, or is
-/// going to take. In 2D they always are.
+/// Whether Newton steps are expected to take no more computing time than the dynamics of this relaxation has taken so
+/// far, or will take. In 2D this is always the case.
 template <int Dim>
 bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;
@@ -384,9 +398,9 @@ bool Relaxer<Dim>::newton_is_cheaper() const {
   return plan_statics(packing_, BoundaryControl<Dim>::imposing(load_, target_, 0.0)).seconds <= motion;
 }
 
-/// Whether a packing within tolerance is refined before the next attempt is due. In 3D an attempt may take
-/// minutes, so that it is not repeated at once after one has failed within tolerance: at rest on a saddle every
-/// attempt would fail.
+/// Whether Newton refinement of a packing whose residuals are within tolerance may be tried before the next attempt is
+/// due. In 3D an attempt may take minutes. It is therefore not repeated at once after an attempt has failed within
+/// tolerance: for a packing at rest on a saddle of the energy, every attempt would fail.
 template <int Dim>
 bool Relaxer<Dim>::may_repeat_refinement() const {
   return Dim == 2 || !progress_.refused_within;
@@ -397,8 +411,9 @@ bool Relaxer<Dim>::refine_by_newton() {
   return accept_if_equilibrium(solve_from(packing_, {}, StaticSolverOptions{}), "polished", true);
 }
 
-/// Solves the static balance under the load, starting from a packing.
-/// @param ramp  strain ramp from the lengths of `start`; other strained axes keep their lengths
+/// Solves the equations of static equilibrium under the load of this relaxation, starting from a packing.
+/// @param ramp  strain ramp from the lengths of `start` to the imposed lengths; axes that are not on the ramp keep
+/// their lengths
 template <int Dim>
 StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const StrainRamp<Dim>& ramp,
                                              const StaticSolverOptions& options) const {
@@ -407,13 +422,13 @@ StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const St
   return solve_statics(start, control, options);
 }
 
-/// Solves the step by Newton iterations without dynamics, if dynamics would end in the same state or the scene
-/// accepts any equilibrium.
+/// Finds the equilibrium under a new load by Newton iterations without dynamics, if dynamics would end in the same
+/// state or the scene accepts any equilibrium.
 template <int Dim>
 bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
-  // If the tangential stiffness follows the load, tangential forces depend on the loading path, not only on its
-  // end.
+  // If the tangential stiffness depends on the load, tangential forces depend on the whole loading path, not only on
+  // its end.
   if (!any && packing_.law.friction_follows_load()) return false;
   if (!any && !newton_is_cheaper()) return false;
   StaticSolverOptions trial;
@@ -421,16 +436,17 @@ bool Relaxer<Dim>::solve_without_motion() {
   StaticSolution<Dim> solution = solve_from(packing_, strain_ramp(), any ? StaticSolverOptions{} : trial);
   if (!any) {
     if (!solution.has_lengths || !is_elastic_step(packing_, solution.packing)) return false;
-    // No spring has reached its cap, so the result does not depend on where the remaining iterations start.
+    // No spring has reached its cap, so the result does not depend on the configuration from which the remaining
+    // iterations start.
     solution = solve_from(solution.packing, {}, StaticSolverOptions{});
     if (!is_elastic_step(packing_, solution.packing)) return false;
   }
   return accept_if_equilibrium(std::move(solution), "static", false);
 }
 
-/// Whether no bridge of an equilibrium changes when the liquid is shared out once more. If bridges change and
-/// `go_on` is set, the relaxation continues with the new volumes; after kLiquidTrials times the present volumes
-/// are accepted.
+/// Whether no liquid bridge of an equilibrium changes when the liquid is shared out once more. If bridges change and
+/// `go_on` is set, the relaxation continues with the new volumes; once this has happened kLiquidTrials times, the
+/// present volumes are accepted.
 template <int Dim>
 bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
   if (!holds_liquid(equilibrium)) return true;
@@ -446,9 +462,9 @@ bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
   return false;
 }
 
-/// Accepts a static solution if it is within tolerance and stable (docs/physics.md, "Equilibrium"). A static
-/// solution need not be stable: with a tail of the adhesion, a grain that could roll onto its neighbour passes
-/// a saddle.
+/// Accepts a static solution as the equilibrium if it is within tolerance and stable (docs/physics.md, "Equilibrium").
+/// A static solution may be unstable: with a tail of the adhesion, a grain that could roll onto its neighbour may be at
+/// a saddle of the energy.
 template <int Dim>
 bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on) {
   if (!solution.converged) return false;
@@ -489,10 +505,10 @@ RelaxationReport Relaxer<Dim>::report() const {
   const bool by_force = !(residuals_.force < options_.tolerance.force);
   if (report.blocking.empty()) report.blocking = in_words(unmet_);
   if (report.blocking.empty()) report.blocking = "all residuals are within their tolerances";
-  if (ending_ == "diverged") report.blocking = "the motion diverged, run.time_step is too large";
+  if (ending_ == "diverged") report.blocking = "the motion diverged because run.time_step is too large";
   if (ending_ == "unloaded")
     report.blocking =
-        "every contact has opened: the packing carries no stress (stress zero) at the lengths imposed";
+        "every contact has opened: at the imposed lengths the packing carries no stress (stress zero)";
   if (ending_ == "closed") report.blocking = overfilled_cell_error();
   const std::vector<double>& history = progress_.force_residual;
   if (by_force && history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)

@@ -15,23 +15,25 @@
 
 namespace floc {
 
-/// Relaxer of a periodic packing under stresses or lengths of its axes. It uses Newton steps where the packing
-/// does not rearrange, else dynamics until motion has stopped, then power control and Newton steps (see
-/// Finish). It advances in chunks of a fixed number of time steps; a run that is stopped between two chunks and
-/// continued gives identical results.
+/// Relaxer of a periodic packing with a stress or a length imposed on each axis. If the packing does not rearrange
+/// under the load, equilibrium is found by Newton steps alone. Otherwise the dynamics runs until motion has stopped,
+/// and then power control and Newton steps bring the packing to equilibrium (enum Finish). The relaxer advances in
+/// chunks of a fixed number of time steps; a run that is stopped between two chunks and continued gives identical
+/// results.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
  public:
   Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
           RelaxationProgress progress = {});
-  /// @param target_stress  stress on each axis, compression positive
+  /// Makes the relaxer of a packing under a stress imposed on each axis.
+  /// @param target_stress  stress on each axis, compression positive (force/length^(Dim-1))
   Relaxer(const RelaxationOptions& options, Packing<Dim> packing, const Vec<Dim>& target_stress,
           RelaxationProgress progress = {})
       : Relaxer(options, std::move(packing), LoadTarget<Dim>::normal_stress(target_stress),
                 std::move(progress)) {}
 
-  /// Advances by one chunk. If the motion diverges, the packing is the one that the chunk began with, with
-  /// springs at rest.
+  /// Advances the relaxation by one chunk of time steps. If the motion diverges, the packing is reset to its state at
+  /// the beginning of the chunk, with unloaded springs.
   RelaxationStatus advance() override;
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
@@ -74,27 +76,30 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   LoadTarget<Dim> load_;
-  Vec<Dim> target_;  ///< stress imposed on each axis, or carried where a length is imposed
+  Vec<Dim> target_;  ///< stress imposed on each axis, or carried by it if a length is imposed
   RelaxationProgress progress_;
-  Mat<Dim> stress_;  ///< static stress of the packing
+  Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;
-  Stability stability_;           ///< stability of the equilibrium
-  int n_bridges_unsettled_ = -1;  ///< RelaxationReport::n_bridges_unsettled
-  Unmet unmet_;                   ///< first unmet criterion besides the residuals, at the end of the last chunk
+  Stability stability_;           ///< stability of the equilibrium that was found
+  int n_bridges_unsettled_ = -1;  ///< value of RelaxationReport::n_bridges_unsettled
+  /// First criterion, other than the residuals, that was not met at the end of the last chunk of time steps.
+  Unmet unmet_;
   std::string ending_;
   double time_step_;
-  double time_unit_;  ///< sqrt(a m/F1): T0 of a cohesive scene below P* = 1
+  /// Time unit sqrt(a m/F1) (time), with a the largest diameter, m the largest mass and F1 the larger of the pull-off
+  /// force F0 and P a^(D-1), where P is the pressure and D the dimension.
+  double time_unit_;
   MotionObserver<Dim> observer_;
 };
 
-/// Time unit of a packing under a stress (time): sqrt(a m/F1), with m the mass of the largest grain. If F1 = F0
-/// it is T0.
+/// Returns the time unit of a packing under a stress (time): sqrt(a m/F1), with a the largest diameter, m the mass of
+/// the largest grain and F1 the force scale (force_scale()). With adhesion at low pressure, F1 is the pull-off force
+/// F0, and the time unit is T0 = sqrt(a m/F0).
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Largest strain rate |L'/L| (1/time) that the options allow under this stress. Without adhesion and without a
-/// cap in the options, it is the rate at an inertial number of 1e-3; with adhesion and without a cap it is
-/// infinite.
+/// Returns the largest strain rate |L'/L| of the cell (1/time) that the options allow under this stress. If the options
+/// set no cap, the rate has an inertial number of 1e-3 without adhesion and is infinite with adhesion.
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress);

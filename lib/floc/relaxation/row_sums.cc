@@ -10,11 +10,13 @@
 namespace floc {
 namespace {
 
-/// Cost of a row that is summed alone, in rows of a group: each addition waits for the one before it.
+/// Cost of adding a row (force and moments of a pair) to a sum alone, relative to adding it side by side with the rows
+/// of other grains. A sum alone is slower, since each addition waits for the previous addition.
 constexpr int kAlone = 3;
 
-/// Best depth to which a group of grains with falling numbers of rows is summed side by side.
-/// @param count  number of rows of lane l
+/// Returns the number of pairs per grain up to which the forces on a group of grains are summed fastest side by side.
+/// The grains are sorted by falling numbers of pairs.
+/// @param count  function that returns the number of pairs of the l-th grain of the group
 template <class Count>
 int depth_of_group(const Count& count) {
   int best = 0, least = std::numeric_limits<int>::max();
@@ -31,12 +33,13 @@ int first_pair(const PairArrays<Dim>& pairs, const SweepPlan& plan, int group) {
   return pairs.first_of_block(plan.first_block(group));
 }
 
-/// Slots for the rows of groups. A group takes the slot of the latest group of its thread whose rows have all
-/// been summed, or a new slot.
+/// Assigns a slot of memory to the rows (forces and moments) of the pairs of each group of blocks. A group takes the
+/// slot of the latest group of its thread whose rows have all been summed, or a new slot.
 template <int Dim>
 std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& plan) {
   std::vector<int> slots;
-  std::vector<std::vector<int>> left(plan.n_groups());  // slots that are free once a group is summed
+  // Memory slots that become free when the forces on the blocks of each group have been summed.
+  std::vector<std::vector<int>> left(plan.n_groups());
   int n_slots = 0;
   for (int thread = 0; thread < plan.n_threads(); ++thread) {
     std::vector<int> free;
@@ -45,7 +48,8 @@ std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& 
       slots.push_back(free.back());
       free.pop_back();
       int last = g;
-      bool kept = false;  // for blocks that are summed after all pairs
+      // True if the rows (forces and moments) of this group are summed only after all pairs have been computed.
+      bool kept = false;
       for (int p = first_pair(pairs, plan, g); p < first_pair(pairs, plan, g + 1); ++p) {
         const int i = pairs.i(p) / kGrainBlock, j = pairs.j(p) / kGrainBlock;
         last = std::max(last, plan.group_of(j));
@@ -63,8 +67,9 @@ std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& 
 int row_place(std::int64_t pair, int row_size) {
   const std::int64_t most = std::numeric_limits<int>::max() / row_size;
   if (pair > most)
-    throw InputError("packing", "has more than " + std::to_string(most) +
-                                    " pairs of neighbours, which is all that a computation of forces can hold");
+    throw InputError("packing",
+                     "has more than " + std::to_string(most) +
+                         " pairs of neighbouring grains, the largest number for which forces can be computed");
   return static_cast<int>(pair * row_size);
 }
 
@@ -86,7 +91,7 @@ RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, const Swee
     plan_side(plans_[b].as_j, begin, as_j);
     plans_[b].rows = rows_.data();
   }
-  // The list is complete, so that its memory does not move any more.
+  // The list is complete, so that its memory does not move any more and pointers into it stay valid.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     plans_[b].as_i.row = listed_rows_.data() + first[2 * b];
     plans_[b].as_j.row = listed_rows_.data() + first[2 * b + 1];
@@ -119,7 +124,8 @@ int RowSums<Dim>::place_of_row(const Lists& lists, const SweepPlan& plan, std::s
   return first_row_[group] + (pair - first_pair(*lists[0], plan, group)) * row_size_;
 }
 
-/// Rows of each grain in the order of the pairs; grains that pad the last block have none.
+/// Returns the places of the rows (forces and moments) of the pairs of each grain, in the order of the pairs. Grains
+/// that pad the last block have no pairs.
 template <int Dim>
 template <class GrainOf>
 typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const SweepPlan& plan,
@@ -137,11 +143,13 @@ typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, co
   return rows;
 }
 
-/// Groups the grains of a block by falling numbers of rows, and lists the rows of each group, then the rows
-/// beyond.
+/// Sorts the grains of a block by falling numbers of pairs, divides them into groups, and lists the rows (forces and
+/// moments) that are summed side by side in each group, then the rows that are summed one by one.
 template <int Dim>
 void RowSums<Dim>::plan_side(SideSumsPlan& plan, int begin, const RowsOfGrains& rows) {
-  std::int64_t falling[kGrainBlock];  // sorts by falling numbers, then by grain, which its last digits hold
+  // Sort keys: by falling number of pairs, then by index of the grain, which is the remainder of the key modulo
+  // kGrainBlock.
+  std::int64_t falling[kGrainBlock];
   for (int k = 0; k < kGrainBlock; ++k) falling[k] = -std::int64_t{rows.count(begin + k)} * kGrainBlock + k;
   std::sort(std::begin(falling), std::end(falling));
   for (int k = 0; k < kGrainBlock; ++k)

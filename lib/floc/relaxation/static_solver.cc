@@ -26,29 +26,34 @@
 namespace floc {
 namespace {
 
-/// Regularisation: stiffness given to motions without stiffness, over that of the stiffest contact. It is far
-/// below the softest mode (5e-6) and far above rounding.
+/// Regularisation: stiffness that is added on the diagonal of the tangent matrix, divided by the stiffness of the
+/// stiffest contact. It keeps motions without stiffness from making the matrix singular. It is far below the stiffness
+/// of the softest mode of a packing (5e-6) and far above rounding errors.
 constexpr double kRegularisation = 1e-10;
 
-/// Configuration of the iteration: positions of the grains, and for each candidate contact the motion of its
-/// surfaces since the start and its response; with the residual.
+/// Configuration of the packing in an iteration: the positions of the grains and, for each candidate contact, the
+/// motion of its surfaces since the start and the resulting forces; with the residual of the equations.
 template <int Dim>
 struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;
   std::vector<Orientation<Dim>> orientation;
   Cell<Dim> cell;
-  std::vector<Vec<Dim>> branch;            ///< of each candidate
-  std::vector<Contact<Dim>> remembered;    ///< present gap and normal; history of the start, turned to it
-  std::vector<SurfaceMotion<Dim>> motion;  ///< since the start
-  std::vector<Contact<Dim>> contacts;      ///< after that motion
+  std::vector<Vec<Dim>> branch;  ///< branch vector of each candidate contact
+  /// Candidate contacts with their present gap and normal, and their history at the start, rotated to the present
+  /// normal.
+  std::vector<Contact<Dim>> remembered;
+  /// Motion of the surfaces of each candidate contact since the start.
+  std::vector<SurfaceMotion<Dim>> motion;
+  /// Candidate contacts with the forces and the history after that motion.
+  std::vector<Contact<Dim>> contacts;
   Eigen::VectorXd residual;
-  double worst = 0.0;  ///< largest residual in units of F1 and a
+  double worst = 0.0;  ///< largest residual, in units of the force scale F1 and the largest diameter a
   int n_contacts = 0;
   int n_mobilised = 0;
 };
 
-/// Solves x = s * lattice vectors for s. It divides, so that a point inside a diagonal cell gives s < 1 in
-/// spite of rounding.
+/// Returns the reduced coordinates s of a point x = s * lattice vectors. The function divides by the lattice components
+/// instead of multiplying by an inverse, so that a point inside a rectangular cell gives s < 1 in spite of rounding.
 template <int Dim>
 Vec<Dim> cell_coordinates(const Mat<Dim>& lower, const Vec<Dim>& x) {
   Vec<Dim> s;
@@ -68,7 +73,7 @@ void rotate(Eigen::Quaterniond& orientation, const RotationVector<3>& rotation) 
   if (angle > 0.0) orientation = Eigen::AngleAxisd(angle, rotation / angle) * orientation;
 }
 
-/// Rotation about the normal; zero in 2D.
+/// Returns the mean rotation of the two grains about the normal of their contact (radians); zero in 2D.
 double twist_about(const Vec<2>&, const RotationVector<2>&, const RotationVector<2>&) {
   return 0.0;
 }
@@ -77,9 +82,11 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation_i,
   return 0.5 * normal.dot(rotation_i + rotation_j);
 }
 
-/// Static problem. Unknowns: position and rotation (times the radius) of each grain, then the free strains
-/// times a length, where strain (a, b) displaces along a in proportion to b. Equations: force, moment (over the
-/// radius), and virial minus V Sigma (over the length), all in units of force.
+/// Equations of the static equilibrium of a packing. The unknowns are the position and the rotation (times the radius)
+/// of each grain, followed by the free strains times a length, where strain (a, b) displaces grains along a in
+/// proportion to their coordinate b. The equations are the balance of the force and of the moment (divided by the
+/// radius) on each grain, and the virial minus V Sigma (divided by the length), with V the volume and Sigma the imposed
+/// stress. All residuals are forces.
 template <int Dim>
 class StaticProblem {
  public:
@@ -107,18 +114,19 @@ class StaticProblem {
 
   TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
-  /// Residual of the stress that rounding of the lattice vectors leaves, which are stored as one double per
-  /// component: the stress of a strain of one rounding, at a modulus of at most two K_N in a packing of disks.
+  /// Returns the residual of the stress that remains because each component of the lattice vectors is rounded to a
+  /// double: the stress caused by a strain of one rounding error, for a modulus of at most two normal stiffnesses K_N
+  /// in a packing of disks.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
 
-  /// Configuration after a displacement of all unknowns.
+  /// Returns the configuration after a displacement of all unknowns.
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step) const {
     return moved(from, step, strain_of(step));
   }
 
-  /// Configuration with the axes at the ends of their strain ramp and the grains deformed affinely.
+  /// Returns the configuration with the axes at the ends of their strain ramp and the grains deformed affinely.
   Configuration<Dim> strained(const Configuration<Dim>& from, const StrainRamp<Dim>& ramp) const {
     Mat<Dim> strain = Mat<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)
@@ -127,15 +135,17 @@ class StaticProblem {
     return moved(from, Eigen::VectorXd::Zero(order()), strain);
   }
 
-  /// Configuration after a displacement and a strain.
-  /// @param wanted  strain of the lattice, which deforms the positions affinely besides the displacements
+  /// Returns the configuration after a displacement of the grains and a strain of the lattice.
+  /// @param wanted  strain of the lattice, which deforms the positions affinely in addition to the displacements
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step,
                            const Mat<Dim>& wanted) const {
     Configuration<Dim> to = from;
     const Mat<Dim> lattice = from.cell.matrix;
     to.cell.matrix = lattice + lattice * wanted.transpose();
-    const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);  // of the lattice as it is rounded
-    const Mat<Dim> unknown = strain * scale_.length;                  // rounded as unknowns are
+    // Actual strain of the lattice, whose components are rounded.
+    const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);
+    // Strain times the unit of length, rounded as the unknowns of the equations are.
+    const Mat<Dim> unknown = strain * scale_.length;
     const Mat<Dim> applied = (wanted.array() != 0.0).select(unknown / scale_.length, Mat<Dim>::Zero());
     for (int i = 0; i < n_grains(); ++i) {
       Vec<Dim> high;
@@ -187,9 +197,10 @@ class StaticProblem {
     matrix.add_boundary(load);
   }
 
-  /// Whether a pair that is not a candidate interacts. Candidates are all pairs that displacements within the
-  /// limits can bring together. But parts that no contact joins, such as a cluster and its own images without
-  /// stress, have no stiffness against each other, and a step may move them by any distance.
+  /// Whether two bodies interact that are not a candidate contact. The candidates are all pairs that displacements
+  /// within the limits of the solver can bring together. But parts of the packing that no contact joins, such as a
+  /// cluster and its own images without stress, have no stiffness against each other, and a step may move them by any
+  /// distance.
   bool meets_others(const Configuration<Dim>& at) const {
     Packing<Dim> here;
     here.contacts = at.remembered;
@@ -197,12 +208,14 @@ class StaticProblem {
     for (const DoubleDoubleVec<Dim>& centre : at.centre) here.grains.position.push_back(rounded<Dim>(centre));
     try {
       return !unlisted_pairs(here, find_pairs(at.cell, here.grains, start_.law.range())).empty();
-    } catch (const InputError&) {  // the cell is so small that each grain has hundreds of neighbours
+      // find_pairs() throws if the cell is so small that each grain has hundreds of neighbours.
+    } catch (const InputError&) {
       return true;
     }
   }
 
-  /// Packing of a configuration: at rest, with updated histories, grains inside the cell.
+  /// Returns the packing of a configuration: at rest, with updated history variables, and with the grains inside the
+  /// cell.
   Packing<Dim> packing(const Configuration<Dim>& at) const {
     Packing<Dim> out = start_;
     out.cell = at.cell;
@@ -245,7 +258,7 @@ class StaticProblem {
     return c;
   }
 
-  /// Contacts of the packing, and pairs that may come into contact.
+  /// Returns the candidate contacts: the contacts of the packing, and the pairs that may come into contact.
   std::vector<Contact<Dim>> candidates(double margin) const {
     const auto image = [](const Vec<Dim, int>& v) {
       std::array<int, Dim> key;
@@ -268,7 +281,8 @@ class StaticProblem {
     return all;
   }
 
-  /// Sets branch, gap and arms of a candidate. @return its normal
+  /// Sets branch, gap and arms of a candidate contact.
+  /// @return its normal
   Vec<Dim> locate(Configuration<Dim>& at, std::size_t k) const {
     Contact<Dim>& c = at.remembered[k];
     const DoubleDoubleVec<Dim> r =
@@ -282,7 +296,7 @@ class StaticProblem {
     return found.normal;
   }
 
-  /// Image that brings a grain into the cell.
+  /// Returns the number of lattice vectors that bring a grain into the cell.
   Vec<Dim, int> image_into_cell(const Configuration<Dim>& at, int i) const {
     Vec<Dim> high;
     for (int a = 0; a < Dim; ++a) high[a] = at.centre[i][a].high;
@@ -298,7 +312,7 @@ class StaticProblem {
       strain(strains_[k][0], strains_[k][1]) = step[order() - n_strains() + k] / scale_.length;
     return strain;
   }
-  /// e of to = from (1 + e)^T.
+  /// Returns the strain e that deforms the lattice matrix `from` into `to` = `from` (1 + e)^T.
   static Mat<Dim> strain_between(const Mat<Dim>& from, const Mat<Dim>& to) {
     return from.template triangularView<Eigen::Lower>().solve(Mat<Dim>(to - from)).transpose();
   }
@@ -329,7 +343,7 @@ class StaticProblem {
       const Vec<Dim> on_i = force_on_i(c);
       at.residual.template segment<Dim>(first_i) += on_i;
       at.residual.template segment<Dim>(first_j) -= on_i;
-      // Lever arms are proportional to the radii, so that the moment of the shear force over the radius is
+      // The lever arms are proportional to the radii, so that the moment of the shear force divided by the radius is
       // equal for both grains.
       const RotationVector<Dim> shear_moment = moment<double>(at.branch[k], c.shear_force) / radii(c);
       const RotationVector<Dim> of_springs = spring_moment(c);
@@ -343,8 +357,8 @@ class StaticProblem {
     measure(at);
   }
 
-  /// Sets the largest residual of a configuration. For an inverted lattice it is infinite, since without
-  /// contacts nothing else rejects a step to it.
+  /// Sets the largest residual of a configuration. The residual of an inverted lattice is set to infinity, so that a
+  /// step to an inverted lattice is rejected even if there are no contacts.
   void measure(Configuration<Dim>& at) const {
     if (!(at.cell.matrix.diagonal().minCoeff() > 0.0)) {
       at.worst = std::numeric_limits<double>::infinity();
@@ -393,14 +407,15 @@ class StaticProblem {
 
   const Packing<Dim>& start_;
   ForceScale scale_;
-  std::vector<HistoryQuantity> quantities_;  // of contacts, by the law
-  std::vector<std::array<int, 2>> strains_;  // the free ones
-  std::vector<double> target_stress_;        // of them
+  std::vector<HistoryQuantity> quantities_;  // history variables of contacts under the contact law
+  std::vector<std::array<int, 2>> strains_;  // axes (a, b) of each free strain
+  std::vector<double> target_stress_;        // imposed stress for each free strain (force/length^(Dim-1))
   Configuration<Dim> initial_;
-  double stiffness_;  // of the stiffest contact
+  double stiffness_;  // normal stiffness of the stiffest contact (force/length)
 };
 
-/// Method for linear systems with the tangent. In 2D it is always a factor, which is small for any size.
+/// Returns the method for linear systems with the tangent matrix. In 2D it is always a factorization, because the
+/// factor of a 2D packing is small at any size.
 template <int Dim>
 TangentPlan plan_of(const StaticProblem<Dim>& problem, const TangentMatrix<Dim>& tangent) {
   return Dim == 2 ? TangentPlan{} : plan_tangent(tangent.matrix(), problem.layout());
@@ -418,7 +433,7 @@ template <int Dim>
 StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                                   const StaticSolverOptions& options) {
   assert(start.cell.matrix.isLowerTriangular(0.0));
-  require_periodic(start, "a packing is solved for equilibrium");
+  require_periodic(start, "the equations of static equilibrium are solved");
   const StaticProblem<Dim> problem(start, control, options);
   Configuration<Dim> now = problem.initial();
   TangentMatrix<Dim> tangent = problem.tangent_pattern();
@@ -427,7 +442,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   StaticSolution<Dim> solution;
   double travelled = control.ramp.any() ? control.ramp.largest_strain() : 0.0;
   if (travelled > options.largest_displacement) {
-    solution.reason = "the lengths imposed lie too far away";
+    solution.reason = "the imposed lengths are too far from the present lengths of the cell";
     solution.has_lengths = false;
     solution.residual = now.worst;
     solution.packing = problem.packing(now);
@@ -437,27 +452,28 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   const double target_residual = std::max(options.target, problem.rounding_of_stress());
   for (; now.worst > target_residual; ++solution.iterations) {
     if (solution.iterations == options.max_iterations) {
-      solution.reason = "no convergence within the iterations allowed";
+      solution.reason = "the Newton iterations did not converge within the allowed number";
       break;
     }
     if (now.n_mobilised > options.largest_mobilised_share * now.n_contacts) {
-      solution.reason = fmt::format("{} of {} contacts yield", now.n_mobilised, now.n_contacts);
+      solution.reason = fmt::format("springs of {} of {} contacts are at their caps: too many for Newton steps",
+                                    now.n_mobilised, now.n_contacts);
       break;
     }
     problem.assemble(now, tangent);
     if (!solver.set_matrix(tangent.matrix())) {
-      solution.reason = "the tangent is singular";
+      solution.reason = "the tangent matrix is singular";
       break;
     }
     const std::optional<Eigen::VectorXd> solved = solver.solve(now.residual);
     if (!solved) {
-      solution.reason = "the iterative solution with the tangent did not converge";
+      solution.reason = "the iterative solution of the linear system for a Newton step did not converge";
       break;
     }
     Eigen::VectorXd step = *solved;
     double length = problem.largest_relative_displacement(now, step);
     if (!(length < 1e3)) {
-      solution.reason = "a motion without stiffness";
+      solution.reason = "the packing has a motion without stiffness";
       break;
     }
     if (length > options.largest_step) {
@@ -474,8 +490,8 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
     }
     travelled += length;
     if (next.worst >= now.worst || travelled > options.largest_displacement) {
-      solution.reason =
-          next.worst >= now.worst ? "the residual stopped falling" : "the state lies too far away";
+      solution.reason = next.worst >= now.worst ? "the residual no longer falls along the Newton step"
+                                                : "the equilibrium is too far from the initial state";
       break;
     }
     now = std::move(next);
@@ -483,7 +499,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   solution.converged = now.worst <= target_residual;
   if (solution.converged && problem.meets_others(now)) {
     solution.converged = false;
-    solution.reason = "grains come together that were apart";
+    solution.reason = "grains that were too far apart to be considered come into contact";
   }
   solution.residual = now.worst;
   solution.packing = problem.packing(now);

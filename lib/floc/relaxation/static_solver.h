@@ -10,50 +10,62 @@
 
 namespace floc {
 
-/// Limits of the Newton steps. They were measured: within them, Newton steps refine an equilibrium and do not
-/// jump to another.
+/// Limits of the Newton iterations of the static solver. Their values were found by measurements: within them, the
+/// iterations refine an equilibrium and do not jump to another one.
 struct StaticSolverOptions {
-  double target = 1e-8;  ///< bound of force, moment and stress residuals, in units of F1 and a
+  /// Upper bound of the force, moment and stress residuals of a solution, in units of the force scale F1 and the
+  /// largest diameter a.
+  double target = 1e-8;
   int max_iterations = 12;
   int max_backtracking = 6;
-  double largest_step = 2e-3;             ///< relative displacement of two grains in contact, per iteration / a
-  double largest_displacement = 2e-2;     ///< relative displacement of two grains in contact, in total / a
-  double largest_mobilised_share = 0.15;  ///< share of mobilised contacts beyond which Newton steps stall
-  /// Method for linear systems with the tangent; absent: a factor in 2D, the method that is expected to be
-  /// fastest in 3D.
+  /// Largest relative displacement of two grains in contact in one iteration, in largest diameters.
+  double largest_step = 2e-3;
+  /// Largest relative displacement of two grains in contact over all iterations, in largest diameters.
+  double largest_displacement = 2e-2;
+  /// Share of contacts with a spring at its cap (mobilised contacts) beyond which the iterations are given up, since
+  /// they stall.
+  double largest_mobilised_share = 0.15;
+  /// Method by which linear systems with the tangent matrix are solved; if absent, a factorization in 2D, and in 3D the
+  /// method that is expected to be fastest.
   std::optional<TangentMethod> method;
 };
 
-/// Outcome of a static solution.
+/// Outcome of the solution of the equations of static equilibrium.
 template <int Dim>
 struct StaticSolution {
-  bool converged = false;  ///< the target was reached; `packing` is then the equilibrium, at rest
-  std::string reason;      ///< reason of the failure, in words
-  bool has_lengths =
-      true;  ///< whether the axes of `packing` have their imposed lengths; false if these were too far away
+  bool converged = false;  ///< whether the target was reached; `packing` is then the equilibrium, at rest
+  std::string reason;      ///< reason of the failure in words; empty if the target was reached
+  /// Whether the axes of `packing` have their imposed lengths; false if these were too far from the initial lengths.
+  bool has_lengths = true;
   int iterations = 0;
-  double residual = 0.0;  ///< largest of the three residuals reached
-  Packing<Dim> packing;   ///< best configuration found
+  /// Largest of the force, moment and stress residuals that were reached, in units of the force scale F1 and the
+  /// largest diameter a.
+  double residual = 0.0;
+  Packing<Dim> packing;  ///< configuration with the smallest residual that was found
 };
 
-/// Solves force, moment and stress balance of a periodic packing by Newton iterations from its present state.
-/// Histories are updated from those at the start (return mapping); the tangent is the consistent tangent of the
-/// law's response with all geometric terms, unsymmetric where contacts slide. Free motions without stiffness
-/// (translations, rattlers, free rollers) carry no load and get a vanishing stiffness (regularisation). The
-/// solution fails if this brings grains together that were apart.
-/// @param control  components under a stress are unknowns; axes and a shear on a strain ramp start from its end,
-/// with the grains deformed affinely; other components are fixed; mean_stress() sets the scale of forces
-/// @pre the cell is lower triangular (the first lattice vector along x, ...); it stays so
+/// Solves the balance of forces, moments and stresses of a periodic packing by Newton iterations, from its present
+/// state. The history variables of the contacts are updated from their values at the start (return mapping). The
+/// tangent matrix is the consistent tangent of the response of the contact law with all geometric terms; it is not
+/// symmetric if contacts slide. Free motions without stiffness (translations, rattlers, grains that roll freely) carry
+/// no load and get a vanishing stiffness (regularisation). The solution fails if grains that were far apart come into
+/// contact.
+/// @param control  control of the boundary: components under a stress are unknowns; axes and a shear on a strain ramp
+/// start from the end of the ramp, with the grains deformed affinely; other components are fixed; mean_stress() sets
+/// the scale of forces
+/// @pre the cell matrix is lower triangular (the first lattice vector along x, ...); it stays so
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                                                 const StaticSolverOptions& options);
 
-/// Method by which solve_statics() will solve linear systems with the tangent of a packing of spheres, and the
-/// time that it is expected to take. For disks no time is estimated, since the tangent is always factorized.
+/// Returns the method by which solve_statics() will solve linear systems with the tangent matrix of a packing of
+/// spheres, and the computing time that it is expected to take. For disks no time is estimated, since the tangent
+/// matrix is always factorized.
 template <int Dim>
 [[nodiscard]] TangentPlan plan_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control);
 
-/// @param target_stress  stress on each axis, compression positive
+/// Solves the static equilibrium of a periodic packing under a stress imposed on each axis.
+/// @param target_stress  stress on each axis, compression positive (force/length^(Dim-1))
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const Vec<Dim>& target_stress,
                                                 const StaticSolverOptions& options) {

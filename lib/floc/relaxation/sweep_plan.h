@@ -8,31 +8,34 @@
 
 namespace floc {
 
-/// Order in which threads go through the blocks of grains in a time step. Each thread owns consecutive groups
-/// of blocks. It computes the pairs of one group after the other and sums the blocks of each group at once; a
-/// block drifts just before the first pairs read it. The grains of a large packing are thus read from memory
-/// once per step. Blocks that pairs of another thread's blocks read are shared: they drift before all others
-/// and are summed after all pairs. If there are many such blocks, all blocks are shared.
+/// Order in which threads go through the blocks of grains in a time step. Each thread owns consecutive groups of
+/// blocks. It computes the forces of the pairs of one group after the other, and sums the forces on the blocks of a
+/// group right after its pairs. A block drifts just before the first pairs read it. The grains of a large packing are
+/// thus read from memory once per step. Blocks that are also read by pairs of another thread's blocks are called
+/// shared: they drift before all other blocks and are summed after all pairs. If there are many shared blocks, all
+/// blocks are treated as shared.
 class SweepPlan {
  public:
   SweepPlan() = default;
-  /// @param blocks_of_group  blocks per group, as in `pairs` or a multiple of it
+  /// @param blocks_of_group  number of blocks per group: the number with which `pairs` was padded, or a multiple of it
   template <int Dim>
   SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, int blocks_of_group);
 
   int n_threads() const { return n_threads_; }
   int n_groups() const { return (n_blocks_ + blocks_of_group_ - 1) / blocks_of_group_; }
   int group_of(int block) const { return block / blocks_of_group_; }
-  /// First block of a group, and first group of a thread; one past the last gives the end.
+  /// Returns the first block of a group, or the first group of a thread. The number of groups (or threads) as argument
+  /// gives the end.
   int first_block(int group) const { return std::min(group * blocks_of_group_, n_blocks_); }
   int first_group(int thread) const { return n_groups() * thread / n_threads_; }
   bool is_shared(int block) const { return is_shared_[block]; }
-  /// Shared blocks that a thread drifts and sums. Every thread gets an equal part of them.
+  /// Returns the shared blocks that a thread drifts and sums. Every thread gets an equal part of them.
   std::span<const int> shared_of(int thread) const {
     const auto first = [&](std::size_t t) { return shared_.size() * t / n_threads_; };
     return std::span(shared_).subspan(first(thread), first(thread + 1) - first(thread));
   }
-  /// Blocks, not shared, that the pairs of a group are the first to read.
+  /// Returns the blocks that drift just before the pairs of this group are computed: those that are not shared and that
+  /// no earlier group reads.
   std::span<const int> drifting_for(int group) const {
     return std::span(drifting_).subspan(first_drifting_[group],
                                         first_drifting_[group + 1] - first_drifting_[group]);
@@ -42,7 +45,8 @@ class SweepPlan {
   int n_blocks_ = 0, n_threads_ = 1, blocks_of_group_ = 1;
   std::vector<bool> is_shared_;
   std::vector<int> shared_, drifting_;
-  std::vector<int> first_drifting_;  ///< first entry of each group in drifting_, and the end
+  /// Index in drifting_ of the first entry of each group of blocks; the last entry is the size of drifting_.
+  std::vector<int> first_drifting_;
 };
 
 template <int Dim>
@@ -57,9 +61,11 @@ SweepPlan::SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, 
   for (int t = 0; t < n_threads_; ++t)
     for (int g = first_group(t); g < first_group(t + 1); ++g)
       for_each_second_block(g, [&](int b) {
-        if (group_of(b) >= first_group(t + 1)) is_shared_[b] = true;  // second grains are later ones
+        // The second grain of a pair comes after the first, so that its block belongs to this thread or to a later one.
+        if (group_of(b) >= first_group(t + 1)) is_shared_[b] = true;
       });
-  // Shared blocks are those of later threads: with many of them the first thread would have more to do than the others.
+  // Shared blocks belong to threads with higher numbers. If there are many of them, the first thread would have more to
+  // do than the others.
   if (std::count(is_shared_.begin(), is_shared_.end(), true) > n_blocks / 8) is_shared_.assign(n_blocks, true);
   for (int b = 0; b < n_blocks; ++b)
     if (is_shared_[b]) shared_.push_back(b);

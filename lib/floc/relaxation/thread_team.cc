@@ -12,16 +12,17 @@
 namespace floc {
 namespace {
 
-/// Number of spins of a waiting thread before it yields its core.
+/// Number of times that a waiting thread checks the barrier before it yields its core.
 constexpr int kSpins = 2000;
 
 void require_team(int n_threads) {
   if (const int n = omp_get_num_threads(); n != n_threads)
-    throw InputError("threads",
-                     fmt::format("{} were asked for, but OpenMP starts only {} here: expected "
-                                 "OMP_THREAD_LIMIT and OMP_DYNAMIC not to keep it from starting them, "
-                                 "or fewer threads",
-                                 n_threads, n));
+    throw InputError(
+        "threads",
+        fmt::format(
+            "{} threads were requested, but OpenMP starts only {}: change OMP_THREAD_LIMIT or OMP_DYNAMIC "
+            "so that it can start them, or request fewer threads",
+            n_threads, n));
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ void run_in_team(int n_threads, const std::function<void(int thread, Barrier& ba
       require_team(n_threads);
       work(thread, barrier);
     } catch (const Barrier::Abandoned&) {
-      // The thread that called abandon() has the exception to report.
+      // The exception to report is that of the thread that called abandon().
     } catch (...) {
       thrown[static_cast<std::size_t>(thread)] = std::current_exception();
       barrier.abandon();

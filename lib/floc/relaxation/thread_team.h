@@ -5,12 +5,12 @@
 
 namespace floc {
 
-/// Barrier that all threads of a team reach before any continues. Waiting threads spin for a moment, since time
-/// steps are tens of microseconds, and then yield their core. OpenMP's own barriers keep spinning, and are a
-/// thousand times slower when other programs share the cores.
+/// Barrier at which each thread of a team waits until all threads have reached it. Waiting threads spin for a moment,
+/// since time steps take tens of microseconds, and then yield their core. OpenMP's own barriers keep spinning, and are
+/// a thousand times slower if other programs share the cores.
 class Barrier {
  public:
-  /// Exception that wait() throws where another thread never arrives.
+  /// Exception that wait() throws if another thread will never arrive.
   struct Abandoned {};
 
   explicit Barrier(int n_threads) : n_threads_(n_threads) {}
@@ -19,7 +19,7 @@ class Barrier {
   void wait() {
     if (n_threads_ > 1) wait_for_others();
   }
-  /// Releases the other threads with Abandoned. A thread that will not wait again calls it once.
+  /// Makes wait() of the other threads throw Abandoned. A thread that will not wait again calls this function once.
   void abandon() { abandoned_.store(true, std::memory_order_release); }
 
  private:
@@ -31,10 +31,10 @@ class Barrier {
   std::atomic<bool> abandoned_{false};
 };
 
-/// Runs `work` in several threads, numbered from 0, which meet at the barrier. All threads of floc are started
-/// here. An exception that leaves a parallel region of OpenMP would end the program. If threads throw, the
-/// others therefore end at the next barrier, and this function throws one exception: that of the thread with
-/// the lowest number. It is the same in every run, since every thread reaches the next barrier or throws.
+/// Runs `work` in several threads, numbered from 0, which synchronise at the barrier. All threads of floc are started
+/// by this function. An exception that leaves a parallel region of OpenMP would end the program. Therefore, if threads
+/// throw, the other threads end at the next barrier, and this function throws the exception of the thread with the
+/// lowest number. This exception is the same in every run, since every thread reaches the next barrier or throws.
 /// @throws the exceptions of `work`
 /// @throws InputError if OpenMP cannot start that many threads
 void run_in_team(int n_threads, const std::function<void(int thread, Barrier& barrier)>& work);

@@ -11,20 +11,21 @@
 namespace floc {
 namespace {
 
-/// Longest stable step of a crystal of equal grains with K_T = K_N, undamped, in sqrt(m/K_N): of triangles of
-/// disks and of close-packed spheres, both by their spins in phase.
+/// Longest stable time step of an undamped crystal of equal grains with equal normal and tangential stiffness K_N, in
+/// units of sqrt(m/K_N): of a triangular crystal of disks in 2D, of close-packed spheres in 3D. In both crystals, the
+/// mode that becomes unstable first is a rotation of all grains in phase.
 template <int Dim>
 constexpr double kCrystalLimit = 2.0 / (Dim == 2 ? 4.898979485566356 : 6.324555320336759);
 
-/// Largest overlap within a chunk over the largest overlap at its beginning.
+/// Largest overlap during a chunk of time steps divided by the largest overlap at its beginning.
 constexpr double kDeeper = 1.3;
-/// Largest force over the mean force in a packing under pressure. A Hertz contact under it has twice the
-/// stiffness that it has under the mean force.
+/// Largest contact force divided by the mean contact force in a packing under pressure. A Hertz contact has twice the
+/// stiffness under the largest force that it has under the mean force.
 constexpr double kLargestForce = 8.0;
-/// z Phi of packings with few contacts: coordination number times solid fraction.
+/// Product z Phi of the coordination number z and the solid fraction Phi, for packings with few contacts.
 constexpr double kFewContacts = 4.0;
 
-/// Solid fraction of a close packing, for the frequency of the boundary.
+/// Solid fraction of the closest packing, from which the largest frequency of the boundary is estimated.
 template <int Dim>
 constexpr double kClosePacked = Dim == 2 ? 0.9069 : 0.7405;
 
@@ -38,7 +39,7 @@ ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   ContactLoad load;
   for (const Contact<Dim>& c : packing.contacts) load.overlap = std::max(load.overlap, -kDeeper * c.gap);
   const double a = largest_diameter(packing.grains);
-  // P = z Phi <N>/(pi a^2) of equal spheres.
+  // For equal spheres of diameter a, the pressure is P = z Phi <N>/(pi a^2), with <N> the mean normal force.
   load.force = kLargestForce * std::numbers::pi * a * a * pressure / kFewContacts;
   double fastest_squared = 0.0;
   for (const Vec<Dim>& v : packing.grains.velocity)
@@ -47,7 +48,8 @@ ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   return load;
 }
 
-/// Pair of a grain and the partner with which its contact is stiffest: one of the largest grains, or a wall.
+/// Returns the geometry of the pair of a grain and the body with which its contact is stiffest: one of the largest
+/// grains, or a wall.
 template <int Dim>
 PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool with_wall) {
   if (with_wall) return {0.0, grains.radius[i], grains.mass[i]};
@@ -55,7 +57,7 @@ PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool
           reduced(grains.mass[i], grains.mass[largest])};
 }
 
-/// Largest stiffness of a contact between grains, or of a grain with a wall (force/length).
+/// Returns the largest stiffness of a contact between grains, or of a grain with a wall (force/length).
 template <int Dim>
 double stiffest_contact(const Grains<Dim>& g, const Law& parameters, const ContactLoad& load, bool with_wall) {
   const int largest = largest_grain(g);
@@ -84,11 +86,11 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
         [&](const auto& law) {
           for (int i = 0; i < g.size(); ++i) {
             const ContactStiffness bound = law.stiffness_bound(stiffest_pair(g, i, largest, with_wall), load);
-            // Tangential springs vibrate faster than normal ones where they are stiffer.
+            // If tangential springs are stiffer than normal springs, they vibrate faster.
             const double stiffest = std::max(bound.normal, bound.tangential);
             shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
-            // Rolling is stable up to 1.45 times the step of vibrations, each in units of its own period
-            // (measured in crystals).
+            // The longest stable time step of rolling motions, in units of sqrt(inertia/rolling stiffness), is 1.45
+            // times the longest stable step of vibrations, in units of sqrt(mass/stiffness) (measured in crystals).
             const double turning = std::max(bound.rolling, bound.twisting);
             if (turning > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / turning));
           }
@@ -109,8 +111,8 @@ double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double t
   for (const double r : g.radius) squared_diameters += 4.0 * r * r;
   const double shrinks = std::min(1.0, std::pow(solid_fraction(packing) / kClosePacked<Dim>, 1.0 / Dim));
   const double side = shrinks * packing.cell.matrix.diagonal().minCoeff();
-  // A close packing has 6 (2D) or 12 (3D) neighbours per grain, half a contact each; the mean of n_a^2 is
-  // 1/Dim.
+  // In a close packing, a grain has 6 (2D) or 12 (3D) neighbours, and half of each contact belongs to it. The mean of
+  // n_a^2 over the contacts is 1/Dim, with n_a a component of the normal.
   constexpr double kContactsAlong = Dim == 2 ? 3.0 / 2.0 : 6.0 / 3.0;
   const double stiffness = stiffest_contact(g, packing.law, load_on(packing, pressure), false);
   const double frequency = std::sqrt(kContactsAlong * stiffness * squared_diameters / cell_mass) / side;

@@ -22,7 +22,7 @@ std::string unused_threads(int n_grains, int dimension, int asked) {
   if (used == asked) return {};
   const char* grains = dimension == 2 ? "disks" : "spheres";
   return fmt::format(
-      "{} {}: {} of {} threads {} used, since more threads than one for each {} {} do not make the run faster",
+      "{} {}: {} of {} threads {} used, since more than one thread per {} {} does not make the run faster",
       n_grains, grains, used, asked, used == 1 ? "is" : "are", grains_per_thread(dimension), grains);
 }
 

@@ -10,9 +10,10 @@
 
 namespace floc {
 
-/// Walls of a packing in motion, integrated like the grains. The load of an axis between walls acts on both
-/// walls: a stress p is a force p S inwards, with S the area of the wall, so that p V is the potential of the
-/// load [SVI2024]. At a given strain rate each wall moves with half the relative velocity.
+/// Walls of a packing in motion, moved by the velocity Verlet scheme that moves the grains. The load of an axis between
+/// walls acts on both walls: a stress p is a force p S inwards on each wall, with S the area of the wall, so that p V,
+/// with V the volume, is the potential energy of the load [SVI2024]. At an imposed strain rate, each wall moves with
+/// half of the relative velocity of the two walls.
 template <int Dim>
 class WallMotion {
  public:
@@ -22,26 +23,26 @@ class WallMotion {
   int size() const { return static_cast<int>(walls_.size()); }
   const std::vector<Wall<Dim>>& walls() const { return walls_; }
   bool bounds(int axis) const { return between_[axis]; }
-  /// Distance of the walls of an axis (length), and its rate of change (length/time). @pre bounds(axis)
+  /// Distance between the two walls of an axis (length), and its rate of change (length/time). @pre bounds(axis)
   double distance(int axis) const { return gap_of(axis, &Wall<Dim>::position); }
   double distance_rate(int axis) const { return gap_of(axis, &Wall<Dim>::velocity); }
 
-  /// View of the walls for the kernels; valid until the walls move.
+  /// Returns the walls in the form that force kernels read; valid until the walls move.
   WallView<Dim> view() const;
 
-  /// Lists the pairs of each wall, after a new list of the pairs of grains with walls.
+  /// Sorts the pairs of grains with walls by wall; to be called after new lists of these pairs have been built.
   void list_pairs(const PairArrays<Dim>& pairs);
-  /// Sums the forces with which the grains push each wall outwards, in the order of its pairs.
+  /// Sums the forces with which the grains push each wall outwards, in the order of the pairs of the wall.
   void sum_forces(const Interaction<Dim>& interaction);
 
-  /// Accelerates the walls over half a step by the forces that were summed last.
+  /// Accelerates the walls over half a time step by the forces that sum_forces() has summed last.
   /// @param area  area of the walls of each axis (length^(Dim-1))
   void kick(double half_step, const BoundaryControl<Dim>& control, const Vec<Dim>& area);
   void drift(double time_step);
   void stop();
   double twice_kinetic_energy() const;
 
-  /// Largest displacement of a wall from where it was before (length).
+  /// Returns the largest displacement of a wall from its earlier position in `before` (length).
   double largest_displacement(const std::vector<Wall<Dim>>& before) const;
 
  private:
@@ -50,7 +51,7 @@ class WallMotion {
 
   std::vector<Wall<Dim>> walls_;
   std::vector<std::vector<int>> pairs_of_wall_;
-  std::vector<double> force_;  ///< force on each wall, outwards (force)
+  std::vector<double> force_;  ///< outward force of the grains on each wall (force)
   std::array<bool, Dim> between_ = {};
   std::array<std::vector<double>, Dim> normal_;
   std::vector<double> level_, level_rate_;

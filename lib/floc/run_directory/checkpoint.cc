@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Calls the visitor with every member of a point and its name.
+/// Calls the visitor with the name and the value of every member of a RunPoint.
 constexpr auto kMembers = [](auto& point, const auto& visit) {
   visit("step", point.step);
   visit("aggregating", point.aggregating);
@@ -35,7 +35,7 @@ std::string progress_text(const RunPoint& point) {
 }
 
 RunPoint parse_progress(const std::string& text, const std::string& place) {
-  return members_from_json<RunPoint>(text, place, "is not a checkpoint of this version", kMembers);
+  return members_from_json<RunPoint>(text, place, "this is not a checkpoint of this version of floc", kMembers);
 }
 
 }  // namespace floc

@@ -36,7 +36,8 @@ class Driver {
   }
 
  private:
-  /// Reports bad input that shows only in motion. The message names no file or key, but the packing that resulted.
+  /// Advances the run. Input that turns out to be invalid only during the motion is reported here. No file or key is to
+  /// blame, so the message names the step and the packing.
   RunEvent advance() {
     try {
       return run_.advance();
@@ -44,9 +45,9 @@ class Driver {
       throw InputError(
           fmt::format("step {} ({} P = {:.4g})", run_.point().step, run_.target().branch, run_.pressure()),
           fmt::format(
-              "the packing cannot move on: {}. Packings fall in where their contacts are too soft for the "
-              "pressure on them or for their adhesion: expected stiffer contacts, or less of these; floc "
-              "scene check prints how stiff contacts are beside them, kappa",
+              "the motion of the packing cannot continue: {}. A packing collapses in this way if its contacts "
+              "are too soft for its pressure or for its adhesion: expected stiffer contacts, a lower pressure "
+              "or less adhesion. floc scene check prints the stiffness relative to these (kappa)",
               error.what()));
     }
   }
@@ -58,7 +59,8 @@ class Driver {
                            state.packing);
     directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);
-    // Rows are written before the state: a run that is resumed removes rows beyond the saved states.
+    // The rows of the table are written before the state, because a run that is resumed removes rows beyond the saved
+    // states.
     if (table_ != nullptr) table_->write();
     const std::string sha256 = directory_.save(state, options_.timing ? std::optional(seconds) : std::nullopt);
     if (options_.equilibrium) options_.equilibrium(state, run_.report(), seconds);
@@ -77,7 +79,8 @@ class Driver {
     last_checkpoint_ = Clock::now();
   }
 
-  /// Stops with the report of the present step, which is taken before the checkpoint because that restarts the step.
+  /// Stops because the present step does not converge. Its report is taken before the checkpoint, because writing the
+  /// checkpoint restarts the step.
   DriveReport give_up() { return stop_with({DriveReport::gave_up, run_.report()}); }
 
   DriveReport stop_with(DriveReport report) {

@@ -15,16 +15,16 @@ namespace {
 constexpr const char* kEnergyHeader =
     "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error,"
     "liquid,law,hysteresis";
-/// Number of columns before the terms of the account.
+/// Number of columns before the terms of the energy balance (step, branch, P, time, phi).
 constexpr int kLeading = 5;
 
-/// Returns the account that a row holds.
+/// Returns the energy terms in a row of energy.csv.
 EnergyTerms terms_of(const std::string& row) {
   std::istringstream fields(row);
   std::string field;
   for (int k = 0; k < kLeading; ++k) std::getline(fields, field, ',');
   EnergyTerms t;
-  double error = 0.0;  // follows from the other terms
+  double error = 0.0;  // is not stored, because it follows from the other terms
   for (double* term : {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed,
                        &t.initial, &error, &t.liquid, &t.law, &t.hysteresis}) {
     std::getline(fields, field, ',');
@@ -55,7 +55,8 @@ void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& pac
 template <int Dim>
 void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const double time_step = time - std::exchange(time_, time);
-  if (run.point().aggregating) {  // flying clusters do not take part in the load
+  // during an aggregation, the clusters of grains fly freely and the boundary does no work on them
+  if (run.point().aggregating) {
     account_ = EnergyAccount<Dim>(packing);
     return;
   }
@@ -71,30 +72,32 @@ void EnergyTracker<Dim>::finish_step(const Run<Dim>& run) {
 
 void require_energy_account(const RunOptions& options) {
   if (options.assembly.box)
-    throw InputError("--track-energy",
-                     "the grains stand in a [box]; the energy account is kept in periodic cells only");
+    throw InputError(
+        "--track-energy",
+        "the scene has walls (table [box]), but the energy balance can be recorded only in periodic cells");
   if (options.relaxation.finish != Finish::dynamic)
     throw InputError("--track-energy",
-                     "Newton steps may complete the equilibria of this scene, and they follow no motion whose "
+                     "the equilibria of this scene may be found by Newton steps, which follow no motion whose "
                      "energy could be recorded; expected equilibrium.finish = \"dynamic\"");
   for (const LoadStage& stage : options.load)
     if (stage.shear != 0.0)
-      throw InputError("--track-energy",
-                       fmt::format("stage \"{}\" is a simple shear, between whose steps the lattice "
-                                   "is reduced; expected a scene without one",
-                                   stage.name));
+      throw InputError(
+          "--track-energy",
+          fmt::format("stage \"{}\" is a simple shear: the periodic cell is transformed between its steps, so "
+                      "the energy balance cannot be recorded; expected a scene without simple shear",
+                      stage.name));
   if (options.assembly.vibration && options.assembly.protocol != AssemblyOptions::Protocol::state)
-    throw InputError(
-        "--track-energy",
-        "assembly.vibration moves the grains between two equilibria, by no force whose work could be "
-        "recorded; expected a scene without it");
+    throw InputError("--track-energy",
+                     "assembly.vibration moves the grains between two equilibria without forces whose work "
+                     "could be recorded; expected a scene without assembly.vibration");
 }
 
 template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory) {
   require_energy_account(options);
-  // The law at the beginning of a step may differ from that of the state before it.
+  // The contact law at the beginning of a step may differ from the law of the state before it, so the energy balance
+  // starts from the saved state.
   const RunPoint& point = run.point();
   const bool at_a_state = point.step > 0 && point.equilibration.empty();
   auto tracker = std::make_unique<EnergyTracker<Dim>>(

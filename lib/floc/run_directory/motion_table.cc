@@ -18,15 +18,17 @@ MotionTable<Dim>::MotionTable(std::string file, std::string header, const RunPoi
   read_rows(point);
 }
 
-/// Reads the rows up to `point`. A run that was killed may have written rows beyond the point from which it
-/// continues.
+/// Reads the rows of an existing file up to the time of `point`. A run that was killed may have written rows beyond the
+/// point from which it continues; these are dropped.
 template <int Dim>
 void MotionTable<Dim>::read_rows(const RunPoint& point) {
   if (!std::filesystem::exists(file_)) return;
   std::istringstream in(read_file(file_));
   std::string line;
   if (!std::getline(in, line)) return;
-  if (line != header_) throw InputError(file_ + ":1", "columns are not those of this version of floc: " + line);
+  if (line != header_)
+    throw InputError(file_ + ":1",
+                     "the columns of this table differ from those of this version of floc: " + line);
   const double reached = (point.time + point.equilibration_time) * (1.0 + 1e-12);
   for (int number = 2; std::getline(in, line); ++number) {
     std::istringstream fields(line);

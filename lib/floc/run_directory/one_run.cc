@@ -15,9 +15,10 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::uintmax_t kLargestOpened = 16 << 20;  // bytes; larger states are not opened
+/// Largest state file that is opened for these checks (bytes).
+constexpr std::uintmax_t kLargestOpened = 16 << 20;
 
-/// Dimension, seed and scene, which all states of a run share, and the step of one state.
+/// Origin of a state: dimension, seed and scene, which are the same for all states of a run, and the step.
 struct Origin {
   int dimension;
   std::uint64_t seed;
@@ -25,7 +26,7 @@ struct Origin {
   int step;
 };
 
-/// Returns the origin of a state; none if its file is too large to be opened for this check.
+/// Returns the origin of a state, or std::nullopt if its file is too large to be opened for this check.
 std::optional<Origin> origin_of(const std::string& file) {
   if (fs::file_size(file) > kLargestOpened) return std::nullopt;
   return std::visit(
@@ -39,17 +40,18 @@ void require_same_scene(const Origin& found, const Origin& expected, const std::
                         const std::string& reference) {
   if (found.dimension != expected.dimension || found.scene != expected.scene)
     throw InputError(
-        file,
-        fmt::format("was made from a different scene than {}: expected the states of one run", reference));
+        file, fmt::format("this state was made from a different scene than {}: expected the states of one run",
+                          reference));
 }
 
-/// Checks that path.csv is whole. A file that was cut short has a last line without its end.
+/// Checks that path.csv is complete. In a file that was cut short, the last line does not end in a newline character.
 void require_whole_table(const std::string& directory) {
   const std::string table = (fs::path(directory) / "path.csv").string();
   if (!fs::exists(table)) return;
   const std::string text = read_file(table);
   if (!text.empty() && text.back() != '\n')
-    throw InputError(table, "its last row is incomplete; floc run --resume restores it from the state");
+    throw InputError(
+        table, "the last row of this table is incomplete; floc run --resume restores it from the state file");
 }
 
 }  // namespace
@@ -76,26 +78,29 @@ void require_one_run(const std::string& directory) {
   int expected = 0;
   for (const auto& [step, file] : states) {
     if (step != expected)
-      throw InputError(state_file(directory, expected),
-                       fmt::format("is missing, but there is {}: expected the states of a run from 0 on",
-                                   fs::path(file).filename().string()));
+      throw InputError(
+          state_file(directory, expected),
+          fmt::format(
+              "this state is missing, although {} exists: expected all states of a run, numbered from 0",
+              fs::path(file).filename().string()));
     ++expected;
     const std::optional<Origin> origin = origin_of(file);
     if (!origin) continue;
-    // A renamed or copied file would pass the other tests, so the step recorded in it must be that of its name.
+    // A renamed or copied file would pass the other checks, so the step recorded in the file must be the number in its
+    // name.
     if (origin->step != step)
       throw InputError(file,
-                       fmt::format("is state {} of its run, not {} as its name says", origin->step, step));
+                       fmt::format("this file contains state {} of its run, but its name is that of state {}",
+                                   origin->step, step));
     if (!first) first = origin;
     if (origin->dimension != first->dimension)
-      throw InputError(file, fmt::format("is not {}D as {} is: expected the states of one run",
+      throw InputError(file, fmt::format("this state is not {}D like {}: expected the states of one run",
                                          first->dimension, states.begin()->second));
-    require_same_scene(*origin, *first, file, "the states before it");
+    require_same_scene(*origin, *first, file, "the states before it in the directory");
     if (origin->seed != first->seed)
-      throw InputError(
-          file, fmt::format("was made with seed {}, the states before it with {}: expected the states of "
-                            "one run",
-                            origin->seed, first->seed));
+      throw InputError(file, fmt::format("this state was made with seed {}, but the states before it with seed "
+                                         "{}: expected the states of one run",
+                                         origin->seed, first->seed));
   }
 }
 
@@ -108,7 +113,7 @@ void require_one_ensemble(const std::vector<std::string>& directories) {
     const std::optional<Origin> origin = fs::exists(file) ? origin_of(file) : std::nullopt;
     if (!origin) continue;
     if (!first) first = origin;
-    require_same_scene(*origin, *first, file, "the samples before it");
+    require_same_scene(*origin, *first, file, "the samples before it in the ensemble");
   }
 }
 

@@ -59,8 +59,8 @@ std::vector<std::string> columns_of(int dimension, bool boxed) {
   return columns;
 }
 
-/// Adds stress and strain of each axis, and the quantities of a test with a driven axis; without one, the last axis
-/// counts as driven.
+/// Adds to a row of path.csv the stress and strain of each axis, and the quantities of a test with a driven axis. If no
+/// axis is driven, the last axis is taken in its place.
 template <int Dim>
 void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std::vector<TableValue>& row) {
   const Vec<Dim> stress = state.stress.diagonal();
@@ -77,8 +77,8 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
     row.emplace_back(value);
   const StageReference& turn = state.path.turn;
   const bool is_sheared = state.target_offset.has_value();
-  // A stress that resists a positive strain counts positive; in a shear test friction is tau/sigma on planes across
-  // the axis.
+  // A shear stress that resists a positive strain counts as positive. In a shear test the mobilised friction is
+  // tau/sigma on the planes perpendicular to the axis.
   const double shear_stress = is_sheared ? -state.stress(0, turn.axis) : 0.0;
   const double mobilised = is_sheared ? shear_stress / stress[turn.axis] : test.mobilised;
   row.push_back(is_test ? TableValue{mobilised} : TableValue{});
@@ -89,8 +89,9 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   row.push_back(is_sheared ? TableValue{shear_stress} : TableValue{});
 }
 
-/// Adds the columns of a packing between walls: among them the pressure on walls and the part of it that their
-/// friction bears, both undefined along an axis without walls.
+/// Adds to a row of path.csv the values that describe the walls. They include the pressure on the walls of each axis,
+/// and the part of this pressure that friction on the walls parallel to the axis carries. Both are undefined along an
+/// axis without walls.
 template <int Dim>
 void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
   const Packing<Dim>& packing = state.packing;
@@ -156,7 +157,7 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;
-  std::getline(text, line);  // the header
+  std::getline(text, line);  // skips the line with the names of the columns
   std::getline(text, line);
   return line;
 }

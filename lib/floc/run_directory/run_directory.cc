@@ -16,7 +16,8 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Returns the cells of a row of csv, in which names of branches may be quoted.
+/// Returns the number of cells in a row of a CSV table. The name of a branch may be in quotation marks and contain
+/// commas.
 int n_cells(const std::string& row) {
   int n = 1;
   bool quoted = false;
@@ -27,13 +28,13 @@ int n_cells(const std::string& row) {
   return n;
 }
 
-/// Reads a state of a run. @throws InputError for one of another dimension
+/// Reads a state of a run from its file. @throws InputError if the dimension of the state is not Dim
 template <int Dim>
 State<Dim> read_run_state(const std::string& file) {
   AnyState any = read_state(file);
   if (State<Dim>* state = std::get_if<State<Dim>>(&any)) return std::move(*state);
-  throw InputError(file,
-                   fmt::format("dimension = {}: expected a state of a run in {}D", Dim == 2 ? 3 : 2, Dim));
+  throw InputError(file, fmt::format("this state has dimension {}: expected a state of a run in {}D",
+                                     Dim == 2 ? 3 : 2, Dim));
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
       boxed_(options.assembly.box.has_value()) {
   std::error_code failed;
   fs::create_directories(fs::path(path) / "checkpoint", failed);
-  if (failed) throw IoError(path, "cannot make the directory: " + failed.message());
+  if (failed) throw IoError(path, "the directory cannot be created: " + failed.message());
   if (existing == Existing::overwrite) {
     for (const auto& [step, file] : numbered_states(path)) fs::remove(file);
     fs::remove(path_table());
@@ -64,10 +65,10 @@ void RunDirectory::check_scene(const std::string& file, const RunOptions& option
   std::visit(
       [&](const auto& state) {
         if (state.scene != options.text || state.provenance.seed != options.seed)
-          throw InputError(file,
-                           fmt::format("was made with another scene or seed ({} here, {} there): a run can "
-                                       "only be continued with the scene, settings and seed it began with",
-                                       options.seed, state.provenance.seed));
+          throw InputError(file, fmt::format("this state was made with another scene or seed (the given seed "
+                                             "is {}, and the seed of the state is {}): a run can only be "
+                                             "continued with the scene, settings and seed with which it began",
+                                             options.seed, state.provenance.seed));
       },
       read_state(file));
 }
@@ -108,7 +109,7 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   for (int step = 0; step < n_states; ++step) {
     if (rows_.contains(step) && step + 1 < n_states) continue;
     State<Dim> state = read_run_state<Dim>(state_path(step));
-    // The wall time of the step was lost with the process that measured it.
+    // The wall time of this step is unknown, because the process that measured it was killed.
     if (!rows_.contains(step)) rows_[step] = row_of(state, std::nullopt);
     if (step + 1 == n_states)
       reached =
@@ -124,7 +125,7 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   return reached;
 }
 
-/// Returns the lengths of the axes in a state that is saved or is being saved.
+/// Returns the lengths of the cell along the axes in a state that is saved or is being saved.
 template <int Dim>
 Vec<Dim> RunDirectory::sides_of(int step) {
   std::vector<double>& sides = sides_[step];
@@ -171,14 +172,15 @@ void RunDirectory::read_rows() {
   std::istringstream in(read_file(path_table()));
   std::string line;
   if (!std::getline(in, line)) return;
-  if (in.eof()) return;  // the header is incomplete
+  if (in.eof()) return;  // the line with the names of the columns is incomplete
   if (line != path_header(dimension_, boxed_))
-    throw InputError(path_table() + ":1", "columns are not those of this version of floc: " + line);
+    throw InputError(path_table() + ":1",
+                     "the columns of this table differ from those of this version of floc: " + line);
   const int n_columns = n_cells(line);
   while (std::getline(in, line)) {
     int step = -1;
     std::istringstream first(line);
-    // A row without its end or with too few cells is made again from its state.
+    // An incomplete row (without a newline character or with too few cells) is written again from its state file.
     const bool whole = !in.eof() && n_cells(line) == n_columns;
     if (whole && first >> step && step >= 0) rows_[step] = line;
   }

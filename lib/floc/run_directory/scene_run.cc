@@ -29,8 +29,8 @@ RunOptions run_options(const Scene& scene, const SceneRunOptions& asked) {
   return options;
 }
 
-/// Returns the scene of the run in a directory: that of its first state, or of a checkpoint before it; empty without
-/// either.
+/// Returns the text of the scene of the run in a directory, which is stored in its first state or, before the first
+/// state, in its checkpoint. Returns an empty text if neither exists.
 std::string scene_of_run(const std::string& directory) {
   for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
     if (std::filesystem::exists(file))
@@ -38,7 +38,8 @@ std::string scene_of_run(const std::string& directory) {
   return "";
 }
 
-/// Opens the directory of the run. If another scene prevents continuing it, the message names the keys that differ.
+/// Opens the directory of the run. If the run in it cannot be continued because its scene differs, the message names
+/// the keys that differ.
 RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, const RunOptions& options) {
   try {
     return RunDirectory(asked.directory, existing, options);
@@ -46,16 +47,17 @@ RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, con
     const std::string begun = existing == Existing::resume ? scene_of_run(asked.directory) : "";
     if (begun.empty() || begun == options.text) throw;
     const std::vector<std::string> changes = scene_changes(options.text, "here", begun, "there");
-    throw InputError("", fmt::format("{}; {}", error.what(),
-                                     changes.empty() ? "the scenes differ only in comments or layout"
-                                                     : fmt::format("changed: {}", fmt::join(changes, "; "))));
+    throw InputError(
+        "", fmt::format("{}; {}", error.what(),
+                        changes.empty() ? "the two scenes differ only in comments or layout"
+                                        : fmt::format("these values differ: {}", fmt::join(changes, "; "))));
   }
 }
 
-/// Describes how a force residual above its tolerance changes; empty otherwise.
+/// Returns a description of how fast a force residual above its tolerance changes; an empty text if this is not known.
 std::string trend_of(const RelaxationReport& report) {
   if (report.decay_rate == 0.0) return "";
-  return fmt::format(", {} at {:.2g} per unit time", report.decay_rate > 0.0 ? "falls" : "grows",
+  return fmt::format(", {} at the rate {:.2g} per unit of time", report.decay_rate > 0.0 ? "falls" : "grows",
                      std::abs(report.decay_rate));
 }
 
@@ -64,7 +66,7 @@ std::string trend_of(const RelaxationReport& report) {
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked) {
   if (scene.assembly.box && asked.track_contacts)
     throw InputError("--track-contacts",
-                     "the grains stand in a [box]; contacts are tracked in periodic cells only");
+                     "the scene has walls (table [box]), but contacts are tracked only in periodic cells");
   RunOptions options = run_options(scene, asked);
   if (asked.track_energy) require_energy_account(options);
   (void)plan_run(options.assembly, options.law, options.load, options.dimension);
@@ -104,7 +106,7 @@ template <int Dim>
 std::string ending_of(const DriveReport& report, const Run<Dim>& run) {
   switch (report.outcome) {
     case DriveReport::stopped:
-      return "interrupted; --resume continues from here";
+      return "the run was interrupted; --resume continues it from here";
     case DriveReport::gave_up:
       if (!run.packing().walls.empty())
         return fmt::format("step {} ({} P = {:.4g}) ended without a state: {}", run.point().step,

@@ -13,41 +13,45 @@
 
 namespace floc {
 
-/// Options of running a scene in a directory.
+/// Options for running a scene in a directory (options of `floc run`).
 struct SceneRunOptions {
   std::string directory;
-  std::optional<std::uint64_t> seed;     ///< replaces that of the scene
-  std::optional<int> threads;            ///< replaces that of the scene
-  std::optional<int> until;              ///< number of the equilibrium after which the run stops
-  std::optional<double> track_contacts;  ///< simulated time between two rows
+  std::optional<std::uint64_t> seed;  ///< replaces the seed of the scene
+  std::optional<int> threads;         ///< replaces the number of threads of the scene
+  std::optional<int> until;           ///< number of the equilibrium after which the run stops
+  /// if present, contacts.csv is written, with this simulated time between two rows (time unit of the scene)
+  std::optional<double> track_contacts;
   bool track_energy = false;
   bool resume = false;
   bool overwrite = false;
   bool no_timing = false;
 };
 
-/// Returns the options of the run of a scene, with no more threads than are useful (useful_threads()).
-/// @throws InputError, before anything is written, for options that no run of the scene can satisfy
+/// Returns the options for running a scene, with no more threads than are useful (useful_threads()).
+/// @throws InputError, before any file is written, if the scene cannot be run with these options
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked);
 
-/// Describes the threads that the run leaves unused, with the reason; empty if it uses all requested ones.
+/// Returns a text that says how many of the requested threads the run leaves unused, and why; empty if it uses all of
+/// them.
 std::string unused_threads(const Scene& scene, const SceneRunOptions& asked);
 
-/// A run of a scene in its directory, ready to be driven, and the table that is recorded while it moves.
+/// A run of a scene in its directory, ready to be driven, and a table that is recorded while the packing moves.
 template <int Dim>
 struct SceneRun {
   RunOptions options;
   RunDirectory directory;
   Run<Dim> run;
-  std::unique_ptr<MotionTable<Dim>> table;  ///< null: no table is recorded
+  /// table of contacts or energies recorded while the packing moves; null if there is none
+  std::unique_ptr<MotionTable<Dim>> table;
 
   /// Begins the run or resumes it.
-  /// @throws InputError for a scene that cannot be run, or a directory that holds another run or, unless resume or
-  /// overwrite is set, this one
+  /// @throws InputError if the scene cannot be run, or if the directory contains another run, or this run while neither
+  /// resume nor overwrite is set
   SceneRun(const Scene& scene, const SceneRunOptions& asked);
 
-  /// Drives the run. @param watch  functions that are notified of its progress; the other options follow from the
-  /// arguments of the constructor
+  /// Drives the run.
+  /// @param watch  functions that are called to report progress; the other options in it are replaced by those given to
+  /// the constructor
   [[nodiscard]] DriveReport drive(DriveOptions<Dim> watch);
 
  private:
@@ -56,20 +60,22 @@ struct SceneRun {
   bool timing_;
 };
 
-/// Runs a scene in one call, as `floc run` does: to its end, or until `stop` stops it at a checkpoint. `asked.resume`
-/// continues from there.
-/// @param scene_file  scene (TOML)  @param changes  "key=value" each, replacing values of the scene
-/// @param stop        called between chunks of motion; true stops the run; empty: the run continues to its end
-/// @return outcome of the run: report.outcome is done, stopped, or gave_up if an equilibrium was not reached
-/// @throws InputError as read_scene() and SceneRun, IoError if the directory cannot be written
+/// Runs a scene in one call, like the command `floc run`: to its end, or until the function `stop` returns true. The
+/// run then stops at a checkpoint, from which another call with `asked.resume` continues it.
+/// @param scene_file  scene (TOML)
+/// @param changes  texts "key=value", each of which replaces a value of the scene
+/// @param stop  function called between chunks of time steps, which stops the run by returning true; if empty, the run
+/// continues to its end
+/// @return report whose `outcome` is done, stopped, or gave_up if an equilibrium was not reached
+/// @throws InputError if read_scene() or the constructor of SceneRun does, IoError if the directory cannot be written
 [[nodiscard]] DriveReport run_scene(const std::string& scene_file, const SceneRunOptions& asked,
                                     const std::vector<std::string>& changes = {},
                                     const std::function<bool()>& stop = {});
 
-/// Returns the treatment of an existing directory of a run that the options give.
+/// Returns the treatment of an existing directory of a run, which follows from the options resume and overwrite.
 Existing existing_of(const SceneRunOptions& asked);
 
-/// Describes how a run that is not done ended.
+/// Returns a description of how a run ended that has not made all its equilibria; empty if it is done.
 template <int Dim>
 std::string ending_of(const DriveReport& report, const Run<Dim>& run);
 

@@ -16,10 +16,12 @@
 namespace floc {
 namespace {
 
-/// Factor between the kappa of a scene and that of the table up to which the table applies.
+/// Largest factor between the stiffness number of a scene and that of the table for which the errors of the table
+/// apply.
 constexpr double kStiffnessRange = 10.0;
 
-/// Observables that each key stands for.
+/// Keys of [accuracy], each with the observables that it stands for (names in the column "observable" of the table of
+/// errors).
 const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"phi", {"phi"}},
     {"z", {"z_plus", "z_minus"}},
@@ -34,7 +36,7 @@ const std::vector<std::string>& observables_of(const std::string& key) {
   return std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& k) { return k.first == key; })->second;
 }
 
-/// A setting of the table and its rows, by observable.
+/// A setting of the table, with its rows of the table by the name of the observable.
 struct Candidate {
   std::string parameter, value;
   NumericalSettings settings;
@@ -44,7 +46,7 @@ struct Candidate {
   bool is_reference() const { return parameter == "strict"; }
 };
 
-/// Parameters of the motion of the cell, whose values are factors: "10 times".
+/// Names of the settings for the motion of the cell. Their values in the table are factors, for example "10 times".
 constexpr const char* kMassOfCell = "cell_mass";
 constexpr const char* kCapOfCell = "strain_rate_cap";
 
@@ -52,7 +54,8 @@ bool is_of_cell(const std::string& parameter) {
   return parameter == kMassOfCell || parameter == kCapOfCell;
 }
 
-/// Returns the settings in the order of their cost: either those that a scene can have, or those of its cell.
+/// Returns settings of the table, sorted by cost.
+/// @param of_cell  if true, the settings for the motion of the cell; otherwise the numerical settings of a scene
 std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table, bool of_cell = false) {
   std::vector<Candidate> candidates;
   for (const MeasuredAccuracy& row : table) {
@@ -69,7 +72,7 @@ std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table,
   return candidates;
 }
 
-/// Returns the smallest error that a setting guarantees for an observable; infinite if it was not measured.
+/// Returns the smallest error that a setting guarantees for an observable; infinite if the error was not measured.
 double guaranteed_error(const Candidate& candidate, const std::string& observable) {
   const auto found = candidate.of.find(observable);
   if (found == candidate.of.end()) return std::numeric_limits<double>::infinity();
@@ -79,21 +82,24 @@ double guaranteed_error(const Candidate& candidate, const std::string& observabl
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the factor of a setting of the cell.
+/// Returns the number in the value of a setting for the cell, for example 10 for "10 times"; NaN if there is none.
 double factor_of(const Candidate& of_cell) {
   return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Relative error below which two factors of the cell count as equal: a factor computed as a ratio is rounded.
+/// Relative difference below which two factors of the mass or the cap of the cell count as equal. A factor computed as
+/// a ratio has a rounding error.
 constexpr double kRoundingOfFactors = 1e-9;
 
 bool is_default(double factor) {
   return std::abs(factor - 1.0) <= kRoundingOfFactors;
 }
 
-/// Returns the measured factor of a parameter that is closest to `factor` among those at least as far from 1 on the
-/// same side; null if there is none.
+/// Returns the setting whose measured factor is closest to `factor`, among the factors on the same side of 1 that
+/// differ from 1 at least as much; null if there is none.
+/// @param of_cell  measured settings for the motion of the cell
+/// @param parameter  name of the setting, "cell_mass" or "strain_rate_cap"
 const Candidate* nearest_beyond(const std::vector<Candidate>& of_cell, const std::string& parameter,
                                 double factor) {
   const auto distance = [&](double f) { return factor > 1.0 ? std::log(f) : -std::log(f); };
@@ -106,7 +112,7 @@ const Candidate* nearest_beyond(const std::vector<Candidate>& of_cell, const std
   return nearest;
 }
 
-/// Settings of the cell whose errors are added to those of every other setting.
+/// Settings for the motion of the cell whose measured errors are added to those of every numerical setting.
 using Additions = std::vector<const Candidate*>;
 
 Additions additions_of(const std::vector<Candidate>& of_cell, const std::vector<CellFactors>& cells) {
@@ -124,8 +130,8 @@ Additions additions_of(const std::vector<Candidate>& of_cell, const std::vector<
   return additions;
 }
 
-/// Returns the largest of the errors that a setting guarantees for the observables of a key, with the errors of the
-/// cell added.
+/// Returns the largest error that a setting guarantees for the observables of a key, after the errors caused by the
+/// motion of the cell have been added.
 double guaranteed_error_of_key(const Candidate& candidate, const Additions& additions, const std::string& key) {
   double least = 0.0;
   for (const std::string& observable : observables_of(key)) {
@@ -142,7 +148,7 @@ std::string errors_of(const Candidate& setting, const WantedAccuracy& wanted) {
     for (const std::string& observable : observables_of(key)) {
       const MeasuredAccuracy& row = *setting.of.at(observable);
       std::string text = observable;
-      if (std::isfinite(row.error)) text += fmt::format(" {:.1e} in 95 % of states", row.error);
+      if (std::isfinite(row.error)) text += fmt::format(" {:.1e} in 95 % of the states", row.error);
       if (std::isfinite(row.mean_error))
         text += fmt::format("{} {:+.1e} +- {:.1e} in means over samples after a collapse",
                             std::isfinite(row.error) ? "," : "", row.mean_difference, row.mean_error);
@@ -154,13 +160,13 @@ std::string errors_of(const Candidate& setting, const WantedAccuracy& wanted) {
 std::string reason_of(const Candidate& chosen, const Additions& additions, const WantedAccuracy& wanted) {
   const NumericalSettings& s = chosen.settings;
   std::string reason = fmt::format(
-      "finish {}, time step {}, tolerance {:g}, patience {}: {:.2f} of the cost of the strictest settings. "
-      "Measured errors: {}",
+      "finish {}, time step {}, tolerance {:g}, patience {}: this takes {:.2f} of the time of the strictest "
+      "settings. Measured errors: {}",
       finish_name(s.finish), s.time_step, s.tolerance, s.patience, chosen.cost_ratio,
       errors_of(chosen, wanted));
   for (const Candidate* addition : additions)
-    reason += fmt::format(". To these come the errors of {} {} the default: {}", addition->parameter,
-                          addition->value, errors_of(*addition, wanted));
+    reason += fmt::format(". Added to these are the errors measured with {} at {} its default value: {}",
+                          addition->parameter, addition->value, errors_of(*addition, wanted));
   return reason;
 }
 
@@ -172,7 +178,7 @@ std::vector<std::string> split_cells(const std::string& line) {
   return cells;
 }
 
-/// One line of the table; its values are found by the names of the columns.
+/// One row of the table of errors, whose values are accessed by the names of the columns.
 class Row {
  public:
   Row(const std::map<std::string, std::size_t>& columns, std::vector<std::string> cells, std::string place)
@@ -181,15 +187,17 @@ class Row {
   const std::string& text(const std::string& column) const {
     const auto at = columns_.find(column);
     if (at == columns_.end() || at->second >= cells_.size())
-      throw InputError(place_, "column " + column + " is missing: expected a table of floc tradeoff");
+      throw InputError(place_,
+                       "column " + column + " is missing: the file must be a table written by floc tradeoff");
     return cells_[at->second];
   }
-  /// Returns a number; NaN if the table has none.
+  /// Returns the number in a column of the row; NaN if the cell is empty.
   double number(const std::string& column) const {
     const std::string& cell = text(column);
     if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
     const auto value = parse_number<double>(cell);
-    if (!value) throw InputError(place_, fmt::format("{} = {}: expected a number", column, cell));
+    if (!value)
+      throw InputError(place_, fmt::format("the value of column {} is {}: expected a number", column, cell));
     return *value;
   }
 
@@ -227,7 +235,8 @@ std::vector<std::string> accuracy_keys() {
 }
 
 std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place) {
-  // Settings of other kinds change the physics, the size of the system, or the use made of its states.
+  // Rows about other parameters are left out: they change the physics, the number of grains, or the way the states are
+  // analysed.
   const std::vector<std::string> kSettable = {"strict",   "scene",    "finish",    "tolerance", "time_step",
                                               "patience", "together", kMassOfCell, kCapOfCell};
   std::istringstream in(csv);
@@ -263,9 +272,13 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
     choice.refused_key = key;
     choice.failure_reason =
         std::isfinite(floor)
-            ? fmt::format("expected at least {:.2g}, the smallest error that the shipped table has for it{}",
-                          floor, additions.empty() ? "" : " with a cell that moves as the scene says")
-            : "expected another observable: the shipped table has no error for it";
+            ? fmt::format(
+                  "expected at least {:.2g}, which is the smallest error in the table shipped with floc for "
+                  "this quantity{}",
+                  floor,
+                  additions.empty() ? ""
+                                    : " with the mass and the strain rate of the cell that the scene gives")
+            : "the table shipped with floc has no error of this quantity; leave the key out";
     return choice;
   }
   for (const Candidate& c : candidates)
@@ -279,7 +292,7 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
     }
   choice.refused_key = wanted.front().first;
   choice.failure_reason =
-      "expected larger errors: no setting of the shipped table has errors below all of these at once";
+      "no setting of the table shipped with floc keeps all requested errors at once; request larger errors";
   return choice;
 }
 

@@ -37,7 +37,7 @@ int steps_of(const KnownStress& from, const LoadStage& stage) {
 }
 
 struct Steps {
-  int up = 0;  ///< number of loading steps, including holds
+  int up = 0;  ///< number of equilibria on stages that load the packing or keep its load
   int down = 0;
 };
 
@@ -55,19 +55,21 @@ Steps count_steps(const Scene& scene) {
 using Groups = std::vector<DerivedGroup>;
 
 void add_pressures(const Scene& scene, double unit, const char* name, const char* meaning, Groups& groups) {
-  groups.push_back({name, scene.assembly.pressure / unit, fmt::format("{}, first pressure", meaning)});
+  groups.push_back(
+      {name, scene.assembly.pressure / unit, fmt::format("{}, first pressure of the scene", meaning)});
   KnownStress from = first_stress(scene);
   for (const LoadStage& stage : scene.load) {
     const int n = steps_of(from, stage);
     const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
                                                  : stage.axes[static_cast<std::size_t>(stage.axis)];
     const std::string which = stage.is_isotropic() ? "" : fmt::format(" on axis {}", stage.axis + 1);
-    const std::string end = fmt::format("end of '{}' after {} steps", stage.name, n);
+    const std::string end = fmt::format("end of stage '{}' after {} steps", stage.name, n);
     if (driven.kind == AxisLoad::strain)
       groups.push_back({"strain", driven.end, fmt::format("logarithmic strain{}, {}", which, end)});
     if (stage.shear != 0.0)
-      groups.push_back({"strain", stage.shear,
-                        fmt::format("shear strain of the planes across axis {}, {}", stage.axis + 1, end)});
+      groups.push_back(
+          {"strain", stage.shear,
+           fmt::format("shear strain of the planes perpendicular to axis {}, {}", stage.axis + 1, end)});
     if (driven.kind == AxisLoad::stress)
       groups.push_back({name, driven.end / unit, fmt::format("{}{}, {}", meaning, which, end)});
     from = after_stage(from, stage);
@@ -77,23 +79,26 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
   const double F0 = pull_off_force(scene);
   const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
-  groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact against adhesion"});
+  groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact relative to its adhesion"});
   add_pressures(scene, F0 / std::pow(a, scene.dimension - 1), "P_star",
                 scene.dimension == 2 ? "a P/F0" : "a^2 P/F0", groups);
-  groups.push_back({"h0/a", F0 / K_N, "overlap of a free pair"});
+  groups.push_back({"h0/a", F0 / K_N, "overlap of two grains pulled together by their adhesion alone"});
 }
 
-/// Adds the groups of the liquid, and of bridges between two of the largest grains if each grain has three.
+/// Adds the dimensionless numbers of the liquid, and those of the liquid bridge between two of the largest grains if
+/// each grain has three bridges.
 void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double share = law.liquid_volume(1.0);
   const double grain = std::numbers::pi / 6.0 * a * a * a;
   const Bridge<> bridge = law.bridge(0.5 * a, 0.5 * a, share * grain / kBridgesPerGrain);
-  groups.push_back({"V_l/V_s", share, "volume of the liquid over that of the grains"});
-  groups.push_back({"l/a", 1.0 / (bridge.decay * a), "decay length of a bridge, with three bridges per grain"});
-  groups.push_back({"hm/a", bridge.reach / a, "gap at which such a bridge breaks"});
+  groups.push_back({"V_l/V_s", share, "volume of the liquid over the volume of the grains"});
+  groups.push_back({"l/a", 1.0 / (bridge.decay * a),
+                    "length over which the force of a liquid bridge decays, with three bridges per grain"});
+  groups.push_back({"hm/a", bridge.reach / a, "gap at which this liquid bridge breaks"});
 }
 
-/// Adds the groups of elastic spheres. Overlaps scale as 1/kappa, the pressure between surfaces as kappa^(-1/2).
+/// Adds the dimensionless numbers of elastic spheres. Overlaps are proportional to 1/kappa, and the pressure between
+/// the surfaces is proportional to kappa^(-1/2).
 void add_spheres(const Scene& scene, Groups& groups) {
   const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
   double highest = scene.assembly.pressure;
@@ -103,16 +108,18 @@ void add_spheres(const Scene& scene, Groups& groups) {
       if (axis.kind == AxisLoad::stress) highest = std::max(highest, axis.end);
   }
   groups.push_back({"kappa", hertz_kappa(scene, scene.assembly.pressure),
-                    "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure"});
-  groups.push_back({"kappa", hertz_kappa(scene, highest), "at the highest pressure"});
+                    "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure of the scene"});
+  groups.push_back({"kappa", hertz_kappa(scene, highest), "(E~/P)^(2/3) at the highest pressure of the scene"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
-  // For z Phi = 4, at a contact that carries the mean force.
+  // The largest pressure is computed for a contact that carries the mean force, which follows from z Phi = 4
+  // (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
-                    "largest pressure between surfaces under the mean force, at the highest pressure"});
+                    "largest pressure between the surfaces of a contact with the mean force, at the highest "
+                    "pressure of the scene"});
 }
 
-/// Returns a number of the law in dimensionless form, named after its symbol; none for a number that serves as a unit
-/// of others.
+/// Returns a parameter of the contact law in dimensionless form, named after its symbol, or std::nullopt for a
+/// parameter that serves as a unit of others.
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
   const std::string& symbol = n.declared->symbol;
   switch (n.declared->unit) {
@@ -134,7 +141,8 @@ std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
   return std::nullopt;
 }
 
-/// Adds the dimensionless numbers of one slot of the law.
+/// Adds the dimensionless parameters of one component of the contact law.
+/// @param slot  key of the component in a scene, for example "friction"
 void add_slot(const std::string& slot, const Scene& scene, double a, Groups& groups) {
   LawParameters law = scene.law;
   const double K_N = scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
@@ -151,16 +159,20 @@ void add_law(const Scene& scene, double a, Groups& groups) {
         {"zeta", damping_ratio(damping.get<ViscousDamping>().restitution), "fraction of critical damping"});
 }
 
-/// Adds the response of the cell in a part of a run, as far as it differs from another part.
-/// @param where  part of the run, in words
+/// Adds the caps on the strain rate and the mass of the cell in one part of a run, if they differ from those of another
+/// part.
+/// @param r  settings of this part
+/// @param other  settings of the part with which they are compared
+/// @param where  name of this part of the run, in words
 void add_cell(const RelaxationOptions& r, const RelaxationOptions& other, const std::string& where,
               Groups& groups) {
   if (r.strain_rate_cap && r.strain_rate_cap != other.strain_rate_cap)
-    groups.push_back({"Ia", *r.strain_rate_cap, "cap on the strain rate in 1/T0" + where});
+    groups.push_back({"Ia", *r.strain_rate_cap, "cap on the strain rate of the cell in units of 1/T0" + where});
   if (r.inertial_number_cap && r.inertial_number_cap != other.inertial_number_cap)
-    groups.push_back({"I", *r.inertial_number_cap, "cap on the inertial number of the strain rate" + where});
+    groups.push_back({"I", *r.inertial_number_cap, "cap on the inertial number of the cell" + where});
   if (r.cell_mass != other.cell_mass)
-    groups.push_back({"cell_mass", r.cell_mass, "mass of the cell's sides over that of the grains" + where});
+    groups.push_back(
+        {"cell_mass", r.cell_mass, "mass of the cell's sides over the mass of all grains" + where});
 }
 
 void add_rates(const Scene& scene, double a, double m, Groups& groups) {
@@ -174,50 +186,59 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
     before = here;
   };
   add_part(scene.assembly.cell, " at assembly");
-  for (const LoadStage& stage : scene.load) add_part(stage.cell, fmt::format(" during '{}'", stage.name));
+  for (const LoadStage& stage : scene.load) add_part(stage.cell, fmt::format(" during stage '{}'", stage.name));
   if (scene.assembly.agitation > 0.0)
-    groups.push_back({"V0/V_star", scene.assembly.agitation,
-                      scene.law.range() > 0.0 ? "agitation at the start, V* = sqrt(F0 D0/m)"
-                      : scene.dimension == 3  ? "agitation at the start, V* = sqrt(P a^3/m)"
-                                              : "agitation at the start, V* = sqrt(P a^2/m)"});
-  if (scene.law.adheres())
     groups.push_back(
-        {"T0", std::sqrt(a * m / pull_off_force(scene)), "sqrt(a m/F0), unit of time of the scene"});
+        {"V0/V_star", scene.assembly.agitation,
+         scene.law.range() > 0.0 ? "speed of the grains at the start, in units of V* = sqrt(F0 D0/m)"
+         : scene.dimension == 3  ? "speed of the grains at the start, in units of V* = sqrt(P a^3/m)"
+                                 : "speed of the grains at the start, in units of V* = sqrt(P a^2/m)"});
+  if (scene.law.adheres())
+    groups.push_back({"T0", std::sqrt(a * m / pull_off_force(scene)),
+                      "sqrt(a m/F0), unit of time of the motion of cohesive grains (time unit of the scene)"});
 }
 
-/// Returns T = sqrt(m/(p a^(D-2))), the unit of time of a box.
+/// Returns T = sqrt(m/(p a^(D-2))), the unit of time of a compaction between walls.
+/// @param a  largest diameter
+/// @param m  mass of a grain of this diameter
 double compaction_time(const Scene& scene, double a, double m) {
   return std::sqrt(m / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
 }
 
-/// Adds the groups of the dynamic compaction of a box [SVI2024]: sc = F0/a^(D-1), se = K_N/a^(D-2).
+/// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024], with the stresses sc = F0/a^(D-1)
+/// and se = K_N/a^(D-2), where D is the dimension.
 void add_box(const Scene& scene, double a, double m, Groups& groups) {
   const BoxOptions& box = *scene.assembly.box;
   const double p = scene.assembly.pressure;
   const double sc = scene.law.pull_off_force() / std::pow(a, scene.dimension - 1);
   const double se = scene.law.contact_modulus(scene.dimension, a);
-  groups.push_back({"sc", sc, "F0/a^(D-1), stress of the adhesion (unit of pressure of the scene)"});
-  groups.push_back({"eta", sc / p, "sc/p, adhesion against the first pressure"});
+  groups.push_back({"sc", sc, "F0/a^(D-1), stress by the adhesion (unit of pressure of the scene)"});
+  groups.push_back({"eta", sc / p, "sc/p, stress by the adhesion over the first pressure p"});
   groups.push_back(
-      {"eta_star", sc / std::sqrt(p * se), "sc/sqrt(p se), adhesion against impacts; below 1 grains bounce"});
+      {"eta_star", sc / std::sqrt(p * se),
+       "sc/sqrt(p se) with se = K_N/a^(D-2), adhesion relative to impacts; grains bounce if it is below 1"});
+  groups.push_back({"sc/se", sc / se,
+                    "overlap of two grains by their adhesion, in diameters; above 0.02 it changes the void "
+                    "ratio noticeably"});
   groups.push_back(
-      {"sc/se", sc / se, "overlap of a free pair in diameters; above 0.02 it shows in the void ratio"});
-  groups.push_back({"se/p", se / p, "stiffness against the first pressure"});
+      {"se/p", se / p, "se/p with se = K_N/a^(D-2), stiffness of the contacts over the first pressure p"});
   if (!scene.starts_from_state()) {
     groups.push_back(
-        {"p_k/p", box.kinetic_pressure / p, "kinetic pressure of the gas; above 1 it pushes the walls out"});
+        {"p_k/p", box.kinetic_pressure / p,
+         "kinetic pressure of the gas over the first pressure; above 1 the gas pushes the walls outwards"});
     if (scene.assembly.solid_fraction > 0.0)
       groups.push_back({"e_i", 1.0 / scene.assembly.solid_fraction - 1.0, "void ratio of the gas"});
   }
-  groups.push_back({"m_w/m", box.mass, "mass of a wall"});
-  groups.push_back(
-      {"f_w/F0", sc > 0.0 ? box.adhesion / scene.law.pull_off_force() : 0.0, "adhesion of the walls"});
+  groups.push_back({"m_w/m", box.mass, "mass of a wall over that of the largest grain"});
+  groups.push_back({"f_w/F0", sc > 0.0 ? box.adhesion / scene.law.pull_off_force() : 0.0,
+                    "pull-off force of grains from walls over that between grains"});
   groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
-  groups.push_back({"T", compaction_time(scene, a, m), "sqrt(m/(p a^(D-2))), unit of time"});
+  groups.push_back({"T", compaction_time(scene, a, m),
+                    "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
-/// Returns the number of time steps of a compaction, including that of the load: the largest allowed one, or the
-/// usual one of dense samples.
+/// Returns the number of time steps of the compaction under one pressure. It follows from the longest allowed time
+/// (equilibrium.stop_time) or, without it, from the usual time of dense samples.
 double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
   const double a = scene.grains.diameter.max;
@@ -225,8 +246,8 @@ double steps_of_compaction(const Scene& scene) {
          time_step_of_scene(scene);
 }
 
-/// Returns K_N; if it varies with the force, its value at the mean force under the first pressure, 0.665 kappa P a (z
-/// Phi = 4).
+/// Returns the normal stiffness K_N of a contact. If K_N varies with the force, it is taken at the mean force under the
+/// first pressure P, which gives 0.665 kappa P a (for z Phi = 4).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);
@@ -244,18 +265,18 @@ double time_step_of_scene(const Scene& scene) {
 }
 
 double expected_cost(const Scene& scene) {
-  // Seconds per sphere and time step, with about two contacts per sphere (a core of 2023).
+  // Processor time per sphere and time step (s), for about two contacts per sphere on a core of 2023.
   constexpr double kSecondsPerGrainStep = 4.3e-8;
   if (scene.assembly.box) {
     const Steps stages = count_steps(scene);
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
            (1 + stages.up + stages.down);
   }
-  // Cost of assembling a gas, in loading steps.
+  // Processor time of assembling a packing from a gas, relative to the time of one loading step.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
-  // Time step of the scene that was timed, in sqrt(m/K_N).
+  // Time step of the run from which kSecondsPerGrainAndStep was measured, in units of sqrt(m/K_N).
   constexpr double kTimedStep = 0.1;
   const double step = time_step_of_scene(scene) /
                       std::sqrt(mass_of(scene, scene.grains.diameter.max) / typical_stiffness(scene));
@@ -269,8 +290,8 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   const double a = scene.grains.diameter.max;
   const double m = mass_of(scene, a);
   Groups groups;
-  groups.push_back({"N", static_cast<double>(scene.grains.count), "grains"});
-  groups.push_back({"d_min/a", scene.grains.diameter.min / a, "smallest diameter over the largest, a"});
+  groups.push_back({"N", static_cast<double>(scene.grains.count), "number of grains"});
+  groups.push_back({"d_min/a", scene.grains.diameter.min / a, "smallest diameter over the largest diameter a"});
   if (scene.law.adheres()) {
     add_cohesion(scene, a, groups);
     add_slot("adhesion", scene, a, groups);
@@ -279,7 +300,7 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_spheres(scene, groups);
   } else {
     const double K_N = scene.law.contact_modulus(scene.dimension, a);
-    groups.push_back({"kappa", K_N / scene.assembly.pressure, "K_N/P at the first pressure"});
+    groups.push_back({"kappa", K_N / scene.assembly.pressure, "K_N/P at the first pressure of the scene"});
     add_pressures(scene, K_N, "P/K_N", "P/K_N", groups);
   }
   add_law(scene, a, groups);
@@ -287,15 +308,18 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_box(scene, a, m, groups);
   else
     add_rates(scene, a, m, groups);
-  groups.push_back({"time_step", time_step_of_scene(scene), "step of the dynamics (time unit of the scene)"});
+  groups.push_back(
+      {"time_step", time_step_of_scene(scene), "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);
-  // Aggregation is equilibrated without pressure first, what is shaken before.
+  // An aggregated packing is first brought to equilibrium at zero pressure, and a vibrated packing once before it is
+  // vibrated. Both make one equilibrium more than other assemblies.
   const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||
                      (scene.assembly.vibration && !scene.starts_from_state());
   const int assembled = twice ? 2 : 1;
+  groups.push_back({"equilibria", static_cast<double>(assembled + steps.up + steps.down),
+                    "number of states (equilibria) of the run"});
   groups.push_back(
-      {"equilibria", static_cast<double>(assembled + steps.up + steps.down), "states of the path"});
-  groups.push_back({"cost", expected_cost(scene), "expected, seconds on one core; to a factor of two"});
+      {"cost", expected_cost(scene), "expected processor time on one core (s), within a factor of two"});
   return groups;
 }
 

@@ -14,14 +14,14 @@ namespace {
 
 constexpr NumberRule kRelativeError{positive, "a positive number (relative error)"};
 
-/// Returns the stiffness number a K_N/F0; none without adhesion.
+/// Returns the stiffness number a K_N/F0 of the scene, or std::nullopt without adhesion.
 std::optional<double> stiffness_number(const Scene& scene) {
   if (!scene.law.adheres()) return std::nullopt;
   const double a = scene.grains.diameter.max;
   return a * scene.law.contact_modulus(scene.dimension, a) / pull_off_force(scene);
 }
 
-/// Returns the settings of motion of the assembly, then of each stage of the load path.
+/// Returns the settings for the motion during the assembly, then during each stage of the load path.
 std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
   std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
   for (const LoadStage& stage : scene.load) parts.push_back(stage.cell.applied_to(scene.relaxation));
@@ -33,38 +33,40 @@ std::vector<CellFactors> cells_of(const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     cells.push_back(
         {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
-  // The mass of the cell during assembly is not a matter of accuracy: it determines which packing is made.
+  // The mass of the cell during assembly has no influence on accuracy: it determines which packing is made.
   cells.front().mass = 1.0;
   return cells;
 }
 
-/// Records a fault if the motion of the cell is outside the range of the table, which covers the default mass and
-/// strain rate up to the measured factors.
+/// Records a fault if the mass of the cell or the cap on its strain rate is outside the range of the table of errors
+/// shipped with floc. This table covers the default values and factors up to the measured ones.
 void check_table_covers_cell(TableReader& t, const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     if (part.inertial_number_cap) {
       t.fault("",
-              "[accuracy]: expected a strain_rate_cap instead of an inertial_number_cap; the shipped table was "
-              "measured with one");
+              "[accuracy] requires strain_rate_cap in place of inertial_number_cap, because the errors in the "
+              "table shipped with floc were measured with a strain_rate_cap");
       return;
     }
   for (const CellFactors& cell : cells_of(scene))
     if (!covers_cell(shipped_accuracy_table(), cell)) {
-      t.fault("", fmt::format(
-                      "[accuracy]: a cell of {:.3g} times the default mass of the load path and {:.3g} times "
-                      "the default strain_rate_cap is outside the range of the shipped table; here give the "
-                      "settings themselves ([equilibrium], run.time_step)",
-                      cell.mass, cell.rate_cap));
+      t.fault("", fmt::format("[accuracy]: the mass of the cell is {:.3g} times the default mass on load "
+                              "paths, and its strain_rate_cap is {:.3g} times the default; this is outside the "
+                              "range of the table of errors shipped with floc. Remove [accuracy] and give the "
+                              "numerical settings themselves ([equilibrium], run.time_step)",
+                              cell.mass, cell.rate_cap));
       return;
     }
 }
 
-/// Records faults for settings that [accuracy] chooses: a scene gives either the accuracy or these settings.
+/// Records a fault for each numerical setting that [accuracy] would choose: a scene gives either [accuracy] or these
+/// settings.
 void refuse_settings(TableReader& root) {
   TableReader equilibrium = root.table("equilibrium", "", TableReader::Need::optional);
   TableReader run = root.table("run", "", TableReader::Need::optional);
   const auto refuse = [](TableReader& t, const char* key) {
-    t.refuse(key, fmt::format("{}: [accuracy] chooses it; expected one or the other", t.path_of(key)));
+    t.refuse(key,
+             fmt::format("{} is chosen by [accuracy]: expected either this key or [accuracy]", t.path_of(key)));
   };
   for (const char* key : {"force", "moment", "stress", "energy", "patience"}) refuse(equilibrium, key);
   const auto finish = equilibrium.text("finish", "a string", TableReader::Need::optional);
@@ -76,26 +78,30 @@ void check_table_covers(TableReader& t, const Scene& scene) {
   const std::optional<double> kappa = stiffness_number(scene);
   if (scene.dimension != 2)
     t.fault("",
-            "[accuracy]: expected a scene in two dimensions, like those that the shipped table was measured "
-            "on; here give the settings themselves ([equilibrium], run.time_step)");
+            "[accuracy] requires a scene in two dimensions, like those on which the errors in the table "
+            "shipped with floc were measured. Remove [accuracy] and give the numerical settings themselves "
+            "([equilibrium], run.time_step)");
   else if (scene.assembly.box)
     t.fault("",
-            "[accuracy]: expected a scene with a periodic [cell], like those that the shipped table was "
-            "measured on");
+            "[accuracy] requires a scene with a periodic [cell], like those on which the errors in the table "
+            "shipped with floc were measured");
   else if (!kappa)
     t.fault("",
-            "[accuracy]: expected a scene with contact.adhesion; the shipped table was measured on cohesive "
-            "grains");
+            "[accuracy] requires a scene with contact.adhesion, because the errors in the table shipped with "
+            "floc were measured on cohesive grains");
   else if (!covers_stiffness(shipped_accuracy_table(), *kappa))
     t.fault("",
-            fmt::format("[accuracy]: a K_N/F0 = {:g} is outside the range of the shipped table, {:g} to within "
-                        "a factor of ten; here give the settings themselves ([equilibrium], run.time_step)",
-                        *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
+            fmt::format(
+                "[accuracy]: the stiffness number a K_N/F0 = {:g} is outside the range of the table of errors "
+                "shipped with floc, which was measured at {:g} and applies within a factor of ten. Remove "
+                "[accuracy] and give the numerical settings themselves ([equilibrium], run.time_step)",
+                *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
   else
     check_table_covers_cell(t, scene);
 }
 
-/// Writes the choice into the scene, so that its text gives the settings that are run even if the table changes.
+/// Writes the chosen settings into the TOML tables of the scene. The text of the scene then gives the settings that are
+/// run, even if a later version of floc has another table of errors.
 void write_choice(const AccuracyChoice& choice, toml::table& root) {
   const auto table = [&](const char* name) -> toml::table& {
     return *root.insert(name, toml::table{}).first->second.as_table();
@@ -119,7 +125,7 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
   for (const std::string& key : accuracy_keys())
     if (const auto error = t.number(key, kRelativeError, TableReader::Need::optional))
       wanted.emplace_back(key, *error);
-  const auto chosen = t.text("chosen", "a string, written by floc", TableReader::Need::optional);
+  const auto chosen = t.text("chosen", "a text that floc writes", TableReader::Need::optional);
   t.refuse_other_keys();
   if (chosen) {
     scene.accuracy = *chosen;
@@ -127,12 +133,12 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
   }
   refuse_settings(root);
   check_table_covers(t, scene);
-  // A key with an invalid value has its own fault.
+  // A fault has already been recorded for a key with an invalid value.
   const bool asks = std::ranges::any_of(accuracy_keys(), [&t](const std::string& key) { return t.has(key); });
   if (wanted.empty() && asks) return false;
   if (wanted.empty()) {
-    t.fault("",
-            fmt::format("[accuracy] asks for nothing: expected one of {}", fmt::join(accuracy_keys(), ", ")));
+    t.fault("", fmt::format("[accuracy] requests no error: expected at least one of the keys {}",
+                            fmt::join(accuracy_keys(), ", ")));
     return false;
   }
   const AccuracyChoice choice = choose_accuracy(shipped_accuracy_table(), wanted, cells_of(scene));

@@ -16,7 +16,8 @@ using Need = TableReader::Need;
 
 constexpr NumberRule kPositive{positive, "a positive number"};
 
-/// Reads the boundary: one keyword per axis, "walls", "fixed" or "periodic".
+/// Reads the key box.boundary: one keyword for each axis, "walls" (walls that move), "fixed" (walls at rest) or
+/// "periodic".
 void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
   constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
   static const char* const kAxisNames[] = {"x", "y", "z"};
@@ -30,62 +31,71 @@ void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
 
 void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
   if (scene.starts_from_state())
-    return t.refuse("sides", "box.sides is not allowed here: the box comes from assembly.state");
+    return t.refuse("sides",
+                    "box.sides is not allowed here: the size of the box comes from the file assembly.state");
   const bool plane = scene.dimension == 2;
-  const std::vector<double> sides =
-      t.numbers("sides", {kPositive.holds, plane ? "two lengths, e.g. [30, 40]; proportions where "
-                                                   "assembly.solid_fraction is given"
-                                                 : "three lengths, e.g. [25, 25, 40]; proportions where "
-                                                   "assembly.solid_fraction is given"});
+  const std::vector<double> sides = t.numbers(
+      "sides",
+      {kPositive.holds,
+       plane ? "two lengths, e.g. [30, 40], of which only the ratio counts if assembly.solid_fraction is given"
+             : "three lengths, e.g. [25, 25, 40], of which only the ratios count if assembly.solid_fraction is "
+               "given"});
   if (sides.empty()) {
-    if (t && !t.has("sides")) t.fault("sides", "box.sides is missing: expected a length for each axis");
+    if (t && !t.has("sides")) t.fault("sides", "box.sides is missing: expected one length for each axis");
     return;
   }
   if (sides.size() != static_cast<std::size_t>(scene.dimension))
-    return t.fault("sides", fmt::format("box.sides: {} numbers, expected {}", sides.size(), scene.dimension));
+    return t.fault("sides", fmt::format("box.sides has {} numbers: expected {}, one for each axis",
+                                        sides.size(), scene.dimension));
   for (int a = 0; a < scene.dimension; ++a) box.sides[a] = sides[static_cast<std::size_t>(a)];
 }
 
-/// Reads friction and adhesion of walls. They have no default, because they determine the result and publications
-/// often omit them.
+/// Reads the friction coefficient and the adhesion of grains on walls. They have no default values, because they
+/// determine the result and publications often omit them.
 void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
-  const NumberRule friction{
-      not_negative, "a friction coefficient of grains on walls, >= 0 (no default: it decides the result)"};
-  const NumberRule adhesion{
-      not_negative, "the pull-off force of grains from walls, >= 0 (no default: it decides the result)"};
+  const NumberRule friction{not_negative,
+                            "the friction coefficient of grains on walls, a number >= 0 (there is no default, "
+                            "because it determines the result)"};
+  const NumberRule adhesion{not_negative,
+                            "the pull-off force of grains from walls, a number >= 0 (there is no default, "
+                            "because it determines the result)"};
   box.friction = t.number("friction", friction).value_or(0);
   box.adhesion = t.number("adhesion", adhesion).value_or(0);
   if (scene.law.adheres_by_itself())
     t.fault("adhesion",
-            fmt::format("box.adhesion: grains under contact.normal.law = \"{}\" adhere to walls as they do "
-                        "to each other; expected a periodic cell, or another law",
-                        scene.law.normal_keyword()));
+            fmt::format(
+                "box.adhesion: with contact.normal.law = \"{}\" grains adhere to walls as they do to each "
+                "other, so no other adhesion can be given; expected a periodic cell, or another contact law",
+                scene.law.normal_keyword()));
   if (box.friction > 0 && !scene.law.has_friction())
-    t.fault("friction",
-            fmt::format("box.friction = {}: the grains have no friction whose stiffness the walls could share; "
-                        "expected contact.friction, or 0",
-                        box.friction));
+    t.fault(
+        "friction",
+        fmt::format("box.friction = {}: walls use the tangential stiffness of the friction between grains, but "
+                    "the grains have no friction; expected a table contact.friction, or box.friction = 0",
+                    box.friction));
 }
 
-/// Checks that there is room to place the grains in the box at random.
+/// Checks that the box is large enough for its grains to be placed at random.
 void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
   const double d = scene.grains.diameter.max;
   if (scene.starts_from_state() || !(d > 0) || scene.grains.count == 0) return;
   if (scene.assembly.solid_fraction == 0.0)
     for (int a = 0; a < scene.dimension; ++a)
       if (!(box.sides[a] > d))
-        return t.fault("sides",
-                       fmt::format("box.sides: {} along axis {}, expected more than the largest diameter {}",
-                                   box.sides[a], a + 1, d));
-  // For diameters between two sizes, the volume of the smallest is a lower bound.
+        return t.fault(
+            "sides",
+            fmt::format(
+                "box.sides: the side {} along axis {} is too short; expected more than the largest diameter {}",
+                box.sides[a], a + 1, d));
+  // The volume is computed as if all grains had the smallest diameter, which is a lower bound.
   const double least = std::pow(scene.grains.diameter.min, scene.dimension) * std::numbers::pi /
                        (scene.dimension == 2 ? 4.0 : 6.0) * scene.grains.count;
   const double volume = box.sides.head(scene.dimension).prod();
   const double densest = scene.dimension == 2 ? kDensestGasOfDisks : kDensestGasOfSpheres;
   if (scene.assembly.solid_fraction == 0.0 && least > densest * volume)
     t.fault("sides",
-            fmt::format("box.sides: the {} grains fill {:.3g} of the box or more, expected at most {}, at "
-                        "which they can be placed at random without overlap",
+            fmt::format("box.sides: the {} grains fill at least {:.3g} of the volume of the box, but they can "
+                        "be placed at random without overlap only up to {}; expected longer sides",
                         scene.grains.count, least / volume, densest));
 }
 
@@ -94,32 +104,36 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
 void read_boxed_gas(TableReader& assembly, Scene& scene) {
   scene.assembly.box.emplace();
   BoxOptions& box = *scene.assembly.box;
-  assembly.refuse("pressure", "assembly.pressure is not allowed here: box.pressure is that of the walls");
+  assembly.refuse(
+      "pressure",
+      "assembly.pressure is not allowed here: in a scene with walls the pressure is given by box.pressure");
   box.kinetic_pressure = assembly
                              .number("kinetic_pressure",
                                      {not_negative,
-                                      "a kinetic pressure >= 0, density of the gas times "
-                                      "squared speed of its grains"},
+                                      "the kinetic pressure of the gas, a number >= 0: density of the gas "
+                                      "times squared speed of its grains"},
                                      Need::optional)
                              .value_or(0);
   if (scene.starts_from_state()) {
     assembly.refuse("solid_fraction",
-                    "assembly.solid_fraction is not allowed here: the box comes from assembly.state");
+                    "assembly.solid_fraction is not allowed here: the box and its grains come from the file "
+                    "assembly.state");
     assembly.refuse(
         "kinetic_pressure",
-        "assembly.kinetic_pressure is not allowed here: the grains of assembly.state start at rest");
+        "assembly.kinetic_pressure is not allowed here: the grains of the file assembly.state start at rest");
     return;
   }
-  // Above these fractions a fluid is too dense for grains to be placed at random without overlap.
+  // Above these solid fractions grains can no longer be placed at random without overlap.
   const bool plane = scene.dimension == 2;
   scene.assembly.solid_fraction =
       assembly
           .number("solid_fraction",
                   plane ? NumberRule{[](double x) { return x > 0 && x <= kDensestGasOfDisks; },
-                                     "a solid fraction of the gas in (0, 0.6]; box.sides are then proportions"}
+                                     "the solid fraction of the gas in (0, 0.6]; if it is given, only the "
+                                     "ratios of box.sides count"}
                         : NumberRule{[](double x) { return x > 0 && x <= kDensestGasOfSpheres; },
-                                     "a solid fraction of the gas in (0, 0.49]; box.sides are then "
-                                     "proportions"},
+                                     "the solid fraction of the gas in (0, 0.49]; if it is given, only the "
+                                     "ratios of box.sides count"},
                   Need::optional)
           .value_or(0);
 }
@@ -130,26 +144,24 @@ void read_box(TableReader& root, Scene& scene) {
   read_boundary(t, scene.dimension, box);
   read_sides(t, scene, box);
   read_contacts(t, scene, box);
-  // Fixed walls and periodic sides do not respond to a pressure, so at least one axis needs walls that do.
+  // Fixed walls and periodic sides do not respond to a pressure, so along at least one axis the walls must be able to
+  // move.
   if (std::none_of(box.boundary.begin(), box.boundary.begin() + scene.dimension,
                    [](BoxSide side) { return side == BoxSide::walls; }))
-    t.fault(
-        "boundary",
-        "box.boundary: no wall can carry the pressure; expected \"walls\" along an axis at least, or a table "
-        "[cell]");
-  box.mass =
-      t.number("mass", {kPositive.holds, "a positive number (mass of a wall over that of the largest grain)"})
-          .value_or(1);
-  scene.assembly.pressure = t.number("pressure", {kPositive.holds,
-                                                  "a positive number (pressure on the walls at "
-                                                  "assembly)"})
-                                .value_or(0);
-  scene.assembly.cell.wall_speed =
-      t.number("speed",
-               {kPositive.holds,
-                "a positive number (speed at which walls approach each other until they "
-                "bear their pressure)"},
-               Need::optional);
+    t.fault("boundary",
+            "box.boundary: no wall can move under the pressure; expected \"walls\" for at least one axis, or a "
+            "table [cell] in place of [box]");
+  box.mass = t.number("mass", {kPositive.holds,
+                               "a positive number (mass of a wall over the mass of the largest grain)"})
+                 .value_or(1);
+  scene.assembly.pressure =
+      t.number("pressure", {kPositive.holds, "a positive number (pressure on the walls during assembly)"})
+          .value_or(0);
+  scene.assembly.cell.wall_speed = t.number("speed",
+                                            {kPositive.holds,
+                                             "a positive number (speed at which opposite walls approach each "
+                                             "other until the grains carry the pressure)"},
+                                            Need::optional);
   check_room(t, scene, box);
   t.refuse_other_keys();
 }
@@ -158,25 +170,26 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   CompactionEnd& end = scene.relaxation.compaction;
   if (!scene.assembly.box) {
     for (const char* key : {"end", "energy_ratio", "stop_time"})
-      t.refuse(key,
-               fmt::format(
-                   "{} is not allowed here: it says how the compaction of a [box] ends, and the scene has none",
-                   t.path_of(key)));
+      t.refuse(key, fmt::format("{} is not allowed here: it defines when the compaction between walls ends, "
+                                "but the scene has no table [box]",
+                                t.path_of(key)));
     return;
   }
   scene.relaxation.tolerance.stress = CompactionEnd::kSettledPressure;
   const auto chosen = t.choice("end", {"settled", "energy_ratio"}, Need::optional);
   if (chosen && *chosen == 1) end.criterion = CompactionEnd::Criterion::energy_ratio;
   end.energy_ratio =
-      t.number("energy_ratio", {kPositive.holds, "a positive number (kinetic over elastic energy)"},
+      t.number("energy_ratio", {kPositive.holds, "a positive number (kinetic energy over elastic energy)"},
                Need::optional)
           .value_or(end.energy_ratio);
   if (t.has("energy_ratio") && end.criterion != CompactionEnd::Criterion::energy_ratio)
-    t.fault("energy_ratio", "equilibrium.energy_ratio: expected end = \"energy_ratio\", or no such key");
+    t.fault("energy_ratio",
+            "equilibrium.energy_ratio is used only with equilibrium.end = \"energy_ratio\": expected this end, "
+            "or remove the key");
   end.longest = t.number("stop_time",
                          {kPositive.holds,
-                          "a positive number (in T = sqrt(m/(P a^(d-2))), after which "
-                          "the state is recorded as it is)"},
+                          "a positive number (time in units of T = sqrt(m/(P a^(d-2))), after which the state "
+                          "is recorded even if it still moves)"},
                          Need::optional);
 }
 

@@ -5,14 +5,16 @@
 
 namespace floc {
 
-/// Reads the keys of [assembly] that apply to a scene with a [box]: solid fraction and kinetic pressure of the gas.
+/// Reads the keys of the table [assembly] that apply to a scene with walls (table [box]): the solid fraction and the
+/// kinetic pressure of the gas from which the packing is made.
 void read_boxed_gas(TableReader& assembly, Scene& scene);
 
-/// Reads [box]: walls around the grains, in place of [cell].
-/// @pre assembly and grains have been read
+/// Reads the table [box], which describes walls around the grains and replaces the table [cell].
+/// @pre the tables [assembly] and [grains] have been read
 void read_box(TableReader& root, Scene& scene);
 
-/// Reads the keys of [equilibrium] that define the end of a compaction. Records faults if the scene has no box.
+/// Reads the keys of the table [equilibrium] that define when the compaction between walls ends. Records a fault for
+/// each of these keys if the scene has no table [box].
 void read_compaction_end(TableReader& equilibrium, Scene& scene);
 
 }  // namespace floc

@@ -21,12 +21,14 @@ using Kind = DiameterDistribution::Kind;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
-/// Returns the text of a file; none, with a fault, if it cannot be read or is not text.
+/// Returns the text of a file. If the file cannot be read or is not text, a fault is recorded and std::nullopt is
+/// returned.
 std::optional<std::string> text_of_list(const std::string& path, TableReader& t, SceneSource& source) {
   try {
     std::string text = read_text(path);
     if (text.find('\0') == std::string::npos) return text;
-    source.fault_at(path, "is not text in UTF-8: expected diameters, separated by spaces or lines");
+    source.fault_at(path,
+                    "the file is not text in UTF-8: expected diameters, separated by spaces or line ends");
   } catch (const InputError& error) {
     t.fault("file", fmt::format("{}: {}", t.path_of("file"), error.what()));
   }
@@ -50,19 +52,20 @@ std::vector<double> read_list_file(const std::string& path, TableReader& t, Scen
       }
       ++n_faults;
       source.fault_at(fmt::format("{}:{}", path, number),
-                      fmt::format("'{}': expected a positive number{}", token, decimal_comma_hint(token)));
+                      fmt::format("'{}' is not a diameter: expected a positive number{}", token,
+                                  decimal_comma_hint(token)));
     }
   }
   if (n_faults == 0 && values.empty())
-    source.fault_at(path, "holds no diameters: expected numbers, separated by spaces or lines");
+    source.fault_at(path, "the file contains no diameters: expected numbers, separated by spaces or line ends");
   return values;
 }
 
 void read_list(TableReader& t, SceneSource& source, const std::string& directory, DiameterDistribution& d) {
   if (t.has("values")) {
     d.values = t.numbers("values", {kDiameter.holds, "an array of positive numbers (length)"});
-  } else if (const auto file =
-                 t.text("file", "the name of a file of diameters, separated by spaces or lines")) {
+  } else if (const auto file = t.text(
+                 "file", "the name of a file of diameters, which are separated by spaces or line ends")) {
     d.values = read_list_file((std::filesystem::path(directory) / *file).string(), t, source);
   }
   if (d.values.empty()) return;
@@ -71,13 +74,13 @@ void read_list(TableReader& t, SceneSource& source, const std::string& directory
   d.max = *largest;
 }
 
-/// Reads the two sizes between which a distribution lies, or of which it consists.
+/// Reads the two diameters between which a distribution lies (min, max) or of which it consists (small, large).
 void read_sizes(TableReader& t, const char* small, const char* large, DiameterDistribution& d) {
   d.min = t.number(small, kDiameter).value_or(0);
   d.max = t.number(large, kDiameter).value_or(0);
   if (d.min > d.max && d.max > 0)
-    t.fault(small,
-            fmt::format("grains.diameter.{} = {}: expected at most {} = {}", small, d.min, large, d.max));
+    t.fault(small, fmt::format("grains.diameter.{} = {}: expected at most grains.diameter.{} = {}", small,
+                               d.min, large, d.max));
 }
 
 void read_lognormal(TableReader& t, DiameterDistribution& d) {
@@ -85,15 +88,15 @@ void read_lognormal(TableReader& t, DiameterDistribution& d) {
   d.sigma =
       t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
           .value_or(0);
-  // Quantiles of a share of at least this keep half of their digits.
+  // Smallest share of the lognormal distribution that may lie between min and max. For larger shares its quantiles are
+  // computed with at least half of their digits correct.
   constexpr double kLeastShare = 1e-12;
   if (!(d.min > 0 && d.min < d.max && d.median > 0 && d.sigma > 0)) return;
   const double share = share_within_bounds(d);
   if (!(share >= kLeastShare))
-    t.fault("median",
-            fmt::format("grains.diameter.median = {}: {:.2g} of this distribution lies between min = {} "
-                        "and max = {}; expected at least {:.0e}",
-                        d.median, share, d.min, d.max, kLeastShare));
+    t.fault("median", fmt::format("grains.diameter.median = {}: only the share {:.2g} of this distribution "
+                                  "lies between min = {} and max = {}; expected a share of at least {:.0e}",
+                                  d.median, share, d.min, d.max, kLeastShare));
 }
 
 }  // namespace
@@ -105,7 +108,8 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
   if (!chosen) return d;
   d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list,
                       Kind::power_law, Kind::lognormal, Kind::power_law,  Kind::power_law}[*chosen];
-  // Uniform distributions by volume or area are power laws of a fixed exponent; `chosen` tells them apart.
+  // Distributions that are uniform by volume or by area are power laws with a fixed exponent, so three keywords share
+  // one kind. `chosen` distinguishes them.
   constexpr std::size_t kByVolume = 6;
   switch (d.kind) {
     case Kind::uniform:
@@ -116,9 +120,10 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       break;
     case Kind::bidisperse:
       read_sizes(t, "small", "large", d);
-      d.share_of_large = t.number("share_of_large", {[](double x) { return x >= 0 && x <= 1; },
-                                                     "the number fraction of large grains, 0 to 1"})
-                             .value_or(0);
+      d.share_of_large =
+          t.number("share_of_large", {[](double x) { return x >= 0 && x <= 1; },
+                                      "the number of large grains over the number of all grains, 0 to 1"})
+              .value_or(0);
       break;
     case Kind::list:
       read_list(t, source, directory, d);
@@ -128,9 +133,10 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       if (*chosen >= kByVolume)
         d.exponent = *chosen == kByVolume ? kUniformByVolume : kUniformByArea;
       else
-        d.exponent = t.number("exponent", {[](double x) { return std::abs(x) <= 100; },
-                                           "a number, -100 to 100 (P(d) ~ d^-exponent)"})
-                         .value_or(0);
+        d.exponent =
+            t.number("exponent", {[](double x) { return std::abs(x) <= 100; },
+                                  "a number from -100 to 100 (probability density P(d) ~ d^-exponent)"})
+                .value_or(0);
       break;
     case Kind::lognormal:
       read_sizes(t, "min", "max", d);

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Reads the table grains.diameter. Invalid values are recorded as faults.
-/// @param directory  directory that the file of a list is relative to
+/// Reads the table grains.diameter. Faults are recorded for invalid values.
+/// @param directory  directory to which the name of a file of diameters is relative
 DiameterDistribution read_diameters(TableReader table, SceneSource& source, const std::string& directory);
 
 }  // namespace floc

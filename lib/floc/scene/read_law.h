@@ -5,8 +5,9 @@
 
 namespace floc {
 
-/// Reads the table [contact]: one table for each slot of the law, with the keys that the models of the slot declare.
-/// Invalid values are recorded as faults; the law then holds a valid number in their place.
+/// Reads the table [contact], which has one table for each component of the contact law (normal, adhesion, friction,
+/// ...). Each component accepts the keys that its models declare. For an invalid value a fault is recorded, and the
+/// returned law has a valid number in its place.
 Law read_law(TableReader& root, int dimension);
 
 }  // namespace floc

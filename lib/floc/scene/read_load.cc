@@ -17,7 +17,8 @@ using Need = TableReader::Need;
 constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }
-/// Largest logarithmic strain. At 2 a side has 0.14 of its length; beyond, the cell would close.
+/// Largest logarithmic strain of a stage. At a strain of 2 a side has 0.14 of its original length; at larger strains
+/// the cell would practically vanish.
 constexpr double kLargestStrain = 2.0;
 constexpr bool is_strain(double x) {
   return x >= -kLargestStrain && x <= kLargestStrain;
@@ -25,10 +26,10 @@ constexpr bool is_strain(double x) {
 constexpr std::int64_t kMaxSteps = 10'000;
 constexpr double kRoundingPerStep = 1e-6;
 
-constexpr NumberRule kStrain{is_strain,
-                             "a logarithmic strain from -2 to 2 (compression positive; beyond, the cell would "
-                             "close)"};
-/// Largest shear strain: beyond it a sheared packing has long been in a steady state.
+constexpr NumberRule kStrain{
+    is_strain,
+    "a logarithmic strain from -2 to 2 (compression positive; at larger strains the cell would vanish)"};
+/// Largest shear strain of a stage. A packing reaches a steady state long before it.
 constexpr NumberRule kShear{[](double x) { return x >= -100 && x <= 100; }, "a shear strain from -100 to 100"};
 const std::vector<std::string> kControls = {"isotropic",       "oedometric", "triaxial",
                                             "constant_volume", "axes",       "simple_shear"};
@@ -39,15 +40,16 @@ std::vector<std::string> law_keys(LawParameters law) {
   return keys;
 }
 
-/// Applies the changes of a stage to the present law, and records their faults.
+/// Applies the changes that a stage makes to the contact law, and records their faults.
+/// @param present  contact law before the stage, replaced by the law during the stage
 void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   LawParameters law = present;
   for (const auto& [key, value] : stage.set) {
     double* number = law_number(law, key);
     if (!number) {
-      t.fault("set",
-              fmt::format("{}.set.{}: the scene's contact law has no such parameter; the nearest it has is {}",
-                          t.path(), key, nearest_key(key, law_keys(law))));
+      t.fault("set", fmt::format("{}.set.{}: the contact law of the scene has no such parameter; its parameter "
+                                 "with the most similar name is {}",
+                                 t.path(), key, nearest_key(key, law_keys(law))));
       present = law;
       return;
     }
@@ -58,36 +60,42 @@ void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   present = law;
 }
 
-/// Reads the stress or strain at the end of a stage of one axis.
-/// @param of_stress  key of the stress and its requirement
+/// Reads the stress or the strain that a stage imposes on one axis at its end.
+/// @param stress_key  key that gives the stress
+/// @param of_stress  description of the accepted stresses, for messages
 AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_stress) {
   const bool has_stress = t.has(stress_key);
   const auto stress = t.number(stress_key, {not_negative, of_stress}, Need::optional);
   const auto strain = t.number("strain", kStrain, Need::optional);
   if (has_stress && t.has("strain"))
-    t.fault("strain", fmt::format("{}: expected either this or {}, not both", t.path_of("strain"), stress_key));
+    t.fault("strain", fmt::format("{} is given together with {}: expected only one of them",
+                                  t.path_of("strain"), stress_key));
   else if (t && !has_stress && !t.has("strain"))
-    t.fault(stress_key, fmt::format("{} is missing: give {} or strain", t.path_of(stress_key), stress_key));
+    t.fault(stress_key,
+            fmt::format("{} is missing: expected either {} or strain", t.path_of(stress_key), stress_key));
   if (strain) return {AxisLoad::strain, *strain};
   return {AxisLoad::stress, stress.value_or(0.0)};
 }
 
-/// Reads `axes = [{stress = ..}, {strain = ..}, {as = 1}]`.
+/// Reads the loads on the axes from the key axes of a stage, for example `axes = [{stress = 2.0}, {strain = 0.1}, {as =
+/// 1}]`.
 std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   std::vector<AxisLoad> axes;
-  const char* expectation = "an array of one table per axis, {stress = ..}, {strain = ..} or {as = 1}";
+  const char* expectation =
+      "an array with one table for each axis: {stress = ..}, {strain = ..} or {as = 1} (as axis 1)";
   std::vector<TableReader> tables = t.tables("axes", expectation);
   if (t && (!t.has("axes") || static_cast<int>(tables.size()) != dimension))
-    t.fault("axes",
-            fmt::format(
-                "{} has {} tables: expected {}, one per axis, {{stress = ..}}, {{strain = ..}} or {{as = 1}}",
-                t.path_of("axes"), tables.size(), dimension));
+    t.fault("axes", fmt::format("{} has {} tables: expected {}, one for each axis: {{stress = ..}}, {{strain = "
+                                "..}} or {{as = 1}} (as axis 1)",
+                                t.path_of("axes"), tables.size(), dimension));
   for (TableReader& axis : tables) {
-    const auto as = axis.integer("as", {1, 3, "the number of an axis before this one"}, Need::optional);
+    const auto as = axis.integer("as", {1, 3, "the number of an earlier axis, whose load this axis shares"},
+                                 Need::optional);
     const bool known = as && *as <= static_cast<std::int64_t>(axes.size());
     if (as && !known)
-      axis.fault("as", fmt::format("{} = {}: expected the number of an axis before this one",
-                                   axis.path_of("as"), *as));
+      axis.fault("as",
+                 fmt::format("{} = {}: expected the number of an earlier axis, whose load this axis shares",
+                             axis.path_of("as"), *as));
     if (as)
       axes.push_back(known ? axes[static_cast<std::size_t>(*as - 1)] : AxisLoad{});
     else
@@ -97,10 +105,11 @@ std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   return axes;
 }
 
-/// Returns the loads on the axes of a test in which one axis is driven.
+/// Returns the loads on all axes in a test in which one axis is driven to a stress or a strain.
 std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int axis, int dimension) {
   if (control == "constant_volume" && t.has("to"))
-    t.fault("to", fmt::format("{}: at constant volume the driven axis is given a length; expected strain",
+    t.fault("to", fmt::format("{} is not allowed here: a stage at constant volume imposes a length, not a "
+                              "stress, on the driven axis; expected the key strain",
                               t.path_of("to")));
   const AxisLoad driven = read_axis_load(t, "to", "a stress >= 0 (compression positive)");
   AxisLoad other{AxisLoad::kept_stress, 0.0};
@@ -111,15 +120,16 @@ std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int 
   return axes;
 }
 
-/// Reads a simple shear: the planes across an axis, which keeps its stress, move along the first axis. The lengths of
-/// all other axes are kept.
+/// Reads a stage of simple shear. The planes perpendicular to one axis move along the first axis; the stress on this
+/// axis and the lengths of all other axes are kept.
 void read_shear(TableReader& t, int dimension, LoadStage& stage) {
   const char* which = dimension == 2
-                          ? "the number of the axis across whose planes the lattice is sheared, 2"
-                          : "the number of the axis across whose planes the lattice is sheared, 2 or 3";
+                          ? "the number of the axis perpendicular to the planes that are sheared, 2"
+                          : "the number of the axis perpendicular to the planes that are sheared, 2 or 3";
   if (const auto axis = t.integer("axis", {2, dimension, which}, Need::optional))
     stage.axis = static_cast<int>(*axis) - 1;
-  t.refuse("to", fmt::format("{}: the lattice is sheared by a strain at the stress it has; expected strain",
+  t.refuse("to", fmt::format("{} is not allowed here: a simple shear imposes a strain and keeps the stress; "
+                             "expected the key strain",
                              t.path_of("to")));
   stage.shear = t.number("strain", kShear).value_or(0.0);
   stage.axes.assign(static_cast<std::size_t>(dimension), {AxisLoad::strain, 0.0});
@@ -131,14 +141,14 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   if (stage.control == "axes") {
     stage.axes = read_axes(t, dimension);
     for (const char* key : {"to", "strain", "axis"})
-      t.refuse(key,
-               fmt::format(
-                   "{} is not allowed with control = \"axes\": the tables of axes say what is imposed on each "
-                   "axis",
-                   t.path_of(key)));
+      t.refuse(key, fmt::format(
+                        "{} is not allowed with control = \"axes\": the key axes gives the load on each axis",
+                        t.path_of(key)));
     return;
   }
-  t.refuse("axes", fmt::format("{}: expected control = \"axes\", or no such key", t.path_of("axes")));
+  t.refuse("axes",
+           fmt::format("{} is used only with control = \"axes\": expected this control, or remove the key",
+                       t.path_of("axes")));
   if (stage.control == "simple_shear") return read_shear(t, dimension, stage);
   const char* which =
       dimension == 2 ? "the number of the driven axis, 1 or 2" : "the number of the driven axis, 1 to 3";
@@ -154,8 +164,8 @@ double largest_strain(const LoadStage& stage) {
   return largest;
 }
 
-/// Whether steps_per_decade determines the number of steps of a stage, which requires that its stresses start from
-/// known ones above zero.
+/// Whether steps_per_decade determines the number of steps of a stage. This requires that every imposed stress is
+/// positive at the end of the stage, and known and positive at its start.
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a) {
@@ -167,34 +177,40 @@ bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
 }
 
 /// Reads the number of steps of a stage whose axes are loaded differently.
+/// @param from  stresses on the axes before the stage, as far as they are known
 void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
   const auto strain_step =
-      t.number("strain_step", {positive, "a positive strain, of one step"}, Need::optional);
+      t.number("strain_step", {positive, "a positive number (strain of one step)"}, Need::optional);
   const double strain = largest_strain(stage);
   const int given = (stage.steps ? 1 : 0) + (stage.steps_per_decade ? 1 : 0) + (strain_step ? 1 : 0);
   if (given > 1)
-    t.fault("steps", fmt::format("{}: expected one of steps, strain_step and steps_per_decade",
+    t.fault("steps", fmt::format("{}: the number of steps is given more than once; expected only one of steps, "
+                                 "strain_step and steps_per_decade",
                                  t.path_of(strain_step ? "strain_step" : "steps")));
   if (strain_step && strain == 0.0)
-    t.fault("strain_step", fmt::format("{}: no axis is strained; expected steps or steps_per_decade",
-                                       t.path_of("strain_step")));
+    t.fault(
+        "strain_step",
+        fmt::format("{} is not allowed here: the stage imposes no strain; expected steps or steps_per_decade",
+                    t.path_of("strain_step")));
   if (strain_step && strain > 0.0) {
-    // An exact multiple of strain_step must not get one step more because of rounding.
+    // If the strain is an exact multiple of strain_step, rounding must not add another step.
     const double n = std::ceil(strain / *strain_step - kRoundingPerStep);
     if (n > static_cast<double>(kMaxSteps))
-      t.fault("strain_step", fmt::format("{} = {}: {} steps to a strain of {}, expected at most {}",
-                                         t.path_of("strain_step"), *strain_step, n, strain, kMaxSteps));
+      t.fault("strain_step",
+              fmt::format("{} = {}: this makes {} steps to the strain {}, expected at most {} steps",
+                          t.path_of("strain_step"), *strain_step, n, strain, kMaxSteps));
     else
       stage.steps = std::max(1, static_cast<int>(n));
   }
-  // Steps per decade need the ratio of the last stress to the first one, so both must be known and positive.
+  // The number of steps per decade needs the ratio of the last stress to the first one, so both must be known and
+  // positive.
   if (stage.steps_per_decade && !counts_in_decades(from, stage))
     t.fault("steps_per_decade",
-            fmt::format("{}: the stress that the stage starts from is not known before the run, or zero; "
-                        "expected steps{}",
+            fmt::format("{} is not allowed here: the stress at the start of the stage is zero or not known "
+                        "before the run; expected steps{}",
                         t.path_of("steps_per_decade"), strain > 0.0 ? " or strain_step" : ""));
   if (given == 0 && t)
-    t.fault("steps", fmt::format("{} is missing: give steps{}", t.path_of("steps"),
+    t.fault("steps", fmt::format("{} is missing: expected steps{}", t.path_of("steps"),
                                  strain > 0.0 ? " or strain_step" : " or steps_per_decade"));
 }
 
@@ -203,19 +219,21 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
   const bool by_decade = t.has("steps_per_decade");
   const bool by_number = t.has("steps");
   if (by_decade && by_number)
-    t.fault("steps", fmt::format("{}: expected either this or steps_per_decade, not both", t.path_of("steps")));
+    t.fault("steps", fmt::format("{} is given together with steps_per_decade: expected only one of them",
+                                 t.path_of("steps")));
   const bool is_one_step =
       is_isotropic(from) && (stage.to == from.front() || stage.to == 0 || from.front() == 0.0);
   if (has_end && !by_decade && !by_number && !is_one_step)
     t.fault("steps",
-            fmt::format("{} is missing: give steps_per_decade or steps", t.path_of("steps_per_decade")));
+            fmt::format("{} is missing: expected steps_per_decade or steps", t.path_of("steps_per_decade")));
   if (by_decade && std::any_of(from.begin(), from.end(), [](const auto& s) { return !s.has_value(); }))
-    t.fault("steps_per_decade", fmt::format("{}: the stresses that the stage starts from are not known before "
-                                            "the run; expected steps",
+    t.fault("steps_per_decade", fmt::format("{} is not allowed here: the stresses at the start of the stage "
+                                            "are not known before the run; expected steps",
                                             t.path_of("steps_per_decade")));
 }
 
-/// Returns "load", "unload" or "hold" if the stress before is known, otherwise the kind of the test.
+/// Returns the default name of a stage: "load", "unload" or "hold" if the stress before the stage is known, otherwise
+/// its control (for example "triaxial").
 std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);
   const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
@@ -227,7 +245,7 @@ std::string default_name(const KnownStress& from, const LoadStage& stage) {
   return driven.end > *before ? "load" : driven.end < *before ? "unload" : "hold";
 }
 
-/// Checks the strains of a stage that imposes one on every axis: their sum is the strain of the volume.
+/// Checks the strains of a stage that imposes a strain on every axis. Their sum is the strain of the volume.
 void check_volume(TableReader& t, const LoadStage& stage) {
   double sum = 0.0;
   for (const AxisLoad& axis : stage.axes) {
@@ -235,24 +253,26 @@ void check_volume(TableReader& t, const LoadStage& stage) {
     sum += axis.end;
   }
   if (sum > kLargestStrain)
-    t.fault("axes",
-            fmt::format("{}: the strains add up to {}, expected at most {} (beyond, the cell would close)",
-                        t.path_of("axes"), sum, kLargestStrain));
+    t.fault("axes", fmt::format("{}: the strains of all axes add up to {}, expected at most {} (at larger "
+                                "strains the cell would vanish)",
+                                t.path_of("axes"), sum, kLargestStrain));
 }
 
-/// Checks that no axis keeps a stress of zero without adhesion, if it is known from the stage before.
+/// Checks that grains without adhesion keep no stress of zero on an axis, as far as the stress before the stage is
+/// known.
 void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage, const Law& law) {
   if (law.adheres()) return;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a)
     if (stage.axes[a].kind == AxisLoad::kept_stress && from[a] == 0.0)
-      return t.fault("control",
-                     fmt::format("{} = \"{}\": axis {} would keep a stress of 0; expected a positive "
-                                 "pressure before; nothing holds grains without adhesion together",
-                                 t.path_of("control"), stage.control, a + 1));
+      return t.fault(
+          "control",
+          fmt::format("{} = \"{}\": axis {} would keep a stress of 0, at which grains without adhesion do not "
+                      "hold together; expected a positive pressure before this stage",
+                      t.path_of("control"), stage.control, a + 1));
 }
 
-/// Checks stages that end at zero stress.
-/// @param cell_cap  whether the scene caps rates by the inertial number, which allows no motion at zero pressure
+/// Checks a stage that ends at zero stress.
+/// @param cell_cap  whether the scene limits the inertial number, which allows no motion at zero pressure
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
   const bool zero = stage.is_isotropic()
                         ? has_end && stage.to == 0.0
@@ -262,39 +282,42 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
   if (!zero) return;
   const char* key = t.has("axes") ? "axes" : "to";
   if (stage.is_isotropic() && stage.cell.inertial_number_cap)
-    t.fault("inertial_number_cap",
-            fmt::format("{}: at P = 0 it lets nothing move; expected cell.strain_rate_cap",
-                        t.path_of("inertial_number_cap")));
+    t.fault("inertial_number_cap", fmt::format("{}: at zero pressure a cap on the inertial number allows no "
+                                               "motion; expected cell.strain_rate_cap in its place",
+                                               t.path_of("inertial_number_cap")));
   if (!t.has(key)) return;
   if (!law.adheres())
-    t.fault(key,
-            fmt::format("{} = 0: expected a positive pressure; nothing holds grains without adhesion together",
-                        t.path_of(key)));
+    t.fault(key, fmt::format("{} = 0: without adhesion nothing holds the grains together at zero pressure; "
+                             "expected a positive pressure",
+                             t.path_of(key)));
   else if (stage.is_isotropic() && cell_cap && !stage.cell.has_cap())
-    t.fault(key, fmt::format("{} = 0: cell.inertial_number_cap lets nothing move there; expected "
+    t.fault(key, fmt::format("{} = 0: at zero pressure cell.inertial_number_cap allows no motion; expected "
                              "cell.strain_rate_cap in its place",
                              t.path_of(key)));
 }
 
-/// Checks the loads on axes of a box: a stress is imposed by walls that move, and all other axes keep their length.
+/// Checks the loads on the axes of a box. A stress needs an axis whose walls can move, and all other axes must keep
+/// their length.
 void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) {
   const char* key = t.has("axes") ? "axes" : "control";
   for (std::size_t a = 0; a < stage.axes.size(); ++a) {
     if (stage.axes[a].kind == AxisLoad::strain)
       return t.fault(
-          key, fmt::format("{}: gives axis {} a length, but walls are under a stress or at rest; expected "
-                           "stresses, and box.boundary = \"fixed\" for axes that keep their length",
-                           t.path_of(key), a + 1));
+          key, fmt::format(
+                   "{}: the stage imposes a length on axis {}, but walls either move under a stress or stay at "
+                   "rest; expected a stress, or box.boundary = \"fixed\" for an axis that keeps its length",
+                   t.path_of(key), a + 1));
     if (stage.axes[a].kind == AxisLoad::stress && box.boundary[a] != BoxSide::walls)
-      return t.fault(key, fmt::format("{}: no wall along axis {} can carry its stress; expected an axis whose "
-                                      "box.boundary is \"walls\"",
+      return t.fault(key, fmt::format("{}: axis {} has no walls that could move under the imposed stress; "
+                                      "expected an axis whose box.boundary is \"walls\"",
                                       t.path_of(key), a + 1));
   }
 }
 
 /// Reads one stage of the load path.
-/// @param scene  scene without its stages
-/// @param from   stresses before the stage
+/// @param scene  scene, of which the contact law, the assembly and the box have been read
+/// @param from  stresses on the axes before the stage, as far as they are known
+/// @param law  contact law before the stage, replaced by the law during the stage
 LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from, Law& law) {
   const std::optional<BoxOptions>& box = scene.assembly.box;
   LoadStage stage;
@@ -307,13 +330,12 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
     has_end = to.has_value();
     stage.to = to.value_or(from.front().value_or(0.0));
     for (const char* key : {"axis", "axes", "strain", "strain_step"})
-      t.refuse(key,
-               fmt::format(
-                   "{} is not allowed here: the load is isotropic; leave the key out or choose another control",
-                   t.path_of(key)));
+      t.refuse(key, fmt::format("{} is not allowed here: the load of this stage is isotropic; remove the key "
+                                "or choose another control",
+                                t.path_of(key)));
   } else {
     read_axes_of(t, dimension, stage);
-    // An equal stress on every axis is treated as the isotropic load, so that both give identical results.
+    // Equal stresses on all axes are treated as an isotropic load, so that both give identical results.
     if (stage.control == "axes" && !stage.axes.empty() && stage.axes[0].kind == AxisLoad::stress &&
         std::count(stage.axes.begin(), stage.axes.end(), stage.axes[0]) == dimension) {
       stage.to = stage.axes[0].end;
@@ -324,9 +346,10 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
   }
   stage.steps_per_decade =
       t.number("steps_per_decade",
-               {is_steps_per_decade, "a number of steps per decade of pressure, in (0, 1000]"}, Need::optional);
-  if (const auto steps =
-          t.integer("steps", {1, kMaxSteps, "a whole number of steps, 1 to 10000"}, Need::optional))
+               {is_steps_per_decade, "the number of steps per decade of pressure, a number in (0, 1000]"},
+               Need::optional);
+  if (const auto steps = t.integer(
+          "steps", {1, kMaxSteps, "the number of steps, a whole number from 1 to 10000"}, Need::optional))
     stage.steps = static_cast<int>(*steps);
   if (stage.is_isotropic())
     check_isotropic_steps(t, from, has_end, stage);
@@ -338,9 +361,10 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
   if (box) check_walls(t, *box, stage);
   apply_changes(t, stage, law);
   if (stage.cell.strain_rate_cap && !law.adheres())
-    t.fault("strain_rate_cap", fmt::format("{}: is in units of 1/T0, T0 = sqrt(a m/F0), but the grains do not "
-                                           "adhere; expected inertial_number_cap",
-                                           t.path_of("strain_rate_cap")));
+    t.fault("strain_rate_cap",
+            fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires adhesion, but "
+                        "the grains do not adhere; expected inertial_number_cap",
+                        t.path_of("strain_rate_cap")));
   check_zero_stress(t, stage, has_end, law, scene.relaxation.inertial_number_cap.has_value());
   check_kept_stress(t, from, stage, law);
   check_volume(t, stage);
@@ -353,17 +377,20 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
 CellResponse read_cell_response(TableReader& t, bool boxed) {
   if (boxed) {
     for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass"})
-      t.refuse(key, fmt::format("{} is not allowed here: a [box] has walls and no cell", t.path_of(key)));
+      t.refuse(key,
+               fmt::format("{} is not allowed here: a scene with a table [box] has walls and no periodic cell",
+                           t.path_of(key)));
     CellResponse response;
     response.wall_speed = t.number("speed",
                                    {positive,
-                                    "a positive number (speed at which walls approach each other, or move "
-                                    "apart, until they bear their pressure)"},
+                                    "a positive number (speed at which opposite walls approach each other, or "
+                                    "move apart, until the grains carry the pressure)"},
                                    Need::optional);
     return response;
   }
-  t.refuse("speed", fmt::format("{} is not allowed here: the scene has no [box] whose walls could move at it",
-                                t.path_of("speed")));
+  t.refuse("speed",
+           fmt::format("{} is not allowed here: it is the speed of walls, but the scene has no table [box]",
+                       t.path_of("speed")));
   CellResponse response = read_rate_caps(t);
   response.cell_mass = t.number("cell_mass", kCellMass, Need::optional);
   return response;
@@ -374,8 +401,9 @@ CellResponse read_rate_caps(TableReader& t) {
   response.strain_rate_cap = t.number("strain_rate_cap", kStrainRateCapRule, Need::optional);
   response.inertial_number_cap = t.number("inertial_number_cap", kInertialNumberCap, Need::optional);
   if (t.has("strain_rate_cap") && t.has("inertial_number_cap"))
-    t.fault("inertial_number_cap", fmt::format("{}: expected either this or strain_rate_cap, not both",
-                                               t.path_of("inertial_number_cap")));
+    t.fault("inertial_number_cap",
+            fmt::format("{} is given together with strain_rate_cap: expected only one of them",
+                        t.path_of("inertial_number_cap")));
   return response;
 }
 

@@ -17,27 +17,30 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Reads again the packing of a file that was read before. @throws InputError if the file has changed
+/// Reads the packing of a state file a second time, when the run starts. The file was first read with the scene.
+/// @param sha256  checksum of the file when the scene was read
+/// @throws InputError if the file has changed since then
 std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const std::string& sha256) {
   if (sha256_of_file(file) != sha256)
-    throw InputError(file, "has changed since the scene was read: expected the state it starts from");
+    throw InputError(
+        file, "the file has changed since the scene was read: expected the state from which the scene starts");
   return std::visit([](auto state) -> std::variant<Packing<2>, Packing<3>> { return std::move(state.packing); },
                     read_state(file));
 }
 
-/// Returns the number of copies along each axis; 1 along a third axis in 2D.
+/// Returns the number of copies along each axis; it is 1 along the third axis in 2D.
 Vec<3, int> read_copies(TableReader& t, int dimension) {
   const bool plane = dimension == 2;
   const char* example = plane
-                            ? "two whole numbers of copies, along the first and the second axis, e.g. [10, 10]"
-                            : "three whole numbers of copies, one along each axis, e.g. [2, 2, 2]";
+                            ? "the numbers of copies along the two axes, two whole numbers, e.g. [10, 10]"
+                            : "the numbers of copies along the three axes, three whole numbers, e.g. [2, 2, 2]";
   const std::vector<double> copies =
       t.numbers("copies", {[](double n) { return n >= 1 && n <= kMaxGrains && n == std::floor(n); }, example});
   Vec<3, int> out = Vec<3, int>::Ones();
   if (copies.size() == static_cast<std::size_t>(dimension)) {
     for (int a = 0; a < dimension; ++a) out[a] = static_cast<int>(copies[a]);
   } else if (!copies.empty()) {
-    t.fault("copies", fmt::format("assembly.copies: {} numbers, expected {}", copies.size(),
+    t.fault("copies", fmt::format("assembly.copies has {} numbers: expected {}", copies.size(),
                                   plane ? "two, e.g. [10, 10]" : "three, e.g. [2, 2, 2]"));
   }
   return out;
@@ -47,23 +50,25 @@ Vec<3, int> read_copies(TableReader& t, int dimension) {
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (Dim != scene.dimension)
-    return fmt::format("dimension = {}: expected a state of {}, as the scene has", Dim,
+    return fmt::format("the state has dimension {}: expected a state of {}, like the scene", Dim,
                        scene.dimension == 2 ? "disks" : "spheres");
   if (state.units != scene.units)
-    return fmt::format("units = \"{}\": expected those of the scene, \"{}\"", state.units, scene.units);
+    return fmt::format("the units of the state are \"{}\": expected the units of the scene, \"{}\"",
+                       state.units, scene.units);
   const bool has_walls = !state.packing.walls.empty();
   if (has_walls != scene.assembly.box.has_value())
-    return has_walls ? "the state has walls: expected a table [box]"
-                     : "the state has no walls: expected a table [cell]";
+    return has_walls ? "the state has walls: expected a table [box] in the scene"
+                     : "the state has no walls: expected a table [cell] in the scene";
   const Cell<Dim>& cell = state.packing.cell;
   if (!cell.rectangular() || cell.matrix.diagonal().minCoeff() <= 0.0)
-    return "cell/matrix is skewed or turned: expected a rectangular cell along the axes, whose sides can "
-           "follow the "
-           "load";
+    return "the cell of the state (cell/matrix) is skewed or rotated: expected a rectangular cell along the "
+           "axes, whose sides can follow the load";
   return "";
 }
 
-/// Returns the grains as a scene describes them: number, sizes, density of the heaviest.
+/// Returns the description of the grains of a packing as in a scene: their number, their sizes, and the density of the
+/// heaviest grain.
+/// @param n_tiles  number of copies of the packing
 template <int Dim>
 GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
   GrainOptions out;
@@ -84,23 +89,29 @@ template <int Dim>
 std::string start_description(const State<Dim>& state, const std::string& file, const Scene& scene) {
   const Law& law = state.packing.law;
   const Vec<Dim, int> copies = scene.assembly.saved.copies_along<Dim>();
-  return fmt::format("{}, {} grains at phi = {:.6g} under P = {:.4g}, {} copies; contact law {}", file,
-                     state.packing.grains.size(), scene.assembly.solid_fraction, state.target_stress.mean(),
-                     fmt::join(copies.begin(), copies.end(), " x "),
-                     law == scene.law ? "as in the state" : "of the scene, in place of " + law_text(law));
+  return fmt::format(
+      "{}, {} grains at the solid fraction {:.6g} under the pressure {:.4g}, {} copies; contact law {}", file,
+      state.packing.grains.size(), scene.assembly.solid_fraction, state.target_stress.mean(),
+      fmt::join(copies.begin(), copies.end(), " x "),
+      law == scene.law ? "as in the state file"
+                       : "of the scene, in place of the contact law in the state file: " + law_text(law));
 }
 
-/// Copies the data of the starting state that the scene needs into the scene.
+/// Writes into the scene the properties of its starting state that a scene must have: grains, solid fraction, and a
+/// description of the start.
 template <int Dim>
 void describe_start(TableReader& t, const State<Dim>& state, const std::string& file, Scene& scene) {
   SavedStart& start = scene.assembly.saved;
   const double n_grains = start.copies.cast<double>().prod() * state.packing.grains.size();
   if (n_grains < 2 || n_grains > kMaxGrains) {
     start.copies.setOnes();
-    t.fault("copies", fmt::format("assembly.copies: {:g} grains, expected 2 to 1e8", n_grains));
+    t.fault("copies",
+            fmt::format("assembly.copies: all copies together have {:g} grains, expected 2 to 1e8 grains",
+                        n_grains));
   }
   if (scene.assembly.box && start.copies.prod() != 1)
-    t.fault("copies", "assembly.copies: a box with walls cannot be put side by side; expected one copy");
+    t.fault("copies",
+            "assembly.copies: a packing between walls cannot be repeated; expected one copy along each axis");
   scene.grains = grains_of(state.packing.grains, start.copies.prod());
   scene.assembly.solid_fraction = solid_fraction(state.packing);
   scene.start = start_description(state, file, scene);
@@ -110,7 +121,8 @@ void describe_start(TableReader& t, const State<Dim>& state, const std::string& 
 
 void read_saved_start(TableReader& t, const std::string& directory, Scene& scene) {
   const auto name = t.text("state", "the name of a state file");
-  const auto expected = t.text("state_sha256", "the SHA-256 of the state, written by floc", Need::optional);
+  const auto expected =
+      t.text("state_sha256", "the SHA-256 of the state file, which floc writes", Need::optional);
   SavedStart& start = scene.assembly.saved;
   start.copies = read_copies(t, scene.dimension);
   if (!name) return;
@@ -123,10 +135,9 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
     if (!failure_reason.empty())
       return t.fault("state", fmt::format("assembly.state: {}: {}", file, failure_reason));
     if (expected && *expected != start.sha256)
-      t.fault("state_sha256",
-              fmt::format("assembly.state_sha256 = {}: {} has {}; expected the same state, or no "
-                          "such key",
-                          *expected, file, start.sha256));
+      t.fault("state_sha256", fmt::format("assembly.state_sha256 = {}: the file {} has the SHA-256 {}; "
+                                          "expected the file with the given SHA-256, or remove the key",
+                                          *expected, file, start.sha256));
     std::visit([&](const auto& state) { describe_start(t, state, file, scene); }, any);
     start.read = [file, sha256 = start.sha256] { return read_again(file, sha256); };
   } catch (const InputError& error) {

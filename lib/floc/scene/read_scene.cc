@@ -37,7 +37,8 @@ constexpr bool is_gas_of_disks(double x) {
 constexpr bool is_gas_of_spheres(double x) {
   return x > 0 && x <= kDensestGasOfSpheres;
 }
-/// Whether a time step is stable: the explicit scheme is unstable from 0.4 on (RelaxationOptions::time_step).
+/// Whether a time step, in units of sqrt(m_min/K_N), is stable. The explicit time integration is unstable from 0.4 on
+/// (see RelaxationOptions::time_step).
 constexpr bool is_stable_step(double x) {
   return x > 0 && x < 0.4;
 }
@@ -53,41 +54,42 @@ void read_scene_table(TableReader& root, Scene& scene) {
 
 void read_grains(TableReader& root, SceneSource& source, const std::string& directory, Scene& scene) {
   if (scene.starts_from_state())
-    return root.refuse("grains", "[grains] is not allowed here: the grains come from assembly.state");
+    return root.refuse("grains", "[grains] is not allowed here: the grains come from the file assembly.state");
   TableReader t = root.table("grains", "a table [grains]");
-  const auto count =
-      t.integer("count", {2, kMaxGrains, "a whole number of grains, 2 to 1e8, written as digits alone"});
+  const auto count = t.integer(
+      "count",
+      {2, kMaxGrains, "the number of grains, a whole number from 2 to 1e8 written without an exponent"});
   scene.grains.count = static_cast<int>(count.value_or(0));
   scene.grains.density =
-      t.number("density", {positive, "a positive number (mass per area in 2D, per volume in 3D)"},
+      t.number("density", {positive, "a positive number (mass per area in 2D, mass per volume in 3D)"},
                scene.units == "SI" ? Need::required : Need::optional);
   scene.grains.diameter =
       read_diameters(t.table("diameter", "a table, e.g. {distribution = \"uniform\", min = 0.5, max = 1.0}"),
                      source, directory);
   const std::size_t listed = scene.grains.diameter.values.size();
   if (listed > 0 && count && listed != static_cast<std::size_t>(*count))
-    t.fault("count",
-            fmt::format("grains.count = {}: expected {}, the number of diameters listed", *count, listed));
+    t.fault("count", fmt::format("grains.count = {}: expected {}, which is the number of diameters in the list",
+                                 *count, listed));
   t.refuse_other_keys();
 }
 
-/// Reads [cell].
-/// @return default response of the cell in stages of the load path, without the values that [cell] gives
+/// Reads the table [cell].
+/// @return default response of the cell in stages of the load path, with only those values that [cell] does not give
 CellResponse read_cell(TableReader& root, Scene& scene) {
   const bool from_state = scene.starts_from_state();
   TableReader t = root.table("cell", "a table [cell]", from_state ? Need::optional : Need::required);
   if (from_state)
-    t.refuse("solid_fraction", "cell.solid_fraction is not allowed here: the cell comes from assembly.state");
+    t.refuse("solid_fraction",
+             "cell.solid_fraction is not allowed here: the cell comes from the file assembly.state");
   else
     scene.assembly.solid_fraction =
-        t.number("solid_fraction",
-                 scene.dimension == 2
-                     ? NumberRule{is_gas_of_disks,
-                                  "a solid fraction in (0, 0.6], at which grains can be placed at random "
-                                  "without overlap"}
-                     : NumberRule{is_gas_of_spheres,
-                                  "a solid fraction in (0, 0.49], at which spheres can be placed at random "
-                                  "without overlap"})
+        t.number("solid_fraction", scene.dimension == 2
+                                       ? NumberRule{is_gas_of_disks,
+                                                    "the solid fraction of the gas in (0, 0.6]; at larger ones "
+                                                    "grains cannot be placed at random without overlap"}
+                                       : NumberRule{is_gas_of_spheres,
+                                                    "the solid fraction of the gas in (0, 0.49]; at larger "
+                                                    "ones spheres cannot be placed at random without overlap"})
             .value_or(0);
   CellResponse said = read_rate_caps(t);
   said.cell_mass = t.number("mass", kCellMass, Need::optional);
@@ -98,27 +100,29 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   CellResponse unsaid = default_load_response(scene.law);
   if (said.has_cap()) unsaid.strain_rate_cap = unsaid.inertial_number_cap = std::nullopt;
   if (said.cell_mass) unsaid.cell_mass.reset();
-  // A saved packing that is not vibrated is only brought to its first pressure.
+  // If the run starts from a saved packing that is not vibrated, the assembly only brings it to its first pressure, so
+  // the cell responds as on the load path.
   if (from_state && !scene.assembly.vibration) scene.assembly.cell = scene.assembly.cell.or_else(unsaid);
   return unsaid;
 }
 
-/// Whether the grains stand between walls: a scene has either a [box] or a [cell].
+/// Whether the scene has walls: a scene has either a table [box] (walls) or a table [cell] (periodic cell).
 bool has_box(const TableReader& root) {
   return root.has("box");
 }
 
-/// Reads the vibration of a packing before its compression.
+/// Reads the table assembly.vibration: the vibration of a packing before its compression.
 std::optional<Vibration> read_vibration(TableReader& assembly) {
   if (!assembly.has("vibration")) return std::nullopt;
-  TableReader t = assembly.table("vibration", "a table {dilation, collisions}");
+  TableReader t = assembly.table("vibration", "a table with two numbers, {dilation, collisions}");
   Vibration vibration;
-  vibration.dilation =
-      t.number("dilation", {[](double x) { return x >= 1 && x <= 2; }, "a factor of all lengths, 1 to 2"})
+  vibration.dilation = t.number("dilation", {[](double x) { return x >= 1 && x <= 2; },
+                                             "the factor by which all lengths grow, a number from 1 to 2"})
+                           .value_or(1);
+  vibration.collisions =
+      t.number("collisions", {[](double x) { return x > 0 && x <= 1e6; },
+                              "the number of collisions per grain, a positive number up to 1e6"})
           .value_or(1);
-  vibration.collisions = t.number("collisions", {[](double x) { return x > 0 && x <= 1e6; },
-                                                 "a number of collisions per grain, at most 1e6"})
-                             .value_or(1);
   t.refuse_other_keys();
   return vibration;
 }
@@ -130,56 +134,69 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   scene.assembly.protocol =
       std::array{Protocol::direct, Protocol::aggregation, Protocol::state}[protocol.value_or(0)];
   if (scene.starts_from_state())
-    t.refuse("gas", "assembly.gas is not allowed here: the grains come from assembly.state");
+    t.refuse("gas", "assembly.gas is not allowed here: the grains come from the file assembly.state");
   else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
-  // In a [box] the pressure is that of the walls (box.pressure) and acts from the start, so keys of the periodic cell
-  // are faults there.
+  // In a scene with walls the pressure on the walls (box.pressure) acts from the start, so keys of a periodic cell are
+  // not allowed.
   const bool boxed = has_box(root);
   if (boxed) {
     read_boxed_gas(t, scene);
   } else {
     scene.assembly.pressure =
-        t.number("pressure", {positive, "a positive number (first pressure, compression positive)"})
+        t.number("pressure",
+                 {positive, "a positive number (first pressure of the packing, compression positive)"})
             .value_or(0);
     for (const char* key : {"kinetic_pressure", "solid_fraction"})
-      t.refuse(key, fmt::format("assembly.{} is not allowed here: it is that of the gas in a [box]", key));
+      t.refuse(key, fmt::format("assembly.{} is not allowed here: it describes the gas between walls, but the "
+                                "scene has no table [box]",
+                                key));
   }
-  const NumberRule agitation{positive, "a positive number (V0/V*, V* = sqrt(F0 D0/m))"};
-  // Agitation is required for aggregation, where it brings grains into contact. It is refused for cohesive grains
-  // that are compressed directly.
+  const NumberRule agitation{positive, "a positive number (speed at the start V0/V*, V* = sqrt(F0 D0/m))"};
+  // The key agitation (initial speed of the grains) is required for the protocol "aggregation", in which it brings
+  // grains into contact. It is refused for cohesive grains that are compressed directly.
   const bool aggregates = scene.assembly.protocol == Protocol::aggregation;
   if (boxed && aggregates)
     t.fault("protocol",
-            "assembly.protocol = \"aggregation\": in a [box] the pressure acts at once; expected "
-            "\"direct\" or \"state\"");
+            "assembly.protocol = \"aggregation\": in a scene with a table [box] the pressure acts from the "
+            "start; expected \"direct\" or \"state\"");
   if (boxed)
-    t.refuse("agitation", "assembly.agitation is not allowed here: the gas of a [box] has a kinetic_pressure");
+    t.refuse("agitation",
+             "assembly.agitation is not allowed here: in a scene with a table [box] assembly.kinetic_pressure "
+             "gives the speed of the grains");
   else if (protocol && scene.assembly.protocol == Protocol::direct && scene.law.has_adhesion())
     t.refuse("agitation",
-             "assembly.agitation: grains start at rest with protocol = \"direct\"; expected "
-             "\"aggregation\", or no agitation");
+             "assembly.agitation is not allowed here: with protocol = \"direct\" cohesive grains start at "
+             "rest; expected protocol = \"aggregation\", or remove the key");
   else
     scene.assembly.agitation =
         t.number("agitation", agitation, aggregates || !protocol ? Need::required : Need::optional).value_or(0);
   if (scene.law.has_friction())
     scene.assembly.friction =
-        t.number("friction", {not_negative, "a friction coefficient >= 0"}, Need::optional);
+        t.number("friction", {not_negative, "the friction coefficient during the assembly, a number >= 0"},
+                 Need::optional);
   else
     t.refuse("friction",
-             "assembly.friction: the contact law has no friction; expected contact.friction, or no such key");
+             "assembly.friction is not allowed here: the contact law has no friction; expected a table "
+             "contact.friction, or remove the key");
   scene.assembly.cell = read_cell_response(t, boxed);
   if (boxed)
-    t.refuse("vibration", "assembly.vibration is not allowed here: only periodic cells vibrate");
+    t.refuse("vibration",
+             "assembly.vibration is not allowed here: only packings in a periodic cell can be vibrated, but "
+             "the scene has walls");
   else if (aggregates)
-    t.refuse("vibration", "assembly.vibration: expected protocol = \"direct\" or \"state\", or no such key");
+    t.refuse("vibration",
+             "assembly.vibration is not allowed here: expected protocol = \"direct\" or \"state\", or remove "
+             "the key");
   else
     scene.assembly.vibration = read_vibration(t);
   if (scene.starts_from_state()) {
     read_saved_start(t, directory, scene);
   } else {
     for (const char* key : {"state", "copies", "state_sha256"})
-      t.refuse(key, fmt::format("assembly.{}: expected protocol = \"state\", or no such key", key));
+      t.refuse(key,
+               fmt::format("assembly.{} is not allowed here: expected protocol = \"state\", or remove the key",
+                           key));
   }
   t.refuse_other_keys();
 }
@@ -198,13 +215,15 @@ void read_equilibrium(TableReader& root, Scene& scene) {
   const auto finish =
       t.choice("finish", {finish_name(kFinishes[0]), finish_name(kFinishes[1]), finish_name(kFinishes[2])},
                Need::optional);
-  relaxation.max_time = t.number("max_time", {positive, "a positive number (in sqrt(a m/F1))"}, Need::optional)
-                            .value_or(relaxation.max_time);
-  relaxation.patience =
-      t.number("patience",
-               {positive, "a positive number (factor on the time that a packing has to stay still)"},
-               Need::optional)
-          .value_or(relaxation.patience);
+  relaxation.max_time =
+      t.number("max_time", {positive, "a positive number (time in units of sqrt(a m/F1))"}, Need::optional)
+          .value_or(relaxation.max_time);
+  relaxation.patience = t.number("patience",
+                                 {positive,
+                                  "a positive number (factor of the time during which a packing must not move "
+                                  "before it counts as at rest)"},
+                                 Need::optional)
+                            .value_or(relaxation.patience);
   relaxation.finish = kFinishes[finish.value_or(0)];
   t.refuse_other_keys();
 }
@@ -214,24 +233,26 @@ void read_run(TableReader& root, Scene& scene) {
   const auto seed =
       t.integer("seed", {0, std::numeric_limits<std::int64_t>::max(), "a whole number >= 0"}, Need::optional);
   scene.seed = static_cast<std::uint64_t>(seed.value_or(static_cast<std::int64_t>(scene.seed)));
-  const auto threads =
-      t.integer("threads",
-                {RunOptions::kThreads.least, RunOptions::kThreads.most, "a whole number of threads, 1 to 1024"},
-                Need::optional);
+  const auto threads = t.integer("threads",
+                                 {RunOptions::kThreads.least, RunOptions::kThreads.most,
+                                  "the number of threads, a whole number from 1 to 1024"},
+                                 Need::optional);
   scene.relaxation.threads = static_cast<int>(threads.value_or(scene.relaxation.threads));
   scene.relaxation.time_step =
-      t.number("time_step", {is_stable_step, "a number in (0, 0.4) (in sqrt(m_min/K); unstable beyond)"},
+      t.number("time_step",
+               {is_stable_step,
+                "a number in (0, 0.4) (time step in units of sqrt(m_min/K); larger ones are unstable)"},
                Need::optional)
           .value_or(scene.relaxation.time_step);
-  scene.relaxation.skin =
-      t.number("skin", {positive, "a positive number (in largest diameters)"}, Need::optional);
+  scene.relaxation.skin = t.number(
+      "skin", {positive, "a positive number (length in units of the largest diameter)"}, Need::optional);
   scene.checkpoint_every =
-      t.number("checkpoint_every", {positive, "a positive number (seconds of wall time)"}, Need::optional)
+      t.number("checkpoint_every", {positive, "a positive number (wall time in seconds)"}, Need::optional)
           .value_or(scene.checkpoint_every);
   t.refuse_other_keys();
 }
 
-/// Records faults of tables that contradict each other.
+/// Records faults of tables of the scene that contradict each other.
 void check_consistency(TableReader& root, SceneSource& source, const Scene& scene) {
   const bool cohesive = scene.law.has_adhesion() || source.is_faulty("contact.adhesion.law");
   TableReader contact = root.table("contact", "", Need::optional);
@@ -240,25 +261,28 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
   if (!contact) return;
   for (TableReader* t : {&cell, &assembly})
     if (t->has("strain_rate_cap") && !t->has("inertial_number_cap") && !cohesive)
-      t->fault("strain_rate_cap", fmt::format("{}: is in units of 1/T0, T0 = sqrt(a m/F0), but the scene has "
-                                              "no adhesion; expected inertial_number_cap",
-                                              t->path_of("strain_rate_cap")));
+      t->fault("strain_rate_cap",
+               fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires adhesion, "
+                           "but the scene has none; expected inertial_number_cap",
+                           t->path_of("strain_rate_cap")));
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
   if (!cohesive || (scene.law.has_adhesion() && scene.law.range() == 0))
-    assembly.fault("protocol",
-                   "assembly.protocol = \"aggregation\": grains stick by an adhesion with a tail; expected "
-                   "contact.adhesion = {law = \"tail\", force, range}, or protocol = \"direct\"");
+    assembly.fault(
+        "protocol",
+        "assembly.protocol = \"aggregation\": grains stick to each other only by an adhesion that acts across "
+        "a gap; expected contact.adhesion = {law = \"tail\", force, range}, or protocol = \"direct\"");
   constexpr const char* kNothingMoves =
-      "{}: the aggregation protocol passes through P = 0, where it lets nothing move; "
-      "expected cell.strain_rate_cap";
+      "{}: the protocol \"aggregation\" makes an equilibrium at zero pressure, where a cap on the inertial "
+      "number allows no motion; expected cell.strain_rate_cap in its place";
   if (cell.has("inertial_number_cap") && !cell.has("strain_rate_cap"))
     cell.fault("inertial_number_cap", fmt::format(kNothingMoves, "cell.inertial_number_cap"));
   if (assembly.has("inertial_number_cap"))
     assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
-/// Replaces a file of diameters in the scene by its values, so that the text of the scene is complete. @return
-/// whether it did
+/// Replaces the name of a file of diameters in the TOML tables of the scene by the diameters, so that the text of the
+/// scene is complete.
+/// @return whether the scene names such a file
 bool inline_list(toml::table& root, const std::vector<double>& values) {
   if (values.empty()) return false;
   toml::table& diameter = *root["grains"]["diameter"].as_table();
@@ -270,7 +294,8 @@ bool inline_list(toml::table& root, const std::vector<double>& values) {
   return true;
 }
 
-/// Writes the checksum of the state from which the scene starts into the scene. @return whether it did
+/// Writes the SHA-256 of the state file from which the run starts into the TOML tables of the scene.
+/// @return whether it was written
 bool name_state(toml::table& root, const Scene& scene) {
   return scene.starts_from_state() &&
          root["assembly"].as_table()->insert("state_sha256", scene.assembly.saved.sha256).second;
@@ -297,7 +322,9 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   CellResponse unsaid;
   if (has_box(root)) {
     read_box(root, scene);
-    root.refuse("cell", "[cell]: the grains stand in a [box]; expected one of the two");
+    root.refuse(
+        "cell",
+        "[cell] is not allowed together with [box]: expected either a periodic cell ([cell]) or walls ([box])");
   } else {
     unsaid = read_cell(root, scene);
   }
@@ -317,12 +344,12 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
 
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
   const auto refuse = [&path](const char* why) {
-    throw InputError(path, fmt::format("{}: expected a scene file (TOML)", why));
+    throw InputError(path, fmt::format("{}; expected a scene file (TOML)", why));
   };
-  if (std::filesystem::is_directory(path)) refuse("cannot be read: it is a directory");
-  if (path != "-" && !std::filesystem::exists(path)) refuse("cannot be read: no such file");
+  if (std::filesystem::is_directory(path)) refuse("this is a directory");
+  if (path != "-" && !std::filesystem::exists(path)) refuse("there is no such file");
   const std::string text = read_text(path);
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse("is empty");
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse("this file is empty");
   return parse_scene(text, path, std::filesystem::path(path).parent_path().string(), overrides);
 }
 

@@ -15,7 +15,7 @@ std::string below(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
-/// Returns the values by their dotted keys; items of an array of tables are numbered.
+/// Adds all values of a TOML node to `values` by their dotted keys. Tables in an array are numbered, as in "load.0.to".
 void flatten(const toml::node& node, const std::string& path, Values& values) {
   if (const toml::table* table = node.as_table()) {
     for (const auto& [key, value] : *table) flatten(value, below(path, std::string(key.str())), values);

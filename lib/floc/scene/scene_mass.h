@@ -5,9 +5,11 @@
 
 namespace floc {
 
-/// Returns the mass of a grain over the cube of its diameter (for disks, its square), as the text of a scene gives
-/// it: from the density, or 1 in reduced units without a density. None if the grains are those of a saved state.
-/// @param place  name of the text in messages
+/// Returns the mass of a grain over the cube of its diameter (over the square for disks). It follows from the density
+/// given in the text of the scene, and is 1 in reduced units without a density. Returns std::nullopt if the scene takes
+/// its grains from a saved state.
+/// @param scene  text of the scene (TOML)
+/// @param place  name of this text, for messages
 /// @throws InputError if the text is not TOML
 std::optional<double> mass_per_cubed_diameter(const std::string& scene, int dimension,
                                               const std::string& place);

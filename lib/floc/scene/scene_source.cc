@@ -27,7 +27,8 @@ std::vector<std::string> split_key(const std::string& key) {
   return parts;
 }
 
-/// Returns the value of an override as a table {v = value}; a bare word is a string.
+/// Returns the value of an override ("--set key=value") as a table {v = value}. A word without quotation marks is read
+/// as a string.
 toml::table parse_value(const std::string& text) {
   try {
     return toml::parse("v = " + text);
@@ -36,7 +37,9 @@ toml::table parse_value(const std::string& text) {
   }
 }
 
-/// Returns the node below `node` named `part`. A missing table is made, an item of an array is not.
+/// Returns the TOML node below `node` with the name `part`, which is a key of a table or the index of an item of an
+/// array. A missing table is created. Returns null if `node` is an array without this item, or neither a table nor an
+/// array.
 toml::node* descend(toml::node* node, const std::string& part) {
   if (toml::table* table = node->as_table()) {
     if (!table->contains(part)) table->insert(part, toml::table{});
@@ -74,21 +77,22 @@ void SceneSource::apply(const std::string& override_text) {
   const std::vector<std::string> parts = split_key(key);
   const bool has_empty_part = std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.empty(); });
   if (equals == std::string::npos || parts.empty() || has_empty_part)
-    throw InputError(place, "expected key.path=value");
+    throw InputError(place, "an override must have the form key.path=value");
 
   toml::node* parent = &root_;
   for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
     toml::node* below = descend(parent, parts[k]);
     if (!below || !(below->is_table() || below->is_array()))
-      throw InputError(place,
-                       fmt::format("the scene has no table or array item '{}' to set a key in", parts[k]));
+      throw InputError(
+          place,
+          fmt::format("the scene has no table or array item '{}' in which a key could be set", parts[k]));
     parent = below;
   }
   toml::table* table = parent->as_table();
-  if (!table) throw InputError(place, "expected the name of a key in a table");
+  if (!table) throw InputError(place, "the last part of the path must be the name of a key in a table");
   const toml::table value = parse_value(trimmed(override_text.substr(equals + 1)));
   value.get("v")->visit([&](const auto& v) { table->insert_or_assign(parts.back(), v); });
-  // The last override of a key determines its value, so faults of the key refer to it.
+  // The last override of a key determines its value, so messages about the key must name this override.
   overrides_.insert(overrides_.begin(), {key, override_text});
 }
 
@@ -105,7 +109,8 @@ unsigned SceneSource::line_of(const std::string& key, const toml::node* node) co
 std::string SceneSource::place_of(const std::string& key, const toml::node* node) const {
   if (const Override* o = override_of(key)) return "--set " + o->text;
   if (const unsigned line = line_of(key, node)) return fmt::format("{}:{}", place_, line);
-  // The table exists only because an override added a key to it.
+  // If no line is known, the table exists only because an override added a key to it, so the message names that
+  // override.
   for (const Override& o : overrides_)
     if (is_below(o.key, key)) return "--set " + o.text;
   return place_;
@@ -135,7 +140,7 @@ void SceneSource::throw_faults() const {
 
 std::string as_written(const toml::node& node) {
   if (node.is_table()) return "a table";
-  // fmt prints the shortest digits that read back as the same number; toml++ prints 17.
+  // fmt prints the shortest text that reads back as the same number, whereas toml++ prints 17 digits.
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });

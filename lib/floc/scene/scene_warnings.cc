@@ -19,9 +19,11 @@ namespace {
 
 using Warnings = std::vector<std::string>;
 
-/// Rounding error of the net force on a grain, in F1: about four forces of a few F1 each.
+/// Rounding error of the net force on a grain, in units of the typical force F1. About four forces of a few F1 each act
+/// on a grain.
 constexpr double kRounding = 1e-15;
-/// Kinetic energy that rounding maintains: velocities of 1e-12 of the natural ones.
+/// Kinetic energy per grain that rounding errors maintain, in the unit of equilibrium.energy. The velocities are 1e-12
+/// of their natural unit.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -29,24 +31,24 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
   const double newton = StaticSolverOptions{}.target;
   for (const auto& [key, value] : {std::pair("force", t.force), {"moment", t.moment}, {"stress", t.stress}}) {
     if (value <= kRounding)
-      warnings.push_back(
-          fmt::format("equilibrium.{} = {}: double precision cannot reach it; rounding of the forces leaves "
-                      "about {}, so that steps end only at equilibrium.max_time",
-                      key, value, kRounding));
+      warnings.push_back(fmt::format(
+          "equilibrium.{} = {}: this tolerance cannot be reached in double precision, because rounding errors "
+          "of the forces leave about {}; steps would end only at equilibrium.max_time",
+          key, value, kRounding));
     else if (value < newton && !scene.assembly.box)
-      warnings.push_back(
-          fmt::format("equilibrium.{} = {}: Newton steps end at {}; a step whose residual they do not happen "
-                      "to bring lower goes on until equilibrium.max_time",
-                      key, value, newton));
+      warnings.push_back(fmt::format(
+          "equilibrium.{} = {}: the Newton iteration stops at a residual of {}, which is larger; if it does "
+          "not happen to reach a smaller residual, a step ends only at equilibrium.max_time",
+          key, value, newton));
   }
   if (scene.relaxation.finish == Finish::dynamic && t.energy < kLeastEnergy)
     warnings.push_back(
-        fmt::format("equilibrium.energy = {}: with finish = \"dynamic\" rounding keeps grains moving at about "
-                    "{}, so that steps end only at equilibrium.max_time",
+        fmt::format("equilibrium.energy = {}: with finish = \"dynamic\" rounding errors keep the kinetic "
+                    "energy of the grains at about {}, so steps would end only at equilibrium.max_time",
                     t.energy, kLeastEnergy));
 }
 
-/// Returns the largest stress at the end of a stage; 0 if it imposes strains only.
+/// Returns the largest stress that a stage imposes at its end; 0 if it imposes only strains.
 double largest_stress(const LoadStage& stage) {
   if (stage.is_isotropic()) return stage.to;
   double largest = 0.0;
@@ -55,8 +57,10 @@ double largest_stress(const LoadStage& stage) {
   return largest;
 }
 
-/// Returns the overlap over the radius of two of the largest grains, under a multiple of the mean force at a pressure
-/// and their adhesion: P = z Phi F/(pi a^(d-1)) of equal grains, with z Phi = 4.
+/// Returns the overlap of two of the largest grains over their radius, under their adhesion and a multiple of the mean
+/// contact force F at a pressure P. For equal grains P = z Phi F/(pi a^(d-1)), in which z Phi = 4 is assumed
+/// (coordination number z, solid fraction Phi, diameter a, dimension d).
+/// @param times_mean  the multiple of the mean force
 double overlap_under(const Scene& scene, const Law& law, double pressure, double times_mean) {
   const double a = scene.grains.diameter.max;
   const double mean = 0.25 * std::numbers::pi * pressure * std::pow(a, scene.dimension - 1);
@@ -71,10 +75,10 @@ double overlap_under(const Scene& scene, const Law& law, double pressure, double
   return overlap / (0.5 * a);
 }
 
-/// Warns of grains too soft for the pressures of the path, for example because the stiffness is in other units: see
-/// overlap_warning().
+/// Warns if the grains are so soft that they overlap too far at the pressures of the load path, for example because the
+/// stiffness is given in other units than the pressure.
 void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
-  constexpr double kLoaded = 3.0;  // multiple of the mean force that some percent of the contacts carry
+  constexpr double kLoaded = 3.0;  // multiple of the mean force, which a few percent of the contacts carry
   if (!(scene.grains.diameter.max > 0.0)) return;
   Law law = scene.law, softest = law;
   double deepest = overlap_under(scene, law, scene.assembly.pressure, kLoaded), at = scene.assembly.pressure;
@@ -85,8 +89,8 @@ void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
   }
   if (deepest > kDeepOverlap)
     warnings.push_back(
-        fmt::format("contact.normal: at a pressure of {} contacts would overlap by about {:.2g} of a radius in "
-                    "the mean, and by {:.2g} under {} times the mean force: {}",
+        fmt::format("contact.normal: at the pressure {} grains in contact would overlap by about {:.2g} of "
+                    "their radius under the mean force, and by {:.2g} under {} times the mean force: {}",
                     at, overlap_under(scene, softest, at, 1.0), deepest, kLoaded, question_of_units(softest)));
 }
 
@@ -94,12 +98,13 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
   const double radius = 0.5 * scene.grains.diameter.min;
   if (scene.law.range() > radius && radius > 0.0)
     warnings.push_back(
-        fmt::format("contact.adhesion.range = {}: longer than the smallest radius, {}; grains attract others "
-                    "behind their neighbours",
+        fmt::format("contact.adhesion.range = {}: the range is longer than the smallest radius, {}, so that "
+                    "grains attract other grains behind their nearest neighbours",
                     scene.law.range(), radius));
 }
 
-/// Returns the largest water content at the beginning or set in a stage.
+/// Returns the largest water content that the scene gives, at the beginning or in a stage of the load path.
+/// @param at_first  water content at the beginning
 double most_water(const Scene& scene, double at_first) {
   double most = at_first;
   for (const LoadStage& stage : scene.load)
@@ -108,7 +113,7 @@ double most_water(const Scene& scene, double at_first) {
   return most;
 }
 
-/// Warns of effects of liquid bridges that the keys of the scene do not show.
+/// Warns of effects of the liquid between grains that are not obvious from the values in the scene.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   const auto& adhesion = scene.law.parameters().adhesion;
   if (!adhesion.holds<CapillaryAdhesion>()) return;
@@ -116,44 +121,49 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   law.water_content = most_water(scene, law.water_content);
   if (law.water_content == 0.0)
     warnings.push_back(
-        "contact.adhesion.water_content = 0: the grains are dry; with any liquid, however little, they attract "
-        "with the full force of gamma, which does not depend on the volume of a bridge");
+        "contact.adhesion.water_content = 0: the grains are dry. With any liquid, however little, they would "
+        "attract each other with the full capillary force, which depends on contact.adhesion.gamma but not on "
+        "the volume of a liquid bridge");
   else if (!law.acts())
     warnings.push_back(
-        "contact.adhesion.contact_angle = 90: the liquid does not attract; the grains behave as if they were "
-        "dry");
-  // Volume of a bridge over R'^3 from which bridges merge, for equal grains with three bridges each.
+        "contact.adhesion.contact_angle = 90: at this angle the liquid does not attract; the grains behave as "
+        "if they were dry");
+  // Largest volume of a liquid bridge over R'^3 (R' is the radius of equal grains) at which bridges do not merge yet,
+  // for three bridges per grain.
   constexpr double kMerging = 0.1;
   const double filled = law.liquid_volume(4.0 / 3.0 * std::numbers::pi) / kBridgesPerGrain;
   if (filled > kMerging)
     warnings.push_back(
-        fmt::format("contact.adhesion.water_content = {}: with three bridges per grain each bridge holds "
-                    "{:.2g} R^3, and from {} R^3 on bridges merge, which this law does not describe",
+        fmt::format("contact.adhesion.water_content = {}: with three liquid bridges per grain each bridge has "
+                    "the volume {:.2g} R^3 (R is the radius of a grain), but above {} R^3 bridges merge, which "
+                    "this contact law does not describe",
                     law.water_content, filled, kMerging));
   if (scene.assembly.box)
     warnings.push_back(
-        "contact.adhesion.law = \"capillary\": contacts with walls are dry; liquid bridges form only between "
-        "grains");
+        "contact.adhesion.law = \"capillary\": contacts of grains with walls are dry; liquid bridges form only "
+        "between grains");
 }
 
-/// Returns the unit of time sqrt(a m/F1) at a pressure.
+/// Returns the unit of time sqrt(a m/F1) at a pressure, with the largest diameter a, its mass m and the typical force
+/// F1; 0 if there is no force.
 double time_unit(const Scene& scene, double pressure) {
   const double a = scene.grains.diameter.max, m = mass_of(scene, a);
   const double F1 = std::max(pull_off_force(scene), pressure * std::pow(a, scene.dimension - 1));
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// Warns if a step ends at equilibrium.max_time before the compression of a gas can bring its grains into contact.
+/// Warns if the first step is given up at equilibrium.max_time before the compression of a gas can bring its grains
+/// into contact.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
-  // No gas that is compressed at once comes to rest at a smaller solid fraction, even with adhesion.
+  // Smallest solid fraction at which a gas that is compressed directly comes to rest, even with adhesion.
   const double loosest = scene.dimension == 2 ? 0.5 : 0.35;
   const bool gas = scene.assembly.protocol == AssemblyOptions::Protocol::direct;
   const double phi = scene.assembly.solid_fraction, pressure = scene.assembly.pressure;
   if (!gas || !(phi > 0.0) || phi >= loosest || !(pressure > 0.0)) return;
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
-  // The inertial number is the rate times sqrt(m/P), for spheres sqrt(m/(P a)); this equals sqrt(a m/F1) if P
-  // determines F1.
+  // The inertial number is the strain rate times sqrt(m/P), or sqrt(m/(P a)) for spheres. This time equals sqrt(a m/F1)
+  // if the pressure P determines the force F1.
   const double free_unit = scene.law.adheres() ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
@@ -162,38 +172,39 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   const double least = std::log(loosest / phi) / (scene.dimension * rate) / unit;
   if (least > r.max_time)
     warnings.push_back(
-        fmt::format("cell.{} = {}: compressing the gas from solid_fraction = {} takes at least {:.3g} sqrt(a "
-                    "m/F1), but a step is given up after equilibrium.max_time = {}",
+        fmt::format("cell.{} = {}: at this strain rate the compression of the gas from solid_fraction = {} "
+                    "takes at least {:.3g} units of time sqrt(a m/F1) (largest diameter a, its mass m, typical "
+                    "force F1), but a step is given up after equilibrium.max_time = {}",
                     r.strain_rate_cap ? "strain_rate_cap" : "inertial_number_cap",
                     r.strain_rate_cap ? *r.strain_rate_cap : *r.inertial_number_cap, phi, least, r.max_time));
 }
 
-/// Returns the side of a dense packing of the grains, in largest diameters.
+/// Returns the side of the cell of a dense packing of all grains, in units of the largest diameter.
 double packed_side(const Scene& scene) {
   const double densest = scene.dimension == 2 ? 0.8 : 0.6;
   const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
   return std::pow(scene.grains.count * unit_volume / densest, 1.0 / scene.dimension);
 }
 
-/// Returns the mass of the smallest grain over that of the largest.
+/// Returns the mass of the smallest grain over that of the largest grain.
 double lightest(const Scene& scene) {
   return std::pow(scene.grains.diameter.min / scene.grains.diameter.max, scene.dimension);
 }
 
-/// Warns of a light cell: one that weighs less than a few grains vibrates faster than they do, and reduces the time
-/// step (cell_time_step_of()).
+/// Warns if the cell is too light. A cell that weighs less than a few grains vibrates faster than the grains, which
+/// makes the time step smaller (cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   if (scene.assembly.box) return;
-  constexpr double kSlow = 0.1;  // smallest time step, relative to the one that the grains allow
+  constexpr double kSlow = 0.1;  // smallest accepted time step, over the time step that the grains allow
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
   const auto check = [&](const std::string& key, const CellResponse& cell) {
     const double mass = cell.applied_to(scene.relaxation).cell_mass;
     const double share = packed_side(scene) * std::sqrt(mass / (along * lightest(scene)));
     if (share >= kSlow) return false;
-    warnings.push_back(fmt::format(
-        "{} = {:g}: so light a cell vibrates faster than the grains, and time steps are {:.1e} of those "
-        "that the grains allow; expected at least {:.1e}",
-        key, mass, share, mass * std::pow(kSlow / share, 2)));
+    warnings.push_back(
+        fmt::format("{} = {:g}: such a light cell vibrates faster than the grains, so that the time step is "
+                    "only {:.1e} of the time step that the grains allow; expected a mass of at least {:.1e}",
+                    key, mass, share, mass * std::pow(kSlow / share, 2)));
     return true;
   };
   if (check("cell.mass", scene.assembly.cell)) return;
@@ -203,36 +214,39 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
       return;
 }
 
-/// Warns of light walls: the time step is that of the grains, and the motion of walls too light for it diverges.
+/// Warns if the walls are too light. The grains determine the time step, and the motion of walls that are too light for
+/// this time step diverges.
 void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
   if (!scene.assembly.box) return;
-  // Two of three grains that fit along a wall touch it. Motion diverges beyond dt w = 2, with w^2 = n K/M.
+  // Two thirds of the grains that fit side by side along a wall touch it. The motion of a wall diverges if dt w > 2,
+  // with w^2 = n K/M for n touching grains of stiffness K and a wall of mass M.
   const double n_touching = 2.0 / 3.0 * std::pow(packed_side(scene), scene.dimension - 1);
   const double step = scene.relaxation.time_step * (scene.dimension == 2 ? 1.0 : 0.775);
   const double least = n_touching * lightest(scene) * std::pow(0.5 * step, 2);
   if (scene.assembly.box->mass < least)
-    warnings.push_back(fmt::format(
-        "box.mass = {:g}: walls so light vibrate against the grains that touch them faster than time steps "
-        "follow, and the motion diverges; expected more than {:.2g}, or a smaller run.time_step",
-        scene.assembly.box->mass, least));
+    warnings.push_back(
+        fmt::format("box.mass = {:g}: walls of such a small mass vibrate too fast for the time step, and their "
+                    "motion diverges; expected a mass above {:.2g}, or a smaller run.time_step",
+                    scene.assembly.box->mass, least));
 }
 
-/// Warns of contacts that are stiff relative to the load: the motion that settles them takes many time steps. This
-/// concerns spheres, whose forces depend on the path and cannot be found by Newton steps alone.
+/// Warns if contacts are so stiff relative to the load that the motion into equilibrium takes very many time steps.
+/// This concerns spheres, because their forces depend on the path, so that Newton steps alone cannot find their
+/// equilibria.
 void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
-  constexpr double kMany = 3000.0;  // twice the most of the shipped scenes
+  // largest number of time steps per sqrt(a m/F1) without a warning; twice the largest number of the shipped scenes
+  constexpr double kMany = 3000.0;
   if (scene.law.force_exponent() == 1.0) return;
   const double pressure = scene.assembly.pressure;
   const double unit = time_unit(scene, pressure);
   const double step = time_step_of_scene(scene);
   if (!(unit > 0.0) || !(step > 0.0) || unit / step < kMany) return;
-  warnings.push_back(
-      fmt::format("contact.normal: the contacts are so stiff against the load that a packing takes {:.1e} time "
-                  "steps in the time "
-                  "sqrt(a m/F1), of which every state takes some hundreds; expected softer contacts (beyond a "
-                  "stiffness number "
-                  "kappa of 1e5 little changes) or a higher pressure than assembly.pressure = {:g}",
-                  unit / step, pressure));
+  warnings.push_back(fmt::format(
+      "contact.normal: relative to the load the contacts are so stiff that motion over the time sqrt(a m/F1) "
+      "(largest diameter a, its mass m, typical force F1) takes {:.1e} time steps, and every state needs "
+      "several hundred times as many; expected softer contacts (results hardly depend on the stiffness if the "
+      "stiffness number kappa is above 1e5) or a higher pressure than assembly.pressure = {:g}",
+      unit / step, pressure));
 }
 
 void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
@@ -243,7 +257,8 @@ void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
         "dissipate no energy, so that grains separate again; expected one of these tables");
 }
 
-/// Diameters are quantiles with both ends, so that there is one grain of the largest size, however rare it is.
+/// Warns if a single grain makes up much of the volume. The diameters are quantiles of their distribution including
+/// both of its ends, so there is always one grain of the largest diameter, however rare this diameter is.
 void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.05;
   const DiameterDistribution& d = scene.grains.diameter;
@@ -254,17 +269,17 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   for (const double diameter : equally_spaced_diameters(d, scene.grains.count))
     sum += std::pow(diameter / d.max, scene.dimension);
   if (1.0 / sum > kMuch)
-    warnings.push_back(fmt::format(
-        "grains.diameter: the largest of {} grains, which quantiles with both ends include, holds {:.2g} % "
-        "of their {}: sizes near it have more of it than the distribution says; more grains, or a list "
-        "of diameters, come closer",
-        scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
+    warnings.push_back(
+        fmt::format("grains.diameter: the largest of the {} grains has {:.2g} % of their total {}, more than "
+                    "the distribution gives to its size, because a grain of the largest diameter is always "
+                    "included; expected more grains, or a list of diameters",
+                    scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
 
 void warn_of_cost(const Scene& scene, Warnings& warnings) {
   constexpr double kDay = 86400.0, kLong = 30.0 * kDay;
   if (const double cost = expected_cost(scene); cost > kLong)
-    warnings.push_back(fmt::format("the path is expected to take {:.3g} days on one core", cost / kDay));
+    warnings.push_back(fmt::format("the run is expected to take {:.3g} days on one core", cost / kDay));
 }
 
 }  // namespace

@@ -12,15 +12,16 @@ namespace floc {
 std::string starting_scene(const std::string& name) {
   const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '_' || c == '-'; };
   if (name.empty() || !std::all_of(name.begin(), name.end(), allowed))
-    throw InputError("", "'" + name + "': expected a name of letters, digits, '.', '_' and '-'");
+    throw InputError("", "'" + name + "': expected a name that consists of letters, digits, '.', '_' and '-'");
   std::string text = kDemoScene;
   const std::string demo_name = "\"demo\"";
   const auto at = text.find(demo_name);
   assert(at != std::string::npos);
   text.replace(at, demo_name.size(), "\"" + name + "\"");
-  // The first line describes the demo.
+  // The first line of the demo scene describes the demo, so it is replaced.
   const std::string title =
-      "# A scene to change: `floc scene check` lists every fault and the dimensionless groups.";
+      "# Starting point for a scene of your own: `floc scene check` lists its faults and its dimensionless "
+      "numbers.";
   return title + text.substr(text.find('\n'));
 }
 

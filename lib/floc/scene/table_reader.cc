@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// Returns the finite number of a node, whole or not.
+/// Returns the value of a TOML node that is a whole or real number, or std::nullopt if it is not a number or not
+/// finite.
 std::optional<double> finite_number(const toml::node& node) {
   std::optional<double> value;
   if (node.is_integer()) value = static_cast<double>(node.as_integer()->get());
@@ -60,7 +61,8 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, Integer
   const std::int64_t value = node->is_integer() ? node->as_integer()->get() : 0;
   if (node->is_integer() && value >= rule.at_least && value <= rule.at_most) return value;
   const auto* number = node->as_floating_point();
-  if (number != nullptr && whole_number(number->get()))  // TOML distinguishes 2.0 from 2
+  // TOML reads 2.0 as a real number and 2 as a whole number.
+  if (number != nullptr && whole_number(number->get()))
     fault(key, fmt::format("{} = {:.1f}: expected {}, written without a decimal point", path_of(key),
                            number->get(), rule.expectation));
   else
@@ -113,7 +115,8 @@ std::vector<TableReader> TableReader::tables(const std::string& key, const char*
 }
 
 std::vector<std::pair<std::string, double>> TableReader::flat_numbers(const std::string& key) {
-  TableReader reader = table(key, "a table of changes, e.g. {adhesion = {force = 0}}", Need::optional);
+  TableReader reader = table(
+      key, "a table of parameters of the contact law to change, e.g. {adhesion = {force = 0}}", Need::optional);
   std::vector<std::pair<std::string, double>> found;
   if (!reader) return found;
   for (const auto& [name, node] : *reader.table_) {

@@ -9,7 +9,8 @@
 
 namespace floc {
 
-/// Requirement on a number: a test, and its description in words ("a positive number (K_N, force per length)").
+/// Requirement on a real number: a function that tests it, and its description for messages, for example "a positive
+/// number (K_N, force per length)".
 struct NumberRule {
   bool (*holds)(double);
   const char* expectation;
@@ -21,15 +22,15 @@ constexpr bool not_negative(double x) {
   return x >= 0;
 }
 
-/// Requirement on a whole number: its limits, and their description in words.
+/// Requirement on a whole number: its limits, and their description for messages.
 struct IntegerRule {
   std::int64_t at_least, at_most;
   const char* expectation;
 };
 
-/// Reads the keys of one table of a scene. It records the keys that were looked up, so that any other key can be
-/// reported as a fault. A fault is recorded, not thrown, and the value is then absent. A reader of a missing table
-/// returns no values and adds no further faults.
+/// Reads the keys of one table of a scene. It remembers which keys were read, so that every other key can be reported
+/// as a fault. Faults are recorded in the SceneSource, not thrown, and the function that finds one returns no value. A
+/// reader of a missing table returns no values and records no faults.
 class TableReader {
  public:
   enum class Need { required, optional };
@@ -40,34 +41,37 @@ class TableReader {
 
   explicit operator bool() const { return table_ != nullptr; }
   const std::string& path() const { return path_; }
-  /// Returns the path of a key from the root of the scene.
+  /// Returns the path of a key from the root of the scene, for example "grains.count".
   std::string path_of(const std::string& key) const { return path_.empty() ? key : path_ + "." + key; }
 
   bool has(const std::string& key) const { return table_ && table_->contains(key); }
   std::optional<double> number(const std::string& key, NumberRule rule, Need need = Need::required);
   std::optional<std::int64_t> integer(const std::string& key, IntegerRule rule, Need need = Need::required);
   std::optional<std::string> text(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns the index of the value of a key among `choices`.
+  /// Returns the index of the value of a key in the list `choices`, which holds all accepted values.
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& choices,
                                     Need need = Need::required);
   TableReader table(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns one reader for each table of an array of tables; none if the key is missing.
+  /// Returns one reader for each table of an array of tables; the result is empty if the key is missing.
   std::vector<TableReader> tables(const std::string& key, const char* expectation);
-  /// Returns the numbers of a table; tables inside it are flattened to dotted keys.
+  /// Returns the numbers in a table, by their keys. The keys of tables inside it are written with dots, for example
+  /// "adhesion.force".
   std::vector<std::pair<std::string, double>> flat_numbers(const std::string& key);
-  /// Returns an array of at least one number, all of which satisfy the rule; empty if the key is missing or faulty.
+  /// Returns an array of at least one number, in which each number satisfies the rule. The result is empty if the key
+  /// is missing or its value is invalid.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
-  /// Returns an array of texts; empty if the key is missing or faulty.
+  /// Returns an array of texts. The result is empty if the key is missing or its value is invalid.
   std::vector<std::string> texts(const std::string& key, const char* expectation);
 
-  /// Records a fault about a key of this table, or about the table when it lacks the key.
+  /// Records a fault about a key of this table, or about the table itself if it does not have the key.
   void fault(const std::string& key, const std::string& problem);
 
-  /// Records a fault if the table has this key, which is valid only elsewhere.
+  /// Records a fault if the table has this key, for keys that are valid only in other scenes.
   void refuse(const std::string& key, const std::string& problem);
 
-  /// Records a fault for every key that was not looked up, with the nearest key that is valid here.
+  /// Records a fault for every key that was not read. The message names the most similar key that is valid in this
+  /// table.
   void refuse_other_keys();
 
  private:

@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kReferenceSide = 512;
 
-/// Convex polygon while it is clipped; in 2D a segment, there and back.
+/// Convex polygon that is being clipped. In 2D it is a segment, traversed in both directions.
 template <int Dim>
 struct Polygon {
   using Point = typename ClippedFace<Dim>::Point;
-  /// Each side of the reference face can add one corner.
+  /// Largest number of corners, because each side of the reference face can add one.
   static constexpr int kMost = 2 * kMostVertices + 4;
 
   int n = 0;
@@ -48,7 +48,9 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
     const double there = k + 1 < from.n ? height(k + 1) : height(0);
     if (here <= 0.0) to.add(p.x, p.side);
     if ((here <= 0.0) != (there <= 0.0)) {
-      // A corner on the way out begins the clipping side, one on the way in goes on along the clipped side.
+      // Each corner is labelled with the side of the polygon that begins at it. This is the clipping side at a
+      // corner where the polygon leaves the half-space, and the clipped side where it enters the half-space
+      // again.
       const double share = here / (here - there);
       to.add(p.x + share * (q.x - p.x), here <= 0.0 ? side : p.side);
     }
@@ -56,7 +58,7 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
   }
 }
 
-/// Plane of a side of the reference face: a point and an outward normal of any length.
+/// Returns the plane of a side of the reference face: a point and an outward normal of any length.
 std::pair<Vec<3>, Vec<3>> side_plane(const Shape<3>& shape, int face, int k) {
   const std::span<const int> loop = shape.loop(face);
   const Vec<3>& from = shape.vertices[loop[k]];
@@ -69,15 +71,16 @@ std::pair<Vec<2>, Vec<2>> side_plane(const Shape<2>& shape, int face, int k) {
   return {end, end - shape.vertices[loop[1 - k]]};
 }
 
-/// Joins corners next to each other that are one point; the lower side is kept, which is that of the incident
-/// face.
+/// Merges adjacent corners that are one point. The lower number of a side is kept, which belongs to the
+/// incident face.
 template <int Dim>
 void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   int n = 0;
   for (int k = 0; k < polygon.n; ++k) {
     auto& p = polygon.points[k];
     bool is_new = true;
-    // In a segment there and back the point before is not the only neighbour.
+    // In a segment traversed in both directions, a point can coincide with any earlier point, not only with the
+    // one before it.
     for (int l = polygon.n <= 4 ? 0 : std::max(0, n - 1); l < n && is_new; ++l)
       if ((polygon.points[l].x - p.x).squaredNorm() <= tolerance * tolerance) {
         polygon.points[l].side = std::min(polygon.points[l].side, p.side);
@@ -89,7 +92,8 @@ void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   polygon.n = n;
 }
 
-/// The first with the largest value: another has to be larger by the tolerance.
+/// Returns the index of the first of the largest values. A later value has to be larger by more than the
+/// tolerance.
 template <class Value>
 int largest(int n, double tolerance, const Value& value) {
   int best = 0;
@@ -99,8 +103,8 @@ int largest(int n, double tolerance, const Value& value) {
   return best;
 }
 
-/// Takes at most four points that support as all do: the deepest, the furthest from it, and the two that add
-/// most area.
+/// Selects at most four points that support the contact almost as well as all points together: the deepest, the
+/// one furthest from it, and the two that add the most area.
 void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, ClippedFace<3>& kept) {
   const auto& p = polygon.points;
   if (polygon.n <= 4) {

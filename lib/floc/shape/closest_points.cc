@@ -8,15 +8,17 @@
 namespace floc {
 namespace {
 
-/// Pair of vertices, one of each core, and their difference: a point of the Minkowski difference.
+/// Pair of vertices, one of each shape, and their difference, which is a point of the Minkowski difference of
+/// the two shapes (without rounding).
 template <int Dim>
 struct Corner {
-  Vec<Dim> difference;  ///< second - first
+  Vec<Dim> difference;  ///< vector on_second - on_first between the two vertices
   Vec<Dim> on_first, on_second;
-  int first, second;  ///< vertices
+  int first, second;  ///< indices of the two vertices
 };
 
-/// Up to Dim + 1 corners with the weights that make the point of their hull closest to the origin.
+/// Simplex of up to Dim + 1 corners, with the weights of the point of their convex hull that is closest to the
+/// origin.
 template <int Dim>
 struct Simplex {
   std::array<Corner<Dim>, 4> corner;
@@ -28,7 +30,7 @@ struct Simplex {
     for (int k = 1; k < n; ++k) sum += weight[k] * corner[k].difference;
     return sum;
   }
-  /// Keeps some corners, given in rising order, with new weights.
+  /// Keeps some of the corners, given in ascending order, with new weights.
   void keep(std::initializer_list<std::pair<int, double>> kept) {
     int k = 0;
     for (const auto& [from, w] : kept) {
@@ -49,8 +51,9 @@ void reduce_segment(Simplex<Dim>& s) {
   s.keep({{0, 1.0 - along / length2}, {1, along / length2}});
 }
 
-/// Regions of a triangle by dot products alone, so that it serves in the plane too (Ericson, Real-Time
-/// Collision Detection, section 5.1.5).
+/// Reduces a triangle to the feature that is closest to the origin. The regions are distinguished by scalar
+/// products alone, so that the function also works in the plane (Ericson, Real-Time Collision Detection,
+/// section 5.1.5).
 template <int Dim>
 void reduce_triangle(Simplex<Dim>& s) {
   const Vec<Dim>&a = s.corner[0].difference, &b = s.corner[1].difference, &c = s.corner[2].difference;
@@ -72,7 +75,8 @@ void reduce_triangle(Simplex<Dim>& s) {
   s.keep({{0, va / sum}, {1, vb / sum}, {2, vc / sum}});
 }
 
-/// @return whether the origin is inside. Otherwise the closest of the faces that it is outside of is kept.
+/// Reduces a tetrahedron to the closest of those faces that have the origin outside.
+/// @return whether the origin is inside the tetrahedron
 bool reduce_tetrahedron(Simplex<3>& s) {
   static constexpr std::array<std::array<int, 4>, 4> kFaces = {
       {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}}};
@@ -82,7 +86,8 @@ bool reduce_tetrahedron(Simplex<3>& s) {
     const Vec<3>& origin = s.corner[a].difference;
     const Vec<3> normal = (s.corner[b].difference - origin).cross(s.corner[c].difference - origin);
     const double here = -normal.dot(origin), top = normal.dot(s.corner[d].difference - origin);
-    // The origin on the side of the fourth corner: another face is closer. A flat tetrahedron has no inside.
+    // If the origin is on the side of the fourth corner, another face is closer. A flat tetrahedron has no
+    // inside.
     if (here * top > 0.0 && std::abs(top) > 1e-14 * normal.norm() * s.corner[d].difference.norm()) continue;
     Simplex<3> face;
     face.n = 3;
@@ -96,7 +101,8 @@ bool reduce_tetrahedron(Simplex<3>& s) {
   return false;
 }
 
-/// @return whether the origin is inside
+/// Reduces a simplex to the feature that is closest to the origin. @return whether the origin is inside the
+/// simplex
 bool reduce(Simplex<2>& s) {
   if (s.n == 2) reduce_segment<2>(s);
   if (s.n == 3) reduce_triangle<2>(s);
@@ -132,7 +138,8 @@ int n_distinct(const Simplex<Dim>& s, int Corner<Dim>::*vertex) {
   return n;
 }
 
-/// The vector to a plane along its normal has fewer rounding errors than the weights have.
+/// Recomputes the closest point v of the plane (or line) of the simplex along its normal, which causes smaller
+/// rounding errors than the weights do.
 void refine(const Simplex<2>& s, Vec<2>& v) {
   if (s.n != 2) return;
   const Vec<2> side = s.corner[1].difference - s.corner[0].difference;
@@ -166,7 +173,8 @@ ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& sec
       return found;
     }
     const Corner<Dim> next = support<Dim>(first, second, place, v);
-    // No point is nearer along v than rounding tells, or the same corner comes again: v is the answer.
+    // The search ends if no point is closer along v by more than rounding errors, or if a corner is found
+    // again.
     if (distance2 - v.dot(next.difference) <= 1e-15 * (distance2 + size * std::sqrt(distance2))) break;
     bool is_known = false;
     for (int k = 0; k < s.n; ++k)

@@ -4,24 +4,29 @@
 
 namespace floc {
 
-/// Closest points of two cores, in the own coordinates of the first.
+/// Closest points of the cores of two shapes (the shapes without their rounding), in the coordinates of the
+/// first shape.
 template <int Dim>
 struct ClosestPoints {
-  bool overlap = false;                ///< the cores meet: the rest is not set
-  double distance = 0.0;               ///< > 0
+  bool overlap = false;                ///< whether the two cores overlap; other members are then not set
+  double distance = 0.0;               ///< distance of the closest points, > 0
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first core to the second
   Vec<Dim> on_first = Vec<Dim>::Zero(), on_second = Vec<Dim>::Zero();
-  int n_first = 0;   ///< corners that span the feature with the point: 1 a vertex, 2 an edge, 3 a face
-  int n_second = 0;  ///< number of such corners of the second core
+  /// Kind of the feature of the first core that contains the point, as the number of vertices that span it: 1 a
+  /// vertex, 2 an edge, 3 a face.
+  int n_first = 0;
+  int n_second =
+      0;  ///< kind of the feature of the second core that contains the point: 1, 2 or 3 as in `n_first`
 };
 
-/// Closest points by Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a
-/// point.
+/// Computes the closest points of the cores of two shapes (the shapes without their rounding) by the algorithm
+/// of Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a point.
 ///
-/// Positions are right to a few times rounding times the size of the shapes, the normal to that over the
-/// distance. Cores nearer than 1e-12 of their size count as overlapping.
+/// The error of positions is a few times the rounding error of the size of the shapes; the error of the normal
+/// is this error divided by the distance. Cores that are closer than 1e-12 of their size count as overlapping.
 ///
-/// @param guess  direction from the first core to the second near that of the closest points, of any length > 0
+/// @param guess  estimated direction from the first core to the second between their closest points, of any
+/// length > 0
 template <int Dim>
 ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& second,
                                   const RelativePlace<Dim>& place, const Vec<Dim>& guess);

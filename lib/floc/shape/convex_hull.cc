@@ -12,23 +12,23 @@
 namespace floc {
 namespace {
 
-/// Directions of faces that differ by less are those of one face.
+/// Difference of directions below which faces are merged (length of the cross product of their unit normals).
 constexpr double kOneDirection = 1e-6;
 
 template <int Dim>
 void require_points(const std::vector<Vec<Dim>>& points, const std::string& place) {
   const int n = static_cast<int>(points.size());
   if (n <= Dim)
-    throw InputError(place, fmt::format("{} points: expected at least {} that do not lie {}", n, Dim + 1,
-                                        Dim == 2 ? "on one line" : "in one plane"));
+    throw InputError(place, fmt::format("found {} points, expected at least {} points that do not lie {}", n,
+                                        Dim + 1, Dim == 2 ? "on one line" : "in one plane"));
   if (n > kMostHullPoints)
-    throw InputError(place, fmt::format("{} points: expected at most {}", n, kMostHullPoints));
+    throw InputError(place, fmt::format("found {} points, expected at most {} points", n, kMostHullPoints));
   for (int i = 0; i < n; ++i)
     if (!points[i].allFinite() || points[i].cwiseAbs().maxCoeff() > 1e100)
       throw InputError(place, fmt::format("point {}: expected coordinates that are finite numbers", i + 1));
 }
 
-/// Removes corners at which the direction turns by less than kOneDirection.
+/// Removes corners at which the direction of the boundary turns by less than kOneDirection.
 void drop_straight_corners(const std::vector<Vec<2>>& points, std::vector<int>& loop) {
   for (std::size_t k = 0; k < loop.size() && loop.size() > 2;) {
     const std::size_t n = loop.size();
@@ -43,7 +43,8 @@ void drop_straight_corners(const std::vector<Vec<2>>& points, std::vector<int>& 
   }
 }
 
-/// Counter-clockwise loop of the corners of the hull, from the one of lowest index on.
+/// Returns the corners of the convex hull of points in the plane, counter-clockwise, beginning with the corner
+/// of lowest index.
 std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -60,15 +61,16 @@ std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
         loop.pop_back();
       loop.push_back(i);
     }
-    loop.pop_back();  // The other side begins with it.
+    loop.pop_back();  // it is the first corner of the other side
   }
   drop_straight_corners(points, loop);
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   return loop;
 }
 
-/// Number of the face that each triangle belongs to: triangles of nearly one direction are joined across their
-/// common edges, and slivers, whose direction is rounding, across their longest.
+/// Returns the number of the face to which each triangle belongs. Triangles with almost equal normals are
+/// merged across their common edge. Thin slivers, whose normals are inaccurate, are merged across their longest
+/// edge.
 std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vector<HullTriangle>& triangles) {
   std::vector<int> group(triangles.size());
   std::iota(group.begin(), group.end(), 0);
@@ -93,7 +95,7 @@ std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vect
   return group;
 }
 
-/// Loops around the joined faces. @throws InputError if one has a hole or touches itself
+/// Returns the vertices around each merged face. @throws InputError if a face has a hole or touches itself
 std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, const std::string& place) {
   const std::vector<HullTriangle> triangles = triangulated_hull(points, place);
   const std::vector<int> group = joined_faces(points, triangles);
@@ -114,14 +116,15 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
       at = next != border.end() && next->first == at ? next->second : -1;
     } while (at >= 0 && at != border.front().first && loop.size() <= border.size());
     if (at < 0 || loop.size() != border.size())
-      throw InputError(place,
-                       "the faces of the hull cannot be told apart: expected faces whose directions differ "
-                       "by more than 1e-6");
+      throw InputError(
+          place,
+          "the faces of the convex hull cannot be told apart: expected faces whose directions differ "
+          "by more than 1e-6");
   }
   return loops;
 }
 
-/// Removes from all loops the corners that fewer than three faces have: they lie on an edge.
+/// Removes the corners that belong to fewer than three faces from all loops, because they lie on an edge.
 void drop_corners_on_edges(std::size_t n_points, std::vector<std::vector<int>>& loops) {
   std::vector<int> n_faces(n_points, 0);
   for (const std::vector<int>& loop : loops)
@@ -158,7 +161,8 @@ ConvexHull<Dim> convex_hull(const std::vector<Vec<Dim>>& points, const std::stri
   hull.polytope.faces = loops_of(points, place);
   std::vector<int>& used = hull.points;
   for (const std::vector<int>& loop : hull.polytope.faces) used.insert(used.end(), loop.begin(), loop.end());
-  // A polygon keeps the order around it, a polyhedron that of the points.
+  // The vertices of a polygon are in the order around it, the vertices of a polyhedron in the order of the
+  // given points.
   if constexpr (Dim == 2) {
     used.clear();
     for (const std::vector<int>& loop : hull.polytope.faces) used.push_back(loop[0]);

@@ -7,21 +7,21 @@
 
 namespace floc {
 
-/// Largest number of points that a hull is taken of.
+/// Largest number of points for which a convex hull is computed.
 inline constexpr int kMostHullPoints = 20000;
 
 /// Convex hull of points, with coplanar triangles merged into faces.
 template <int Dim>
 struct ConvexHull {
-  Polytope<Dim> polytope;   ///< vertices in the order of the points
-  std::vector<int> points;  ///< index of the point at each vertex
+  Polytope<Dim> polytope;   ///< convex hull, with its vertices in the order of the given points
+  std::vector<int> points;  ///< index of the given point at each vertex
 };
 
-/// Takes the convex hull, by Barber, Dobkin and Huhdanpaa's order of points (ACM Trans. Math. Softw. 22, 1996)
-/// in 3D and by Andrew's chain in 2D. Faces whose directions differ by less than 1e-6 are one; points that lie
-/// on a face or an edge are no vertices.
+/// Computes the convex hull of points. In 3D, points are added in the order of the algorithm of Barber, Dobkin
+/// and Huhdanpaa (ACM Trans. Math. Softw. 22, 1996); in 2D, Andrew's monotone chain is used. Faces whose
+/// directions differ by less than 1e-6 are merged. Points that lie on a face or an edge are not vertices.
 ///
-/// @param place  of the points, for messages
+/// @param place  origin of the points in messages, such as a file
 /// @throws InputError if there are fewer than Dim + 1 points or more than kMostHullPoints, if a coordinate is
 /// not finite, or if all points lie in one plane (in 2D on one line)
 template <int Dim>

@@ -18,7 +18,7 @@ namespace {
 
 constexpr WholeRange kCounts{.least = 1, .most = 100000};
 constexpr NumberRange kRounding{.least = 0.0, .most = 0.45};
-/// Draws of one shape before the options are held to have none.
+/// Number of attempts to draw one shape after which the options are refused.
 constexpr int kMostDraws = 200;
 
 void add_fault(std::vector<std::string>& faults, std::string fault) {
@@ -46,14 +46,14 @@ Vec<Dim> direction(RandomStream& random) {
   }
 }
 
-/// Directions at mutual distances of at least half the mean spacing; they fill a fifth of the sphere, half of a
-/// circle.
+/// Returns n random directions with mutual distances of at least half the mean spacing. Discs around them whose
+/// diameter is this distance cover a fifth of the sphere, or half of the circle.
 template <int Dim>
 std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
   const double least = 0.5 * (Dim == 2 ? 2.0 * std::numbers::pi / n : std::sqrt(4.0 * std::numbers::pi / n));
   for (;;) {
     std::vector<Vec<Dim>> chosen;
-    // Few points can block all places that are left: then the drawing starts again.
+    // A few directions can block all remaining places. Drawing then starts again.
     for (int trial = 0; trial < 1000 * n && static_cast<int>(chosen.size()) < n; ++trial) {
       const Vec<Dim> u = direction<Dim>(random);
       bool is_free = true;
@@ -69,8 +69,8 @@ int uniform_integer(RandomStream& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::uint64_t>(n_values)));
 }
 
-/// Shapes of points that `draw` makes from a stream; points that make no body, as nearly flat ones, are drawn
-/// again.
+/// Returns the hulls of sets of points that `draw` makes from a random stream. Sets that form no valid shape,
+/// for example because they are almost flat, are drawn again.
 template <int Dim, class Draw>
 std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t seed, std::uint64_t purpose,
                                      const Draw& draw) {
@@ -79,7 +79,7 @@ std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t s
   RandomStream random(seed, purpose);
   std::vector<Shape<Dim>> shapes;
   while (static_cast<int>(shapes.size()) < count) {
-    std::string reason = "the intersections of half-spaces are open";
+    std::string reason = "the intersection of the half-spaces is not bounded";
     bool found = false;
     for (int k = 0; k < kMostDraws && !found; ++k) {
       const std::optional<std::vector<Vec<Dim>>> points = draw(random);
@@ -93,7 +93,8 @@ std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t s
     }
     if (!found)
       throw InputError(
-          "", fmt::format("grains.shape: no shape came of {} draws, the last because {}", kMostDraws, reason));
+          "", fmt::format("grains.shape: {} random draws gave no valid shape; the problem of the last draw: {}",
+                          kMostDraws, reason));
   }
   return shapes;
 }
@@ -183,11 +184,11 @@ std::vector<Shape<Dim>> voronoi_shapes(const VoronoiOptions& options, int count,
                                        std::uint64_t seed) {
   refuse_faults(options.validate());
   if (count > options.cells)
-    throw InputError("",
-                     fmt::format("count = {}: expected at most {}, the number of cells", count, options.cells));
+    throw InputError(
+        "", fmt::format("count = {}: expected at most {}, the number of Voronoi cells", count, options.cells));
   const auto cells = voronoi_cells<Dim>(options.cells, options.relaxed, seed);
   std::size_t next = 0;
-  // Needles that are refused give way to the cells after them.
+  // Thin cells that are refused as shapes are replaced by the cells after them.
   return drawn_shapes<Dim>(count, rounding, seed, kVoronoiStream, [&](RandomStream&) {
     return next < cells.size() ? std::optional(cells[next++]) : std::nullopt;
   });

@@ -7,25 +7,28 @@
 
 namespace floc {
 
-/// Generators of shapes. All have diameter 1 (of the circumscribed circle or sphere about the centre of mass);
-/// `rounding` is a share of the diameter, from 0 to 0.45. One seed gives one set of shapes, of which a larger
-/// count gives more.
+/// Generators of shapes of grains. All shapes have diameter 1 (of the circumscribed circle or sphere about the
+/// centre of mass). The argument `rounding` is the radius of rounding as a fraction of the diameter, from 0 to
+/// 0.45. A seed determines the sequence of shapes; a larger count continues the sequence.
 ///
-/// They throw InputError naming the key of a scene's grains.shape, its value and what was expected.
+/// They throw InputError with the key of the table grains.shape of a scene, its value and the values that are
+/// allowed.
 
-/// Regular polygon of 3 to 200 sides.
+/// Returns a regular polygon with 3 to 200 sides.
 Shape<2> regular_polygon(int sides, double rounding);
 
-/// Rectangle or cuboid; its sides matter up to a factor.
+/// Returns a rectangle or cuboid. Only the proportions of its sides matter.
 template <int Dim>
 Shape<Dim> box(const Vec<Dim>& sides, double rounding);
 
-/// Capsule `aspect` times as long as thick, 1 to 20; at 1 a disk or sphere.
+/// Returns a capsule that is `aspect` times as long as it is thick, 1 to 20; if `aspect` is 1, a disk or
+/// sphere.
 template <int Dim>
 Shape<Dim> capsule(double aspect);
 
-/// Hulls of random points on a sphere (in 2D on a circle), at mutual distances of at least half the mean
-/// spacing sqrt(4 pi/n) (2 pi/n), stretched by `aspect` along one axis.
+/// Options of convex hulls of random points. The points lie on a sphere (in 2D on a circle), at mutual
+/// distances of at least half the mean spacing sqrt(4 pi/n) (2 pi/n in 2D), and are stretched by `aspect` along
+/// one axis.
 struct HullOptions {
   int least_vertices = 12;
   int most_vertices = 24;
@@ -36,8 +39,8 @@ struct HullOptions {
 template <int Dim>
 std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Intersections of half-spaces n . x <= 1 + u, with u uniform in +-spread/2 and directions n as the points of
-/// hull_shapes().
+/// Options of intersections of half-spaces n . x <= 1 + u. The offset u is uniform between -spread/2 and
+/// spread/2, and the directions n are distributed like the points of hull_shapes().
 struct CutOptions {
   int least_faces = 10;
   int most_faces = 20;
@@ -48,15 +51,16 @@ struct CutOptions {
 template <int Dim>
 std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Voronoi cells of random points in a periodic box, `relaxed` times moved to the centres of mass of their
-/// cells.
+/// Options of Voronoi cells of random points in a periodic box. Before the cells are used, the points are moved
+/// `relaxed` times to the centres of mass of their cells.
 struct VoronoiOptions {
   int cells = 500;
   int relaxed = 2;
 
   std::vector<std::string> validate() const;
 };
-/// @param count  at most options.cells
+/// Returns Voronoi cells as shapes.
+/// @param count  number of shapes, at most options.cells
 template <int Dim>
 std::vector<Shape<Dim>> voronoi_shapes(const VoronoiOptions& options, int count, double rounding,
                                        std::uint64_t seed);

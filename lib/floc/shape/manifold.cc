@@ -10,14 +10,15 @@
 namespace floc {
 namespace {
 
-/// Closest points along the normal of a face within this angle (as 1 - cosine) are a contact of the face.
+/// If the closest points lie along the normal of a face to within this angle (as 1 - cosine), the contact is
+/// treated as a contact with the face.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
-/// The corners over a face may lie further away than the closest or deepest points, which can be just beside
-/// the face, by this share of the smaller inner radius.
+/// Largest distance, as a fraction of the smaller inner radius, by which the corners over a face may be further
+/// away than the closest or deepest points. The latter can lie just outside the boundary of the face.
 constexpr double kBesideFace = 1e-6;
-/// Sine of the angle below which two capsules lie side by side.
+/// Sine of the angle between two capsules below which they count as parallel.
 constexpr double kSideBySide = 1e-3;
-/// Corner field of the key of closest points.
+/// Value of the corner field in the key of a contact point that comes from the closest points of two shapes.
 constexpr std::uint32_t kClosest = 1023;
 
 std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t corner, bool edges) {
@@ -25,7 +26,7 @@ std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t 
          static_cast<std::uint32_t>(incident) << 11 | corner << 1 | (edges ? 1U : 0U);
 }
 
-/// The search for the contact of one pair, in the own coordinates of the first shape.
+/// Search for the contact of one pair of shapes, in the coordinates of the first shape.
 template <int Dim>
 class PairSearch {
  public:
@@ -48,8 +49,8 @@ class PairSearch {
       axis = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 1e-4 * size_}, limit, last);
       if (axis.separation > limit) return {};
     }
-    // Axes are those of all directions only where both cores have an inside: a segment has sides that they do
-    // not see.
+    // The separating axes are complete only if the cores of both shapes (without rounding) have an inside. For
+    // a segment, axes normal to it are missing.
     const bool is_thin = a_.n_vertices() < 3 || b_.n_vertices() < 3;
     if (is_rounded && (is_thin || axis.separation > 0.0)) {
       const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
@@ -59,8 +60,8 @@ class PairSearch {
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
     Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
-    // The deepest vertex is beside the face, so that an edge pair separates more, be it by less than its
-    // margin.
+    // The deepest vertex lies outside the boundary of the face. A pair of edges then has a larger separation,
+    // even if by less than its margin.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 0.0}, limit, none);
@@ -75,13 +76,14 @@ class PairSearch {
  private:
   double world(double own) const { return first_.scale * own; }
 
-  /// Whether the points over a face lie higher than the vertex that is lowest above its plane.
+  /// Returns whether all points over a face lie higher than the vertex of the other shape that is lowest above
+  /// the plane of this face.
   bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
     return found.n == 0 ||
            found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
   }
 
-  /// Direction of the axis, to begin the search for closest points with.
+  /// Returns the direction of the separating axis, with which the search for closest points begins.
   Vec<Dim> guess(const SeparatingAxis<Dim>& axis) const {
     if (axis.features.kind == AxisKind::kFaceOfFirst && axis.of_first.face >= 0)
       return a_.normals[axis.of_first.face];
@@ -90,13 +92,14 @@ class PairSearch {
     return place_.offset;
   }
 
-  /// @param x  point midway between the surfaces, in own coordinates of the first shape
+  /// @param x  point midway between the surfaces, in the coordinates of the first shape
   void add(Manifold<Dim>& found, const Vec<Dim>& x, double gap, std::uint32_t key) const {
     if (found.n < Manifold<Dim>::kMostPoints)
       found.points[found.n++] = {first_.rotation * (first_.scale * x), gap, key};
   }
 
-  /// Point midway between the surfaces, of points of the cores that face each other along n.
+  /// Returns the point midway between the surfaces of two rounded shapes, from two points of their cores
+  /// (without rounding) that face each other along n.
   Vec<Dim> midway(const Vec<Dim>& on_first, const Vec<Dim>& on_second, const Vec<Dim>& n) const {
     return 0.5 * (on_first + on_second) + 0.5 * (first_.rounding() - second_.rounding()) / first_.scale * n;
   }
@@ -104,7 +107,7 @@ class PairSearch {
   Manifold<Dim> of_cores_apart(const ClosestPoints<Dim>& closest, const SeparatingAxis<Dim>& axis) {
     const double gap = world(closest.distance) - roundings_;
     if (!(gap < reach_)) return {};
-    // Balls have no face to lie on another.
+    // Disks and spheres have no face that could lie on another face.
     if (!a_.is_round() && !b_.is_round()) {
       const bool prefers_second = axis.features.kind == AxisKind::kFaceOfSecond;
       for (const bool of_second : {prefers_second, !prefers_second})
@@ -134,7 +137,8 @@ class PairSearch {
     return 1.0 - outward.dot(n) < kAlongFace;
   }
 
-  /// Corners of the incident face over the face that separates most, of the first or the second shape.
+  /// Returns the contact of a face: the corners of the incident face over the face of largest separation, which
+  /// belongs to the first or the second shape.
   Manifold<Dim> of_face(const SeparatingAxis<Dim>& axis, bool of_second) {
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
     Manifold<Dim> found;
@@ -172,7 +176,8 @@ class PairSearch {
       const ShapeEdge &e = a_.edges[axis.features.first], &f = b_.edges[axis.features.second];
       const Vec<3> p = a_.vertices[e.from], u = a_.vertices[e.to] - p;
       const Vec<3> q = place_.point(b_.vertices[f.from]), v = place_.point(b_.vertices[f.to]) - q;
-      // The points where the lines are closest lie within the edges, whose arcs cross, but for rounding.
+      // The points at which the lines are closest lie within the edges, because the arcs of the edges cross.
+      // Rounding errors are clamped.
       const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), pu = u.dot(q - p), pv = v.dot(q - p);
       const double determinant = uu * vv - uv * uv;
       const double s = std::clamp((pu * vv - pv * uv) / determinant, 0.0, 1.0);
@@ -186,7 +191,8 @@ class PairSearch {
     return found;
   }
 
-  /// A face axis without a corner over the face: vertices pass each other.
+  /// Returns the contact if the axis is the normal of a face but no corner lies over this face: vertices pass
+  /// each other.
   Manifold<Dim> of_nothing_over_the_face(const SeparatingAxis<Dim>& axis) {
     if (axis.separation > 0.0) {
       const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
@@ -215,14 +221,16 @@ class PairSearch {
     return found;
   }
 
-  /// Two capsules that are parallel: the ends of the piece over which they lie side by side.
+  /// Returns the contact of two parallel capsules: the two ends of the section along which they lie side by
+  /// side.
   Manifold<Dim> of_capsules_side_by_side(const ClosestPoints<Dim>& closest) {
     Manifold<Dim> found;
     const Vec<Dim> p = a_.vertices[0], u = a_.vertices[1] - p;
     const Vec<Dim> q = place_.point(b_.vertices[0]), v = place_.point(b_.vertices[1]) - q;
     const double length = u.norm(), parallel = u.dot(v) / (length * v.norm());
     if (1.0 - parallel * parallel > kSideBySide * kSideBySide) return found;
-    // Positions along the first core at which the second one begins and ends.
+    // Positions along the segment of the first capsule at which the segment of the second capsule begins and
+    // ends.
     const Vec<Dim> along = u / length;
     double from = along.dot(q - p), to = along.dot(q + v - p);
     const bool is_turned = from > to;
@@ -242,7 +250,8 @@ class PairSearch {
     return found;
   }
 
-  /// Balls or capsules whose cores meet: the normal is that of both segments, or any where there is none.
+  /// Returns the contact of disks, spheres or capsules whose cores (centres or segments) intersect. The normal
+  /// is perpendicular to both segments, or arbitrary if there are no segments.
   Manifold<Dim> of_crossed_cores() {
     Manifold<Dim> found;
     Vec<Dim> n = Vec<Dim>::Unit(0);
@@ -266,9 +275,9 @@ class PairSearch {
   const PlacedShape<Dim>&first_, &second_;
   const Shape<Dim>&a_, &b_;
   RelativePlace<Dim> place_;
-  double roundings_;  ///< sum of both roundings, in the unit of space
+  double roundings_;  ///< sum of the radii of rounding of both shapes, in the unit of length of space
   double reach_;
-  double size_;  ///< smaller inner radius
+  double size_;  ///< smaller inner radius of the two shapes
 };
 
 }  // namespace

@@ -9,57 +9,61 @@
 
 namespace floc {
 
-/// Kinds of contact, by the number of points in reach. In 2D two sides that face each other are kFaceFace.
+/// Types of contact of two shapes, by the number of contact points within reach. In 2D, two sides that face
+/// each other have the type kFaceFace.
 enum class ContactType : std::uint8_t {
-  kVertexFace,  ///< one point, other than that of two edges
-  kEdgeEdge,    ///< one point of two edges that cross
+  kVertexFace,  ///< one point that is not the contact of two edges
+  kEdgeEdge,    ///< one point at which two edges cross
   kDouble,      ///< two points in 3D: an edge on a face
-  kFaceFace     ///< three points or more; two in 2D
+  kFaceFace     ///< three points or more in 3D, two points in 2D
 };
 
-/// "vertex-face", "edge-edge", "double", "face-face"
+/// Returns the name of a contact type: "vertex-face", "edge-edge", "double" or "face-face".
 std::string contact_type_name(ContactType type);
 
-/// One point of a contact.
+/// One contact point of two shapes.
 template <int Dim>
 struct ManifoldPoint {
-  /// From the centre of the first shape to the point midway between the surfaces, in the axes of space.
+  /// Vector from the centre of the first shape to the point midway between the surfaces, in the axes of space.
   Vec<Dim> arm = Vec<Dim>::Zero();
-  double gap = 0.0;  ///< between the surfaces along the normal; negative where they overlap
-  /// Number that the point keeps while the features that meet in it stay. Bits from the highest: body of the
-  /// reference face (1), reference feature (10), incident feature (10), side that begins at the corner (10;
-  /// 1023 for closest points), edge pair (1). Keys of one contact differ.
+  double gap = 0.0;  ///< distance between the surfaces along the normal; negative if they overlap
+  /// Number that identifies the point as long as the two features that meet in it stay the same. Bits from the
+  /// highest: whether the reference face belongs to the second shape (1), reference feature (10), incident
+  /// feature (10), side that begins at the corner (10; 1023 for closest points), whether the features are two
+  /// edges (1). The points of one contact have different keys.
   std::uint32_t key = 0;
 };
 
-/// Where two shapes touch or may touch.
+/// Contact points of two shapes that touch or are close to each other.
 template <int Dim>
 struct Manifold {
   static constexpr int kMostPoints = Dim == 2 ? 2 : 4;
 
-  int n = 0;                           ///< number of points; 0 if no gap is below the reach
-  Vec<Dim> normal = Vec<Dim>::Zero();  ///< from the first shape to the second
+  int n = 0;                           ///< number of points; 0 if no gap is smaller than the reach
+  Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first shape to the second
   ContactType type = ContactType::kVertexFace;
   std::array<ManifoldPoint<Dim>, kMostPoints> points;
 
   double least_gap() const;
 };
 
-/// Contact of two shapes: points with a gap below `reach`.
+/// Computes the contact of two shapes: the points with a gap smaller than `reach`.
 ///
-/// Cores that are polytopes meet along the axis of the largest separation (separating_axis.h). A face axis
-/// gives the corners of the incident face clipped by the sides of the reference face, in 3D at most four of
-/// them: the deepest, the furthest from it, and those furthest to either side of the line through both. An edge
-/// pair gives one point. Shapes with rounding, whose cores are apart, meet in their closest points, but along a
-/// face whose normal is within 1e-3 of theirs as faces do.
+/// Shapes without rounding that are polytopes touch along the axis of their largest separation
+/// (separating_axis.h). If this axis is the normal of a face, the contact points are the corners of the
+/// incident face clipped by the sides of the reference face. In 3D, at most four of them are kept: the deepest,
+/// the one furthest from it, and those furthest to either side of the line through both. A pair of edges gives
+/// one point. Rounded shapes whose cores (the shapes without rounding) do not overlap touch in their closest
+/// points. If the line between these points is normal to a face to within 1e-3 radians, the contact is treated
+/// as a contact with this face.
 ///
-/// Gaps are those of the axis of largest separation but for the margins of separating_axis(): 1e-4 of the
-/// smaller inner radius for edges, 1e-6 for faces. Exchange of the shapes turns the normal round and keeps gaps
-/// and points but for such ties.
+/// Gaps are measured along the axis of largest separation, up to the margins of separating_axis(): 1e-4 of the
+/// smaller inner radius for edges, 1e-6 for faces. If the shapes are exchanged, the normal is reversed and gaps
+/// and points stay the same, up to these margins.
 ///
-/// @param reach  length >= 0
-/// @param last   features of the step before, to begin with, replaced by those found: they reject most pairs
-///               that do not touch at the cost of one support.
+/// @param reach  largest gap of a contact point (length), >= 0
+/// @param last  features found in the previous step, with which the search begins; they are replaced by the
+/// features found now. They reject most pairs that do not touch for the cost of one search for a lowest vertex.
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
                                AxisFeatures* last = nullptr);

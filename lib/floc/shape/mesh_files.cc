@@ -14,17 +14,18 @@ namespace floc {
 namespace {
 
 constexpr WholeRange kVertexCount{.least = 1, .most = kMostHullPoints};
-/// Triangles of a closed surface of that many vertices, and as many again.
+/// Allowed number of faces: twice the number of triangles of a closed surface with kMostHullPoints vertices.
 constexpr WholeRange kFaceCount{.least = 0, .most = 4 * std::int64_t{kMostHullPoints}};
 
 template <int Dim>
 void add_vertex(const TextLines& lines, std::size_t first_word, Mesh<Dim>& mesh) {
   if (mesh.vertices.size() == kMostHullPoints)
-    lines.refuse(fmt::format("more vertices than {}: expected at most so many", kMostHullPoints));
+    lines.refuse(
+        fmt::format("the file has more than {} vertices, the largest number allowed", kMostHullPoints));
   mesh.vertices.push_back(lines.vector<Dim>(first_word));
 }
 
-/// A face from a line with the number of corners and their indices.
+/// Adds a face from a line that holds the number of its corners and their indices.
 void add_counted_face(const TextLines& lines, Mesh<3>& mesh) {
   const std::int64_t n_vertices = static_cast<std::int64_t>(mesh.vertices.size());
   const int n = lines.whole(0, {.least = 3, .most = n_vertices});
@@ -41,10 +42,11 @@ Mesh<3> parse_off(const std::string& place, std::string_view text) {
   lines.require_next("OFF");
   std::size_t first = 0;
   if (!parse_number<double>(lines.word(0))) {
-    if (lines.word(0) != "OFF") lines.refuse(fmt::format("\"{}\": expected OFF", lines.word(0).substr(0, 40)));
+    if (lines.word(0) != "OFF")
+      lines.refuse(fmt::format("the file begins with \"{}\": expected OFF", lines.word(0).substr(0, 40)));
     first = 1;
   }
-  // The counts stand behind OFF or on a line of their own.
+  // The counts follow OFF on the same line, or are on a line of their own.
   if (lines.n_words() == first) {
     lines.require_next("the numbers of vertices, faces and edges");
     first = 0;
@@ -74,25 +76,28 @@ Mesh<3> parse_obj(const std::string& place, std::string_view text) {
       add_vertex(lines, 1, mesh);
     } else if (key == "f") {
       if (static_cast<std::int64_t>(mesh.faces.size()) >= kFaceCount.most)
-        lines.refuse(fmt::format("more faces than {}: expected at most so many", kFaceCount.most));
+        lines.refuse(
+            fmt::format("the file has more than {} faces, the largest number allowed", kFaceCount.most));
       const auto n = static_cast<std::int64_t>(mesh.vertices.size());
       if (lines.n_words() < 4)
-        lines.refuse("a face of fewer than three corners: expected f and three indices or more");
+        lines.refuse("the face has fewer than three corners: expected f and at least three indices");
       std::vector<int>& face = mesh.faces.emplace_back();
       for (std::size_t k = 1; k < lines.n_words(); ++k) {
         const std::string_view index = lines.word(k).substr(0, lines.word(k).find('/'));
         const auto i = parse_number<std::int64_t>(index);
         if (!i || *i == 0 || *i > n || *i < -n)
-          lines.refuse(
-              fmt::format("\"{}\": expected the number of a vertex before, from 1 to {}, or from -{} to -1",
-                          lines.word(k).substr(0, 40), n, n));
+          lines.refuse(fmt::format(
+              "\"{}\": expected the number of a vertex in a line above, from 1 to {}, or from -{} to -1",
+              lines.word(k).substr(0, 40), n, n));
         face.push_back(static_cast<int>(*i > 0 ? *i - 1 : n + *i));
       }
     } else if (std::find(kSkipped.begin(), kSkipped.end(), key) == kSkipped.end()) {
-      lines.refuse(fmt::format("\"{}\": expected v or f", key.substr(0, 40)));
+      lines.refuse(
+          fmt::format("the line begins with \"{}\": expected v (vertex) or f (face)", key.substr(0, 40)));
     }
   }
-  if (mesh.vertices.empty()) throw InputError(place, "has no vertex: expected lines that begin with v");
+  if (mesh.vertices.empty())
+    throw InputError(place, "the file has no vertex: expected lines that begin with v");
   return mesh;
 }
 
@@ -108,14 +113,15 @@ Mesh<Dim> parse_points(const std::string& place, std::string_view text) {
     if (name.size() == 3 && name.front() == '"' && name.back() == '"') name = name.substr(1, 1);
     is_header = name == kColumns[static_cast<std::size_t>(a)];
   }
-  if (!is_header) lines.refuse("the first line: expected the names of " + expected);
+  if (!is_header) lines.refuse("the first line does not consist of the names of " + expected);
   Mesh<Dim> mesh;
   while (lines.next()) {
-    if (lines.n_words() != Dim) lines.refuse(fmt::format("{} numbers: expected {}", lines.n_words(), Dim));
+    if (lines.n_words() != Dim)
+      lines.refuse(fmt::format("the line has {} words: expected {} numbers", lines.n_words(), Dim));
     add_vertex(lines, 0, mesh);
   }
   if (mesh.vertices.empty())
-    throw InputError(place, "has no points: expected lines below the names of the columns");
+    throw InputError(place, "the file has no points: expected lines of numbers below the names of the columns");
   return mesh;
 }
 
@@ -131,7 +137,9 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
       is_open = true;
       continue;
     }
-    if (!is_open) lines.refuse(fmt::format("\"{}\": expected <, the beginning of a shape", key.substr(0, 40)));
+    if (!is_open)
+      lines.refuse(
+          fmt::format("the line begins with \"{}\": expected <, with which a shape begins", key.substr(0, 40)));
     Mesh<3>& shape = shapes.back();
     if (key == ">") {
       is_open = false;
@@ -139,14 +147,15 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
       if (lines.n_words() > 1) shape.name = lines.word(1);
     } else if (key == "radius") {
       shape.rounding = lines.number(1);
-      if (!(shape.rounding > 0.0)) lines.refuse("radius: expected a positive number");
+      if (!(shape.rounding > 0.0))
+        lines.refuse("the radius of a shape is not positive: expected a positive number");
     } else if (key == "nv") {
       for (int n = lines.whole(1, kVertexCount), k = 0; k < n; ++k) {
         lines.require_next(fmt::format("vertex {} of {}", k + 1, n));
         add_vertex(lines, 0, shape);
       }
     } else if (key == "ne") {
-      // The hull has edges of its own.
+      // Edges of the file are skipped, because the convex hull has its own edges.
       for (int n = lines.whole(1, kFaceCount), k = 0; k < n; ++k)
         lines.require_next(fmt::format("edge {} of {}", k + 1, n));
     } else if (key == "nf") {
@@ -155,13 +164,17 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
         add_counted_face(lines, shape);
       }
     }
-    // Other keys, as obb.extent and volume, follow from these.
+    // Other keys, such as obb.extent and volume, are skipped, because they follow from the vertices and the
+    // radius.
   }
   for (std::size_t k = 0; k < shapes.size(); ++k)
     if (shapes[k].vertices.empty() || !(shapes[k].rounding > 0.0))
       throw InputError(
-          place, fmt::format("shape {} \"{}\": expected nv with vertices, and radius", k + 1, shapes[k].name));
-  if (shapes.empty()) throw InputError(place, "has no shape: expected < on a line");
+          place,
+          fmt::format("shape {} \"{}\" is incomplete: expected the key nv with vertices, and the key radius",
+                      k + 1, shapes[k].name));
+  if (shapes.empty())
+    throw InputError(place, "the file has no shape: expected a line with <, with which a shape begins");
   return shapes;
 }
 

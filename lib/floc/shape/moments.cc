@@ -16,8 +16,8 @@ Mat<Dim> symmetric_product(const Vec<Dim>& a, const Vec<Dim>& b) {
   return a * b.transpose() + b * a.transpose();
 }
 
-/// Integrals of w = cos(phi) a + sin(phi) t and of w w' over the arc from direction a to direction b, t normal
-/// to a.
+/// Integrals of w = cos(phi) a + sin(phi) t and of w w' over the angle phi of an arc that begins in the
+/// direction a, where t is normal to a.
 template <int Dim>
 struct Arc {
   double angle;
@@ -33,14 +33,15 @@ struct Arc {
   }
 };
 
-/// The arc between the outward normals of two faces that meet in an edge along `axis` (unit, left of it the
-/// first).
+/// Returns the arc between the outward normals of the two faces that meet in an edge along the unit vector
+/// `axis`. The face `left` lies to the left of the edge.
 Arc<3> arc_of_edge(const Vec<3>& left, const Vec<3>& right, const Vec<3>& axis) {
   return {left, axis.cross(left), std::atan2(axis.dot(left.cross(right)), left.dot(right))};
 }
 
 Moments<2> side_layer(const Vec<2>& a, const Vec<2>& b, const Vec<2>& n, double rho) {
-  // A rectangle: second moments about its centre are l^2/12 along it and rho^2/12 across it.
+  // The layer on a side is a rectangle. Its second moments per area about its centre are l^2/12 along the side,
+  // of length l, and rho^2/12 across it.
   const Vec<2> side = b - a, middle = 0.5 * (a + b + rho * n);
   const double area = side.norm() * rho;
   return {area, area * middle,
@@ -58,7 +59,7 @@ Moments<2> corner_layer(const Vec<2>& v, const Vec<2>& from, const Vec<2>& to, d
               0.25 * rho3 * rho * arc.second};
 }
 
-/// Moments of the plane piece of surface that a face is.
+/// Returns the moments of a face, as integrals over its surface.
 Moments<3> surface_moments(const Polytope<3>& polytope, const std::vector<int>& loop, const Vec<3>& n) {
   Moments<3> sum;
   const Vec<3>& a = polytope.vertices[loop[0]];
@@ -87,20 +88,22 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
                     rho3 / 3.0 * symmetric_product<3>(middle, arc.first) + 0.25 * rho3 * rho * arc.second)};
 }
 
-/// Integrals of 1, u and u u' over the part of the unit sphere that the normals at one vertex enclose.
+/// Integrals of 1, u and u u' over the unit vectors u in the part of the unit sphere that is enclosed by the
+/// normals at one vertex.
 using NormalCone = Moments<3>;
 
-/// Adds the side of a normal cone that lies along the arc of an edge. `outward` is the normal of the arc that
-/// points out of the cone: the direction of the edge away from the vertex.
+/// Adds the contribution of one side of a normal cone, the side along the arc of an edge. `outward` is the
+/// normal of the arc that points out of the cone; it is the direction of the edge away from the vertex.
 ///
-/// Integral of u: half the sum of angle * inward normal. Integral of u u' (Arvo 1995): a third of the solid
-/// angle times unity less the sum of outward normal times the integral of u along the arc.
+/// The integral of u is half the sum of angle * inward normal. The integral of u u' (Arvo 1995) is a third of
+/// the solid angle times the identity matrix, minus a third of the sum of outward normal times the integral of
+/// u along the arc.
 void add_arc(NormalCone& cone, const Vec<3>& outward, const Arc<3>& arc) {
   cone.first -= 0.5 * arc.angle * outward;
   cone.second -= symmetric_product<3>(outward, arc.first) / 6.0;
 }
 
-/// Solid angle of the triangle of three unit vectors (Van Oosterom and Strackee 1983).
+/// Returns the solid angle of the triangle of three unit vectors (Van Oosterom and Strackee 1983).
 double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
   return 2.0 * std::atan2(std::abs(a.dot(b.cross(c))), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
 }
@@ -191,8 +194,8 @@ Moments<3> rounding_moments(const Polytope<3>& polytope, double rounding) {
     for (std::size_t k = 0; k < loop.size(); ++k)
       face_left_of[{loop[k], loop[(k + 1) % loop.size()]}] = static_cast<int>(f);
   }
-  // The normals at a vertex enclose a convex polygon on the sphere, with the arcs of the vertex's edges for
-  // sides: their triangles with one of the normals make up its solid angle.
+  // The normals at a vertex enclose a convex polygon on the unit sphere, whose sides are the arcs of the edges
+  // at the vertex. Its solid angle is the sum over the triangles that each arc forms with one of the normals.
   std::vector<NormalCone> cones(polytope.vertices.size());
   std::vector<int> any_face(polytope.vertices.size(), -1);
   for (const auto& [ends, left] : face_left_of) {

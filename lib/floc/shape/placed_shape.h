@@ -4,20 +4,21 @@
 
 namespace floc {
 
-/// A grain's surface in space: x = position + scale * rotation * own.
+/// Shape of a grain placed in space: x = position + scale * rotation * y for a point y of the shape.
 template <int Dim>
 struct PlacedShape {
   const Shape<Dim>* shape = nullptr;
   double scale = 1.0;
-  Vec<Dim> position = Vec<Dim>::Zero();      ///< of the centre of mass
-  Mat<Dim> rotation = Mat<Dim>::Identity();  ///< own axes to those of space
+  Vec<Dim> position = Vec<Dim>::Zero();      ///< position of the centre of mass
+  Mat<Dim> rotation = Mat<Dim>::Identity();  ///< rotation from the axes of the shape to the axes of space
 
   double rounding() const { return scale * shape->rounding; }
   double inner_radius() const { return scale * shape->inner_radius; }
   double outer_radius() const { return scale * shape->outer_radius; }
 };
 
-/// Takes the own coordinates of a second shape to those of a first: x = offset + scale * rotation * own.
+/// Transformation from the coordinates of a second shape to the coordinates of a first shape: x = offset +
+/// scale * rotation * y for a point y of the second shape.
 template <int Dim>
 struct RelativePlace {
   Mat<Dim> rotation;
@@ -38,13 +39,15 @@ struct RelativePlace {
   Vec<Dim> direction(const Vec<Dim>& own) const { return rotation * own; }
 };
 
-/// Vertex of a core; the only one of a point is its centre.
+/// Returns a vertex of the core of a shape (the shape without its rounding). A core that is a point has one
+/// vertex, its centre.
 template <int Dim>
 inline Vec<Dim> core_vertex(const Shape<Dim>& shape, int vertex) {
   return shape.is_round() ? Vec<Dim>(Vec<Dim>::Zero()) : shape.vertices[vertex];
 }
 
-/// Vertex of a core with the least product with a direction in its own axes.
+/// Returns the vertex of the core of a shape (the shape without its rounding) that has the least scalar product
+/// with a direction given in the axes of the shape.
 template <int Dim>
 inline int lowest_vertex(const Shape<Dim>& shape, const Vec<Dim>& direction) {
   const Vec<Dim>* const vertices = shape.vertices.data();

@@ -7,15 +7,17 @@
 
 namespace floc {
 
-/// For each point of a contact the point of the step before whose memory it takes over, or -1.
+/// For each contact point, the index of the point of the previous step whose history it takes over, or -1.
 template <int Dim>
 using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;
 
-/// Matches points of one pair from step to step: first those of equal keys, then each of the others to the
-/// nearest point of the step before that none has claimed, the nearest pairs first.
+/// Matches the contact points of a pair of shapes with those of the previous step. Points with equal keys are
+/// matched first. Each other point is then matched with the nearest point of the previous step that is not
+/// matched yet, in the order of increasing distance.
 ///
-/// @param now, before  at most kMostPoints each; arms from the centre of the same body
-/// @param radius  distance up to which points without a key in common match: 0.25 of the smaller outer radius
+/// @param now, before  contact points of this step and of the previous one, at most kMostPoints each; their
+/// arms begin at the centre of the same body
+/// @param radius  largest distance of points with different keys that match: 0.25 of the smaller outer radius
 template <int Dim>
 PointMatches<Dim> matched_points(std::span<const ManifoldPoint<Dim>> now,
                                  std::span<const ManifoldPoint<Dim>> before, double radius);

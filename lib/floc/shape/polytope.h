@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Corners and faces of a convex polytope, or of a surface that a file describes. In 2D a face is a side: the
-/// loop of its two ends.
+/// Vertices and faces of a convex polytope, or of a surface described by a file. In 2D a face is a side, given
+/// by its two ends.
 template <int Dim>
 struct Polytope {
   std::vector<Vec<Dim>> vertices;
@@ -15,10 +15,10 @@ struct Polytope {
   std::vector<std::vector<int>> faces;
 };
 
-/// Largest number of vertices of a shape.
+/// Largest number of vertices of a shape of a grain.
 inline constexpr int kMostVertices = 200;
-/// Largest number of faces, and of edges: keys of contact points have ten bits for each, and one value to
-/// spare.
+/// Largest number of faces, and of edges, of a shape of a grain. Keys of contact points have ten bits for each
+/// of these numbers, with one value left over.
 inline constexpr int kMostFaces = 1023;
 
 }  // namespace floc

@@ -4,10 +4,11 @@
 
 namespace floc {
 
-/// Principal axes of a symmetric matrix by Jacobi's rotations, the columns of a rotation (determinant 1).
+/// Returns the principal axes of a symmetric matrix, by Jacobi rotations, as the columns of a rotation matrix
+/// (determinant 1).
 ///
-/// Axes are those given wherever the matrix is diagonal to 1e-13 of its trace, so that a cube keeps its own and
-/// equal moments turn nothing; they are in no order of size.
+/// If the matrix is diagonal to 1e-13 of its trace, the axes are the coordinate axes, so that a cube is not
+/// turned. Equal moments cause no rotation. The axes are not sorted by size of the moments.
 Mat<3> principal_axes(Mat<3> matrix);
 
 }  // namespace floc

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Purposes of the random streams of this module: see RandomStream.
+/// Numbers of the random streams of the shape generators, one per generator; see RandomStream.
 inline constexpr std::uint64_t kHullStream = 4601;
 inline constexpr std::uint64_t kCutStream = 4602;
 inline constexpr std::uint64_t kVoronoiStream = 4603;

@@ -15,20 +15,20 @@
 namespace floc {
 namespace {
 
-/// A surface that encloses less of its hull is not convex.
+/// If a surface encloses less than this fraction of the volume of its convex hull, it is not convex.
 constexpr double kConvexShare = 1.0 - 1e-6;
 
-/// Refuses faces that do not close a surface.
+/// Requires that the faces of a mesh form a closed surface.
 void require_closed(const std::string& place, const Mesh<3>& mesh) {
-  // Number of faces that go along each pair of vertices, from the first to the second.
+  // Number of faces that go along each edge, from its first vertex to its second.
   std::map<std::pair<int, int>, int> along;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const std::vector<int>& face = mesh.faces[f];
     for (std::size_t k = 0; k < face.size(); ++k) {
       const int from = face[k], to = face[(k + 1) % face.size()];
       if (from == to)
-        throw InputError(place,
-                         fmt::format("face {} has vertex {} twice: expected each once", f + 1, from + 1));
+        throw InputError(place, fmt::format("face {} has vertex {} twice: expected each vertex of a face once",
+                                            f + 1, from + 1));
       ++along[{from, to}];
     }
   }
@@ -38,20 +38,21 @@ void require_closed(const std::string& place, const Mesh<3>& mesh) {
     if (n + n_back != 2)
       throw InputError(
           place,
-          fmt::format("the edge between vertices {} and {} has {} faces: expected a closed surface, two at "
-                      "each edge",
+          fmt::format("the edge between vertices {} and {} has {} faces: expected a closed surface, with "
+                      "two faces at each edge",
                       ends.first + 1, ends.second + 1, n + n_back));
     if (mesh.is_oriented && n != 1)
       throw InputError(
           place,
-          fmt::format("two faces have vertex {} before vertex {}: expected all corners in one sense as seen "
-                      "from outside",
-                      ends.first + 1, ends.second + 1));
+          fmt::format(
+              "two faces have vertex {} before vertex {}: expected the corners of all faces in one sense of "
+              "rotation, as seen from outside",
+              ends.first + 1, ends.second + 1));
   }
 }
 void require_closed(const std::string&, const Mesh<2>&) {}
 
-/// The vertices that faces have; all where there is no face.
+/// Returns the vertices that belong to a face; all vertices if there is no face.
 template <int Dim>
 std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   if (mesh.faces.empty()) return mesh.vertices;
@@ -64,7 +65,8 @@ std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   return used;
 }
 
-/// Chosen points, each the furthest from those before; the first is the furthest from the mean of all.
+/// Returns n of the points. The first is the point furthest from the mean of all points; each following point
+/// is the one furthest from the points chosen before.
 template <int Dim>
 std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) {
   Vec<Dim> mean = Vec<Dim>::Zero();
@@ -82,7 +84,8 @@ std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) 
   return chosen;
 }
 
-/// Volume enclosed, from a vertex on, so that a far origin costs no digits.
+/// Returns the volume enclosed by a surface. It is computed relative to one of its vertices, so that no digits
+/// are lost if the origin is far away.
 template <int Dim>
 double volume_of(Polytope<Dim> surface) {
   const Vec<Dim> origin = surface.vertices[0];
@@ -90,7 +93,7 @@ double volume_of(Polytope<Dim> surface) {
   return sharp_moments(surface).volume;
 }
 
-/// Shape of a core of one or two vertices: a round one or a capsule.
+/// Returns the shape of a core with one or two vertices: a sphere or a capsule.
 template <int Dim>
 Shape<Dim> shape_of_few(const std::string& place, const Mesh<Dim>& mesh) {
   if (mesh.vertices.size() == 1) return round_shape<Dim>(mesh.rounding);
@@ -116,7 +119,9 @@ std::vector<Mesh<Dim>> meshes_of(const std::string& path, std::string_view conte
 template <>
 std::vector<Mesh<2>> meshes_of(const std::string& path, std::string_view content) {
   if (ending(path) != ".csv")
-    throw InputError(path, "expected the corners of a polygon in a file that ends in .csv");
+    throw InputError(
+        path,
+        "the name of the file has another ending than .csv: expected the corners of a polygon in a .csv file");
   return {parse_points<2>(path, content)};
 }
 
@@ -128,7 +133,9 @@ std::vector<Mesh<3>> meshes_of(const std::string& path, std::string_view content
   if (format == ".stl") return {parse_stl(path, content)};
   if (format == ".csv") return {parse_points<3>(path, content)};
   if (format == ".shp") return parse_rockable(path, content);
-  throw InputError(path, "expected a file that ends in .off, .obj, .stl, .csv or .shp");
+  throw InputError(path,
+                   "the ending of the name of the file is unknown: expected a name that ends in .off, .obj, "
+                   ".stl, .csv or .shp");
 }
 
 }  // namespace
@@ -139,8 +146,10 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
   if (options.vertices != 0)
     require_in_range("vertices", std::int64_t{options.vertices}, {.least = Dim + 1, .most = kMostVertices});
   if (options.rounding > 0.0 && mesh.rounding > 0.0)
-    throw InputError(place,
-                     fmt::format("rounding = {:g}: the file has its own, expected none", options.rounding));
+    throw InputError(
+        place,
+        fmt::format("rounding = {:g}: the file has its own radius of rounding; leave out the value of rounding",
+                    options.rounding));
   if (mesh.rounding > 0.0 && mesh.vertices.size() <= 2) return {mesh.name, shape_of_few(place, mesh), {}};
 
   const std::vector<Vec<Dim>> points = used_vertices(mesh);
@@ -150,20 +159,24 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
   if (!mesh.faces.empty()) require_closed(place, mesh);
   const std::size_t n_left_out = points.size() - hull.points.size();
   if (n_left_out > 0)
-    made.remarks.push_back(fmt::format("{} of {} points are no vertices of the convex hull, which is the shape",
-                                       n_left_out, points.size()));
+    made.remarks.push_back(
+        fmt::format("{} of {} points are not vertices of the convex hull, which is used as the shape",
+                    n_left_out, points.size()));
   const double whole = volume_of(hull.polytope);
   if (!mesh.faces.empty() && mesh.is_oriented) {
     const double enclosed = std::abs(volume_of(Polytope<Dim>{mesh.vertices, mesh.faces}));
     if (enclosed < kConvexShare * whole)
-      made.remarks.push_back(fmt::format(
-          "the surface is not convex: it encloses {:.4g} of its hull, which is the shape", enclosed / whole));
+      made.remarks.push_back(
+          fmt::format("the surface is not convex: it encloses {:.4g} of the volume of its convex hull, which "
+                      "is used as the shape",
+                      enclosed / whole));
   }
   const std::size_t n_before = hull.polytope.vertices.size();
   if (options.vertices != 0 && static_cast<int>(n_before) > options.vertices) {
     hull = convex_hull<Dim>(spread_points<Dim>(hull.polytope.vertices, options.vertices), place);
-    made.remarks.push_back(fmt::format("{} of {} vertices are kept, with {:.4g} of the volume",
-                                       hull.points.size(), n_before, volume_of(hull.polytope) / whole));
+    made.remarks.push_back(
+        fmt::format("{} of {} vertices of the convex hull are kept, with {:.4g} of its volume",
+                    hull.points.size(), n_before, volume_of(hull.polytope) / whole));
   }
   made.shape = mesh.rounding > 0.0 ? polytope_shape<Dim>(hull.polytope, mesh.rounding, place)
                                    : with_rounding_share<Dim>(hull.polytope, options.rounding, place);

@@ -9,38 +9,42 @@
 
 namespace floc {
 
-/// A shape that a file has.
+/// Shape of a grain read from a file.
 template <int Dim>
 struct NamedShape {
-  std::string name;  ///< empty where the format has none
-  Shape<Dim> shape;  ///< in the unit of length of the file
+  std::string name;  ///< name of the shape; empty if the format has no names
+  Shape<Dim> shape;  ///< shape in the unit of length of the file
   std::vector<std::string> remarks;
 };
 
 struct ShapeFileOptions {
-  /// Number of vertices to keep, the furthest from each other; 0 keeps all of the hull.
+  /// Number of vertices to keep. The vertices furthest from each other are kept; 0 keeps all vertices of the
+  /// convex hull.
   int vertices = 0;
-  /// Share of the diameter, from 0 to 0.45. Shapes of Rockable have their own.
+  /// Radius of rounding as a fraction of the diameter, from 0 to 0.45. Shapes of Rockable have their own
+  /// radius.
   double rounding = 0.0;
 };
 
-/// Convex hulls of the shapes of a file: .off, .obj, .stl, .csv or .shp, the last with several. In 2D only
-/// .csv.
+/// Reads the shapes of a file and returns their convex hulls. The formats are .off, .obj, .stl, .csv and .shp;
+/// only .shp files hold several shapes. In 2D only .csv is possible.
 ///
-/// @throws InputError as the readers of mesh_files.h and shape_of_mesh(), or if the file's name ends in none of
-/// these
+/// @throws InputError if the readers of mesh_files.h or shape_of_mesh() throw it, or if the name of the file
+/// has none of these endings
 template <int Dim>
 std::vector<NamedShape<Dim>> read_shapes(const std::string& path, const ShapeFileOptions& options = {});
 
-/// Shapes of the content of a file. @param path  tells the format by its ending, and is named in messages
+/// Returns the shapes described by the content of a file. @param path  name of the file, whose ending
+/// determines the format; used in messages
 template <int Dim>
 std::vector<NamedShape<Dim>> parse_shapes(const std::string& path, std::string_view content,
                                           const ShapeFileOptions& options = {});
 
-/// Convex hull of a mesh, with remarks if vertices are left out, or if the surface encloses less than its hull.
+/// Returns the convex hull of a mesh, with remarks if vertices are left out or if the surface encloses less
+/// than its hull.
 ///
-/// @throws InputError as shape_of_points(), and if faces form no closed surface: an edge has one face, or more
-/// than two, or two that go along it in one sense
+/// @throws InputError if shape_of_points() throws it, or if the faces do not form a closed surface: an edge
+/// belongs to one face, to more than two faces, or to two faces that go along it in the same direction
 template <int Dim>
 NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh, const ShapeFileOptions& options);
 

@@ -9,14 +9,14 @@ namespace floc {
 namespace {
 
 constexpr double kLeast = -std::numeric_limits<double>::max();
-/// Sine of the angle below which edges count as parallel: a face axis then serves.
+/// Sine of the angle below which two edges count as parallel. The normal of a face is then used as the axis.
 constexpr double kParallel = 1e-9;
 
-/// Separation of the faces of one shape from the vertices of another.
+/// Separations of the faces of one shape from the vertices of another shape.
 template <int Dim>
 class FaceSearch {
  public:
-  /// @param place  takes the own coordinates of `other` to those of `one`
+  /// @param place  transformation from the coordinates of `other` to the coordinates of `one`
   FaceSearch(const Shape<Dim>& one, const Shape<Dim>& other, const RelativePlace<Dim>& place)
       : one_(one), other_(other), place_(place) {}
 
@@ -31,7 +31,8 @@ class FaceSearch {
     return n.dot(point) - one_.offsets[face];
   }
 
-  /// @param begin  face to begin with; -1 begins with the one that the other's centre is highest above
+  /// @param begin  index of the face to begin with; -1: the face above which the centre of the other shape is
+  /// highest
   FaceAxis best(int begin, double margin, double limit) {
     FaceAxis found;
     if (one_.n_faces() == 0) {
@@ -43,7 +44,8 @@ class FaceSearch {
     found = {begin, 0, separation(begin)};
     found.vertex = vertex_;
     for (int f = 0; f < one_.n_faces() && found.separation <= limit; ++f) {
-      // The face of the step before gives way only where another is better by the margin.
+      // The face of the previous step is replaced only if the separation of another face is larger by the
+      // margin.
       const double threshold = found.separation + (prefers && found.face == begin ? margin : 0.0);
       if (f == begin || !may_exceed(f, threshold)) continue;
       const double here = separation(f);
@@ -52,11 +54,13 @@ class FaceSearch {
     return found;
   }
 
-  /// Whether an edge can be the first's part in a pair that separates by more than a threshold.
+  /// Returns whether an edge of shape `one` can be part of an edge pair with a separation larger than a
+  /// threshold.
   ///
-  /// The normal of a pair is n = alpha a + beta b with the normals a, b of the edge's faces, alpha, beta >= 0
-  /// and 1 <= alpha + beta <= sqrt(2/(1 + a . b)). No point p of the other shape may lie lower than the
-  /// separation: it is at most alpha (height of p above a) + beta (height above b).
+  /// The normal of an edge pair is n = alpha a + beta b with the normals a and b of the two faces of the edge,
+  /// alpha, beta >= 0 and 1 <= alpha + beta <= sqrt(2/(1 + a . b)). The separation is at most the height along
+  /// n of any point p of the other shape above the edge, which is alpha (height of p above face a) + beta
+  /// (height of p above face b).
   bool edge_may_exceed(const ShapeEdge& edge, double threshold) const {
     const Vec<Dim>&a = one_.normals[edge.left], &b = one_.normals[edge.right];
     for (int k = 0; k < n_points_; ++k) {
@@ -81,7 +85,8 @@ class FaceSearch {
     return best;
   }
 
-  /// No face separates by more than the height of any point of the other shape above it.
+  /// Returns whether a face may have a separation larger than a threshold. The separation of a face is at most
+  /// the height of any point of the other shape above it.
   bool may_exceed(int face, double threshold) const {
     for (int k = 0; k < n_points_; ++k)
       if (one_.normals[face].dot(points_[k]) - one_.offsets[face] <= threshold) return false;
@@ -91,13 +96,13 @@ class FaceSearch {
   const Shape<Dim>& one_;
   const Shape<Dim>& other_;
   const RelativePlace<Dim>& place_;
-  std::array<Vec<Dim>, kMostPoints>
-      points_;  ///< some points of the other shape, the lowest above faces looked at
+  /// Some points of the other shape: the lowest points above the faces that have been examined.
+  std::array<Vec<Dim>, kMostPoints> points_;
   int n_points_ = 0;
-  int vertex_ = 0;  ///< the lowest above the last face
+  int vertex_ = 0;  ///< vertex of the other shape that is lowest above the last face examined
 };
 
-/// Edge of a shape with what the search for pairs needs, in the first shape's coordinates.
+/// Edge of a shape and the normals of its two faces, in the coordinates of the first shape.
 struct PlacedEdge {
   Vec<3> from, along, left, right;
 };
@@ -114,8 +119,8 @@ PlacedEdge edge_of(const Shape<3>& shape, int edge, const RelativePlace<3>& plac
           place.direction(own.right)};
 }
 
-/// Whether the arc of edge `a` crosses that of edge `b` turned round, so that they are a face of the Minkowski
-/// difference.
+/// Returns whether the arc of edge `a` on the Gauss sphere, between the normals of its two faces, crosses the
+/// reversed arc of edge `b`. The two edges then form a face of the Minkowski difference.
 bool arcs_cross(const PlacedEdge& a, const PlacedEdge& b) {
   const double c = b.left.dot(a.along), d = b.right.dot(a.along);
   if (!(c * d < 0.0)) return false;
@@ -131,7 +136,8 @@ Vec<3> pair_normal(const PlacedEdge& a, const PlacedEdge& b) {
   return n.dot(a.left + a.right) < 0.0 ? Vec<3>(n / -length) : Vec<3>(n / length);
 }
 
-/// The edge pair that separates most, if more than a threshold, and the one of the step before.
+/// Edge pair with the largest separation, if this is larger than a threshold, and the separation of the edge
+/// pair of the previous step.
 struct EdgeAxis {
   int first = -1, second = -1;
   double separation = kLeast;
@@ -164,7 +170,8 @@ EdgeAxis best_edge_pair(const Shape<3>& first, const FaceSearch<3>& above_first,
   return best;
 }
 
-/// Separation along the axis of the step before, wherever it still points: a bound from below for the distance.
+/// Returns the separation along the axis of the previous step as it points now. It is a lower bound of the
+/// distance of the shapes.
 template <int Dim>
 double last_separation(const Shape<Dim>& first, const Shape<Dim>& second, const RelativePlace<Dim>& place,
                        const AxisFeatures& last, FaceSearch<Dim>& above_first, FaceSearch<Dim>& above_second) {

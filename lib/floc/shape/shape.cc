@@ -16,9 +16,9 @@
 namespace floc {
 namespace {
 
-/// Extents along the principal axes may differ by this factor.
+/// Largest ratio of the extents of a shape along its principal axes.
 constexpr double kLargestAspect = 20.0;
-/// The core has to fill this share of its box.
+/// Least volume of the core of a shape (without rounding) as a fraction of the volume of its bounding box.
 constexpr double kLeastFilling = 1e-6;
 
 double power(double x, int n) {
@@ -39,7 +39,8 @@ void set_faces(const Polytope<Dim>& polytope, Shape<Dim>& shape) {
   for (std::size_t f = 0; f < polytope.faces.size(); ++f) {
     const std::vector<int>& loop = polytope.faces[f];
     const Vec<Dim> n = face_normal(polytope, static_cast<int>(f)).normalized();
-    // Vertices of merged faces lie up to 1e-6 off their plane: none of the shape may lie above a face.
+    // Vertices of merged faces may lie off the plane of the face by up to about 1e-6 of its size. No part of
+    // the shape may lie above a face.
     double offset = -std::numeric_limits<double>::max();
     for (const int v : loop) offset = std::max(offset, n.dot(polytope.vertices[v]));
     shape.normals.push_back(n);
@@ -89,7 +90,7 @@ void require_counts(const Polytope<Dim>& hull, const std::string& place) {
   if (n_vertices > kMostVertices)
     throw InputError(
         place,
-        fmt::format("the convex hull has {} vertices: expected at most {}; `vertices = N` takes N of them",
+        fmt::format("the convex hull has {} vertices: expected at most {}; `vertices = N` keeps N of them",
                     n_vertices, kMostVertices));
   for (const auto& [n, name] : {std::pair(n_faces, "faces"), std::pair(n_edges, "edges")})
     if (n > kMostFaces)
@@ -107,10 +108,9 @@ void require_body(const Polytope<Dim>& hull, const Shape<Dim>& shape, double cor
   };
   const double box = extents(hull.vertices).prod();
   if (!(core_volume > kLeastFilling * box) || !(core_volume > 0.0))
-    throw InputError(
-        place,
-        fmt::format("the shape is flat: its volume is {:.3g} of that of its box, expected more than {:g}",
-                    core_volume / box, kLeastFilling));
+    throw InputError(place, fmt::format("the shape is flat: its volume is {:.3g} of the volume of its bounding "
+                                        "box, expected more than {:g}",
+                                        core_volume / box, kLeastFilling));
   const Vec<Dim> own = extents(shape.vertices);
   if (own.maxCoeff() > kLargestAspect * own.minCoeff())
     throw InputError(place,
@@ -173,7 +173,7 @@ Shape<3> capsule_shape(double length, double rounding) {
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place) {
   require_counts(hull, place);
-  // Moments about a point inside lose no digits to a far origin.
+  // Moments about a point inside the polytope lose no digits if the origin is far away.
   Vec<Dim> inside = Vec<Dim>::Zero();
   for (const Vec<Dim>& v : hull.vertices) inside += v / static_cast<double>(hull.vertices.size());
   Polytope<Dim> core = hull;
@@ -225,8 +225,9 @@ ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double r
   ShapeOfPoints<Dim> made{polytope_shape<Dim>(hull.polytope, rounding, place), {}};
   const std::size_t n_left_out = points.size() - hull.points.size();
   if (n_left_out > 0)
-    made.remarks.push_back(fmt::format("{} of {} points are no vertices of the convex hull, which is the shape",
-                                       n_left_out, points.size()));
+    made.remarks.push_back(
+        fmt::format("{} of {} points are not vertices of the convex hull, which is used as the shape",
+                    n_left_out, points.size()));
   return made;
 }
 
@@ -244,11 +245,11 @@ Shape<Dim> scaled(Shape<Dim> shape, double factor) {
 template <int Dim>
 Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const std::string& place) {
   if (!(share >= 0.0 && share <= 0.45))
-    throw InputError(place,
-                     fmt::format("rounding = {:g}: expected a share of the diameter from 0 to 0.45", share));
+    throw InputError(
+        place, fmt::format("rounding = {:g}: expected a fraction of the diameter, from 0 to 0.45", share));
   Shape<Dim> shape = polytope_shape(core, 0.0, place);
-  // Rounding moves the centre of mass a little, and with it the outer radius: the share converges at once where
-  // there is a centre of symmetry, and by two or three digits in each pass elsewhere.
+  // Rounding moves the centre of mass a little and changes the outer radius. The radius of rounding therefore
+  // converges in one pass if the shape has a centre of symmetry, and otherwise by two or three digits per pass.
   if (share > 0.0)
     for (int pass = 0; pass < 20; ++pass) {
       const double outer = shape.outer_radius - shape.rounding;

@@ -13,34 +13,34 @@
 namespace floc {
 namespace {
 
-/// Bytes of a binary file before its triangles, and per triangle.
+/// Number of bytes of a binary file before its triangles, and number of bytes per triangle.
 constexpr std::size_t kHeader = 84, kTriangle = 50;
 
-/// Gives corners at equal coordinates one number.
+/// Merges corners with equal coordinates to one vertex and collects the triangles of a mesh.
 class Welder {
  public:
   Welder(std::string place, Mesh<3>& mesh) : place_(std::move(place)), mesh_(mesh) {}
 
   int vertex(const Vec<3>& v) {
-    // Adding zero makes -0 and 0 one number.
+    // Adding zero turns -0 into 0, so that both count as equal.
     const auto [at, is_new] =
         numbers_.try_emplace({v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}, static_cast<int>(mesh_.vertices.size()));
     if (is_new) {
       if (mesh_.vertices.size() == kMostHullPoints)
-        throw InputError(place_,
-                         fmt::format("has more vertices than {}: expected at most so many", kMostHullPoints));
+        throw InputError(place_, fmt::format("the file has more than {} vertices, the largest number allowed",
+                                             kMostHullPoints));
       mesh_.vertices.push_back(v);
     }
     return at->second;
   }
 
-  /// Triangles whose corners are not three are no part of the surface.
+  /// Adds a triangle. Triangles with fewer than three different corners are left out.
   void add(const std::array<Vec<3>, 3>& corners) {
     const int a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
     if (a != b && b != c && c != a) mesh_.faces.push_back({a, b, c});
     if (mesh_.faces.size() > 4 * kMostHullPoints)
-      throw InputError(
-          place_, fmt::format("has more triangles than {}: expected at most so many", 4 * kMostHullPoints));
+      throw InputError(place_, fmt::format("the file has more than {} triangles, the largest number allowed",
+                                           4 * kMostHullPoints));
   }
 
  private:
@@ -63,7 +63,7 @@ Mesh<3> parse_binary(const std::string& place, std::string_view bytes) {
   for (std::size_t t = 0; t < n; ++t) {
     std::array<Vec<3>, 3> corners;
     for (std::size_t k = 0; k < 9; ++k) {
-      // The normal comes first, of three numbers.
+      // The normal of the triangle, three numbers, comes first and is skipped.
       const std::uint32_t word = little_endian(bytes, kHeader + t * kTriangle + 12 + 4 * k);
       float number = 0.0F;
       std::memcpy(&number, &word, sizeof number);
@@ -104,14 +104,16 @@ Mesh<3> parse_text(const std::string& place, std::string_view text) {
     require("endloop", "");
     require("endfacet", "");
   }
-  if (lines.next()) lines.refuse("expected the end of the file after endsolid: one solid a file");
+  if (lines.next())
+    lines.refuse("expected the end of the file after endsolid, because a file may hold only one solid");
   return mesh;
 }
 
 }  // namespace
 
 Mesh<3> parse_stl(const std::string& place, std::string_view bytes) {
-  // Binary files may begin with "solid" too, but have the length that their count says.
+  // Binary files may begin with "solid" too. They are recognised by their length, which follows from the number
+  // of triangles in the header.
   const bool has_count = bytes.size() >= kHeader;
   const std::uint64_t n = has_count ? little_endian(bytes, 80) : 0;
   Mesh<3> mesh;
@@ -121,14 +123,17 @@ Mesh<3> parse_stl(const std::string& place, std::string_view bytes) {
     mesh = parse_text(place, bytes);
   } else {
     throw InputError(
-        place, has_count
-                   ? fmt::format("{} bytes for {} triangles: expected {}, or a text that begins with solid",
-                                 bytes.size(), n, kHeader + n * kTriangle)
-                   : fmt::format("{} bytes: expected STL, a text that begins with solid or a binary file of "
-                                 "at least 84 bytes",
-                                 bytes.size()));
+        place,
+        has_count
+            ? fmt::format(
+                  "the file has {} bytes for {} triangles: expected {} bytes, or a text that begins with solid",
+                  bytes.size(), n, kHeader + n * kTriangle)
+            : fmt::format("the file has {} bytes: expected an STL file, a text that begins with solid or a "
+                          "binary file of "
+                          "at least 84 bytes",
+                          bytes.size()));
   }
-  if (mesh.faces.empty()) throw InputError(place, "has no triangle");
+  if (mesh.faces.empty()) throw InputError(place, "the file has no triangle");
   return mesh;
 }
 

@@ -35,7 +35,7 @@ bool TextLines::next() {
 }
 
 void TextLines::require_next(const std::string& what) {
-  if (!next()) throw InputError(place_, "ends too early: expected " + what);
+  if (!next()) throw InputError(place_, "the file ends too early: expected " + what);
 }
 
 std::string TextLines::where() const {
@@ -48,7 +48,8 @@ void TextLines::refuse(const std::string& problem) const {
 
 double TextLines::number(std::size_t k) const {
   if (k >= words_.size())
-    refuse(fmt::format("{} words: expected a finite number as word {}", words_.size(), k + 1));
+    refuse(
+        fmt::format("the line has only {} words: expected a finite number as word {}", words_.size(), k + 1));
   const auto value = parse_number<double>(words_[k]);
   if (!value)
     refuse(fmt::format("\"{}\": expected a finite number{}", words_[k].substr(0, 40),
@@ -58,7 +59,8 @@ double TextLines::number(std::size_t k) const {
 
 int TextLines::whole(std::size_t k, const WholeRange& range) const {
   if (k >= words_.size())
-    refuse(fmt::format("{} words: expected {} as word {}", words_.size(), range.words(), k + 1));
+    refuse(
+        fmt::format("the line has only {} words: expected {} as word {}", words_.size(), range.words(), k + 1));
   const auto value = parse_number<std::int64_t>(words_[k]);
   if (!value || !range.holds(*value))
     refuse(fmt::format("\"{}\": expected {}", words_[k].substr(0, 40), range.words()));

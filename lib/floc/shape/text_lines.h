@@ -10,30 +10,32 @@
 
 namespace floc {
 
-/// Lines of a text and their words, with messages that name file and line. Comments from # on and lines without
-/// words are skipped.
+/// Lines of a text, divided into words, with error messages that name the file and the line. Comments, which
+/// begin with #, and lines without words are skipped.
 class TextLines {
  public:
-  /// @param place  name of the file  @param text  has to outlive this
-  /// @param separators  characters between words, besides white space
+  /// @param place  name of the file in messages
+  /// @param text  text, which must outlive this object
+  /// @param separators  characters that separate words, in addition to white space
   TextLines(std::string place, std::string_view text, std::string_view separators = "");
 
-  /// Goes to the next line with words. @return whether there is one
+  /// Goes to the next line that has words. @return whether there is such a line
   bool next();
-  /// Goes to the next line. @param what  expected there, for the message. @throws InputError at the end of the
-  /// text
+  /// Goes to the next line that has words. @param what  description of the expected line, for the message.
+  /// @throws InputError at the end of the text
   void require_next(const std::string& what);
 
   const std::vector<std::string_view>& words() const { return words_; }
   std::string_view word(std::size_t k) const { return words_[k]; }
   std::size_t n_words() const { return words_.size(); }
-  /// "file:line"
+  /// Returns the present position as "file:line".
   std::string where() const;
 
-  /// @throws InputError if word k is missing or is no such number
+  /// Returns word k of the present line as a number, or as a whole number in a range.
+  /// @throws InputError if the word is missing or is not such a number
   double number(std::size_t k) const;
   int whole(std::size_t k, const WholeRange& range) const;
-  /// Vector of the words from k on.
+  /// Returns the Dim numbers of the present line from word k on as a vector.
   template <int Dim>
   Vec<Dim> vector(std::size_t k) const {
     Vec<Dim> v;
@@ -41,7 +43,7 @@ class TextLines {
     return v;
   }
 
-  /// @throws InputError always, at the present line
+  /// Reports a problem in the present line. @throws InputError always
   [[noreturn]] void refuse(const std::string& problem) const;
 
  private:

@@ -10,11 +10,11 @@
 namespace floc {
 namespace {
 
-/// Edge between a triangle that a point sees and one that it does not see.
+/// Edge between a triangle that is visible from a point and a triangle that is not visible.
 struct HorizonEdge {
   int from, to;
-  int beyond;       ///< the triangle that is not seen
-  int beyond_edge;  ///< number of the edge there
+  int beyond;       ///< index of the triangle that is not visible
+  int beyond_edge;  ///< number of this edge in the triangle `beyond`
 };
 
 class HullBuilder {
@@ -27,9 +27,11 @@ class HullBuilder {
     begin_with_a_tetrahedron(place);
   }
 
-  /// Takes in the points outside, the furthest of each triangle first, until none is left.
+  /// Adds the points that lie outside the hull, the furthest point of each triangle first, until no point is
+  /// outside.
   std::vector<HullTriangle> build() {
-    // Rounding can put a point on the wrong list, so that all are looked at once more.
+    // Because of rounding errors a point can be assigned to the wrong triangle. All points are therefore examined
+    // again.
     for (int round = 0; round < 3; ++round) {
       hand_out(no_corners(), 0);
       for (std::size_t t = 0; t < faces_.size(); ++t)
@@ -41,9 +43,9 @@ class HullBuilder {
 
  private:
   struct Face : HullTriangle {
-    std::vector<int> outside;  ///< points above it that no other triangle has on its list
+    std::vector<int> outside;  ///< points above this triangle that are not assigned to another triangle
     bool alive = true;
-    int visited = -1;  ///< last point that has looked at it
+    int visited = -1;  ///< number of the last search that visited this triangle
   };
 
   double height(const Face& face, int point) const { return face.normal.dot(points_[point]) - face.offset; }
@@ -78,7 +80,8 @@ class HullBuilder {
     const double height = normal.dot(points_[d] - points_[a]);
     if (!(std::abs(height) > 1e-9 * size_))
       throw InputError(place, "all points lie in one plane: expected a polyhedron");
-    // Seen from outside, a tetrahedron whose top is above the triangle at its foot.
+    // Counter-clockwise triangles of a tetrahedron, as seen from outside. Its top d is above the triangle (a,
+    // e, f) at its base.
     const int e = height > 0.0 ? b : c, f = height > 0.0 ? c : b;
     add_face(a, f, e), add_face(a, e, d), add_face(e, f, d), add_face(f, a, d);
     faces_[0].across = {3, 2, 1};
@@ -87,7 +90,7 @@ class HullBuilder {
     faces_[3].across = {0, 1, 2};
   }
 
-  /// Puts each point on the list of the first triangle, from `first` on, that it lies above.
+  /// Assigns each point to the first triangle, from index `first` on, above which it lies.
   void hand_out(const std::vector<int>& points, std::size_t first) {
     for (const int i : points)
       for (std::size_t t = first; t < faces_.size(); ++t)
@@ -105,7 +108,8 @@ class HullBuilder {
     const int point = *best;
     std::swap(*best, outside.back());
     outside.pop_back();
-    // Triangles in whose plane the point lies may leave the horizon in pieces: then they count as seen.
+    // If the point lies in the plane of some triangles, the visible region may not be bounded by a single loop.
+    // These triangles are then treated as visible.
     for (const double threshold : {tolerance_, -tolerance_}) {
       const std::vector<int> seen = seen_from(point, t, threshold);
       if (const auto loop = horizon(seen)) {
@@ -128,7 +132,7 @@ class HullBuilder {
     return seen;
   }
 
-  /// The edges around the triangles seen, in order; nothing if they are not one loop.
+  /// Returns the edges around the visible triangles, in order; nothing if they do not form a single loop.
   std::optional<std::vector<HorizonEdge>> horizon(const std::vector<int>& seen) const {
     std::vector<HorizonEdge> edges;
     for (const int t : seen)
@@ -168,7 +172,7 @@ class HullBuilder {
     }
   }
 
-  /// Points that are at no corner of a triangle.
+  /// Returns the points that are not a corner of any triangle.
   std::vector<int> no_corners() const {
     std::vector<bool> is_corner(points_.size(), false);
     for (const Face& face : faces_)
@@ -179,7 +183,7 @@ class HullBuilder {
     return others;
   }
 
-  /// Forgets the triangles that others have replaced.
+  /// Removes the triangles that have been replaced by others.
   void bury() {
     std::vector<int> number(faces_.size(), -1);
     int n = 0;
@@ -192,7 +196,7 @@ class HullBuilder {
 
   const std::vector<Vec<3>>& points_;
   double size_ = 0.0;       ///< largest extent of the points
-  double tolerance_ = 0.0;  ///< heights below it are those of points in the plane
+  double tolerance_ = 0.0;  ///< points closer to a plane than this height count as lying in the plane
   std::vector<Face> faces_;
   int n_visits_ = 0;
 };

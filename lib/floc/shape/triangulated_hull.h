@@ -8,18 +8,19 @@
 
 namespace floc {
 
-/// Triangle on the surface of a hull, counter-clockwise as seen from outside.
+/// Triangle on the surface of a convex hull, counter-clockwise as seen from outside.
 struct HullTriangle {
-  std::array<int, 3> corner;  ///< indices of points
-  std::array<int, 3> across;  ///< triangle beyond the edge from each corner to the next
+  std::array<int, 3> corner;  ///< indices of the points at the corners of the triangle
+  /// Indices of the adjacent triangles, across the edge from each corner to the next.
+  std::array<int, 3> across;
   Vec<3> normal = Vec<3>::Zero();
-  double offset = 0.0;      ///< normal . x on its plane
-  double twice_area = 0.0;  ///< (length^2)
+  double offset = 0.0;      ///< value of normal . x for points x in the plane of the triangle
+  double twice_area = 0.0;  ///< twice the area of the triangle (length^2)
 };
 
-/// Closed surface of the convex hull of points. Points within 1e-10 of the largest extent of it count as
-/// inside.
-/// @throws InputError if all points lie in one plane to 1e-9 of the largest extent
+/// Returns the triangles of the surface of the convex hull of points. Points outside the surface by less than
+/// 1e-10 of the largest extent count as inside.
+/// @throws InputError if all points lie in one plane to within 1e-9 of the largest extent
 std::vector<HullTriangle> triangulated_hull(const std::vector<Vec<3>>& points, const std::string& place);
 
 }  // namespace floc

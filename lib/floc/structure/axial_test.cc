@@ -3,13 +3,14 @@
 namespace floc {
 namespace {
 
-/// Returns the mean over the axes other than the driven one.
+/// Returns the mean of the values on the axes other than the driven axis.
 template <int Dim>
 double lateral_mean(int axis, const Vec<Dim>& values) {
   return (values.sum() - values[axis]) / (Dim - 1);
 }
 
-/// Driven less lateral; the work conjugate of q up to the factor in eps_q.
+/// Returns the value on the driven axis minus the mean of the others. For stresses this is the deviator q; for
+/// strains, times a factor, its work conjugate eps_q.
 template <int Dim>
 double difference(int axis, const Vec<Dim>& values) {
   return values[axis] - lateral_mean<Dim>(axis, values);

@@ -7,18 +7,20 @@
 
 namespace floc {
 
-/// A slice of the cell between two planes that the other lattice vectors span, and the grains whose centres lie
-/// in it.
+/// A slice of the cell between two planes parallel to all lattice vectors but one, and the grains whose centres
+/// lie in the slice.
 struct ProfileSlice {
-  double low = 0.0, high = 0.0;  ///< distances from the plane through the origin, or the lower wall (length)
-  double solid_fraction = 0.0;   ///< exact volumes; overlaps count for each grain
+  /// Distances of the planes from the plane through the origin, or from the lower wall (length).
+  double low = 0.0, high = 0.0;
+  double solid_fraction = 0.0;  ///< solid fraction from exact volumes; an overlap counts once for each grain
   int n_grains = 0;
-  std::vector<double> mean;  ///< mean of each value over these grains; NaN without grains
+  std::vector<double> mean;  ///< mean of each value over the grains of the slice; NaN if there are none
 };
 
 inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
 
-/// Divides the cell into slices of equal thickness.
+/// Divides the cell into slices of equal thickness, and computes the solid fraction and the mean values of
+/// each.
 /// @param axis    index of the lattice vector across the slices, from 0   @param n  number of slices
 /// @param values  arrays of one number per grain, whose means are computed
 /// @throws InputError if n is not in kProfileSlices

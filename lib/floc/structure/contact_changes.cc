@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Radii of one grain in two states agree up to how files write them.
+/// Relative tolerance of the radius of a grain in two states, above the rounding of numbers in files.
 constexpr double kSameRadius = 1e-9;
 
-/// Integer matrix M with after = M * before up to a strain: how the lattice vectors after were chosen from
-/// those before.
+/// Returns the integer matrix M with after = M * before up to a strain, which maps the lattice vectors of one
+/// state to those of the other.
 template <int Dim>
 Mat<Dim> lattice_choice(const Cell<Dim>& before, const Cell<Dim>& after) {
   return (after.matrix * before.matrix.inverse()).array().round().matrix();
@@ -27,7 +27,8 @@ bool is_lattice_choice(const Mat<Dim>& choice) {
   return std::abs(std::abs(choice.determinant()) - 1.0) < 1e-6;
 }
 
-/// Mean of reduced displacements on the circle, component by component: independent of where the cell is cut.
+/// Returns the circular mean of reduced displacements, component by component. It does not depend on the images
+/// of the grains in the periodic cell.
 template <int Dim>
 Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   Vec<Dim> mean;
@@ -42,8 +43,8 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   return mean;
 }
 
-/// A contact and its index, with its image in terms of the other state, i < j or the image's first component
-/// positive.
+/// Identity of a contact (grains, image and key, in canonical order, with the image in the lattice of the state
+/// before) and its index in the contact list.
 template <int Dim>
 struct Named {
   Contact<Dim> name;
@@ -66,7 +67,8 @@ std::vector<Named<Dim>> named(const std::vector<Contact<Dim>>& contacts, const a
   return names;
 }
 
-/// Walks through both lists, sorted alike.
+/// Finds the contacts that are kept, lost and gained by walking through the sorted contact lists of both
+/// states.
 template <int Dim>
 void match(const Packing<Dim>& before, const Packing<Dim>& after, const std::vector<Named<Dim>>& old_names,
            const std::vector<Named<Dim>>& new_names, ContactChanges<Dim>& out) {
@@ -115,16 +117,19 @@ double ContactChanges<Dim>::largest_displacement() const {
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) {
   if (!before.walls.empty() || !after.walls.empty())
-    return "the grains are between walls: contacts are compared only in periodic cells";
+    return "the grains are between walls, but contacts are compared only in periodic cells";
   if (before.grains.size() != after.grains.size())
-    return fmt::format("{} grains against {}: expected states of the same grains", before.grains.size(),
-                       after.grains.size());
+    return fmt::format("{} grains in one state, {} in the other: both must be states of the same grains",
+                       before.grains.size(), after.grains.size());
   for (int i = 0; i < before.grains.size(); ++i)
     if (std::abs(before.grains.radius[i] - after.grains.radius[i]) > kSameRadius * before.grains.radius[i])
-      return fmt::format("grain {} has radius {:.10g} against {:.10g}: expected states of the same grains",
-                         before.grains.name(i), before.grains.radius[i], after.grains.radius[i]);
+      return fmt::format(
+          "grain {} has radius {:.10g} in one state, {:.10g} in the other: both must be states of the same "
+          "grains",
+          before.grains.name(i), before.grains.radius[i], after.grains.radius[i]);
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
-    return "no strain and choice of lattice vectors takes one cell into the other";
+    return "the two cells do not correspond: no strain and no other choice of lattice vectors turns one into "
+           "the other";
   return {};
 }
 
@@ -137,9 +142,9 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   out.cell_after = choice.inverse() * after.cell.matrix;
   out.deformation = out.cell_after.transpose() * before.cell.matrix.transpose().inverse();
 
-  // Displacements are compared in reduced coordinates, where the affine part is zero. A common translation is
-  // taken off first, by a circular mean, which does not depend on the images of the grains: rounding to the
-  // nearest image would otherwise split grains that moved by half a cell together.
+  // Displacements are computed in reduced coordinates, where the affine part is zero. The common translation is
+  // subtracted first, by a circular mean, which does not depend on the images of the grains. Otherwise rounding
+  // to the nearest image would separate grains that moved together by half a cell.
   const int n = before.grains.size();
   const Mat<Dim> to_reduced = out.cell_after.transpose().inverse();
   std::vector<Vec<Dim>> moved(n);
@@ -157,8 +162,8 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   }
   for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));
 
-  // Contacts are named by images in terms of `before`: lattice vectors chosen anew and grains that crossed the
-  // border change the image of a contact but not the contact.
+  // Contacts are identified by their image in the lattice of `before`: another choice of lattice vectors, or a
+  // grain that crosses the border of the cell, changes the image of a contact but not the contact.
   const auto old_names = named<Dim>(before.contacts, [](const Contact<Dim>& c) { return c.image; });
   const auto new_names = named<Dim>(after.contacts, [&](const Contact<Dim>& c) -> Vec<Dim, int> {
     return images * c.image + out.wrapped[c.j] - out.wrapped[c.i];

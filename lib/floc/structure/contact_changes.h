@@ -7,35 +7,36 @@
 
 namespace floc {
 
-/// A contact that two states share: its index in the contact list of each.
+/// A contact that exists in two states: its index in the contact list of the state before and of the state
+/// after.
 struct KeptContact {
   int before;
   int after;
 };
 
-/// Changes of contacts and positions between two states of the same grains. Contacts are surfaces that touch;
-/// attractions across a gap do not count.
+/// Changes of contacts and positions of the same grains between a state before and a state after. Only grains
+/// that touch are in contact; attraction across a gap does not count.
 template <int Dim>
 struct ContactChanges {
   std::vector<KeptContact> kept;
-  std::vector<int> lost;    ///< indices in the contact list before
-  std::vector<int> gained;  ///< indices in the contact list after
-  int n_parted = 0;         ///< lost contacts that are now attractions across a gap
-  /// Deformation of the cell: the affine part takes x to deformation * x. Identity - deformation is the strain,
-  /// shortening positive.
+  std::vector<int> lost;    ///< indices in the contact list of the state before
+  std::vector<int> gained;  ///< indices in the contact list of the state after
+  int n_parted = 0;         ///< number of lost contacts whose grains now attract each other across a gap
+  /// Deformation gradient of the cell: the affine displacement takes x to deformation * x. The strain is
+  /// Identity - deformation, with shortening positive.
   Mat<Dim> deformation = Mat<Dim>::Identity();
-  /// Displacement of each grain without the affine part and the mean (length).
+  /// Displacement of each grain minus its affine part and the mean displacement (length).
   std::vector<Vec<Dim>> displacement;
-  /// Cell vectors by which each grain was moved back into the cell: after, it is at
-  /// deformation * x before + displacement + (the mean) + wrapped * cell.
+  /// Numbers of lattice vectors by which each grain was moved back into the cell. The position after is
+  /// deformation * (position before) + displacement + (mean displacement) + wrapped * cell.
   std::vector<Vec<Dim, int>> wrapped;
-  /// The lattice vectors after that correspond to those before, one per row.
+  /// Lattice vectors of the state after that correspond to those of the state before, one per row.
   Mat<Dim> cell_after = Mat<Dim>::Identity();
 
   int n_before() const { return static_cast<int>(kept.size() + lost.size()); }
   int n_after() const { return static_cast<int>(kept.size() + gained.size()); }
-  double rms_displacement() const;      ///< (length)
-  double largest_displacement() const;  ///< (length)
+  double rms_displacement() const;      ///< root mean square of `displacement` (length)
+  double largest_displacement() const;  ///< largest `displacement` (length)
 };
 
 /// Returns the reason why two packings cannot be compared (walls, different numbers or sizes of grains, or
@@ -43,10 +44,10 @@ struct ContactChanges {
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
-/// Compares two states. Grains are identified by their index, contacts by both grains, image and key.
-/// Displacements are taken to the nearest image in reduced coordinates, so grains must move less than half the
-/// cell relative to their mean. Neither a common translation nor another choice of lattice vectors changes the
-/// result.
+/// Compares two states of a packing. Grains are identified by their index, contacts by both grains, image and
+/// key. Displacements are taken to the nearest image in reduced coordinates, so grains must move by less than
+/// half the cell relative to their mean. A common translation or another choice of lattice vectors does not
+/// change the result.
 /// @pre incomparable(before, after) is empty
 template <int Dim>
 ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);

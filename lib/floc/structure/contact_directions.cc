@@ -21,7 +21,8 @@ ContactDirections contact_directions(const Packing<2>& packing, int n_bins) {
     if (!counts(c)) continue;
     double angle = std::atan2(c.normal[1], c.normal[0]);
     if (angle < 0.0) angle += std::numbers::pi;
-    const int bin = static_cast<int>(angle / std::numbers::pi * n_bins) % n_bins;  // pi is zero again
+    // The directions pi and 0 are equal.
+    const int bin = static_cast<int>(angle / std::numbers::pi * n_bins) % n_bins;
     out.all[static_cast<std::size_t>(bin)] += weight;
     if (c.normal_force > mean) out.strong[static_cast<std::size_t>(bin)] += weight;
   }

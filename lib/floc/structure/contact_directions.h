@@ -6,16 +6,18 @@
 
 namespace floc {
 
-/// Distribution of the directions of contacts of disks, for a rose diagram. Opposite directions are not
-/// distinguished.
+/// Distribution of the directions of contact normals of disks, for a polar histogram. Opposite directions are
+/// not distinguished.
 struct ContactDirections {
-  int n_bins = 0;              ///< from 0 to pi, equally wide
-  std::vector<double> all;     ///< density of each bin: 1/pi everywhere where directions are isotropic
+  int n_bins = 0;  ///< number of bins of equal width from 0 to pi
+  /// Probability density in each bin (1/radian): 1/pi in all bins if the directions are isotropic.
+  std::vector<double> all;
   std::vector<double> strong;  ///< part of `all` due to contacts whose normal force is above the mean
   int n_contacts = 0;
 };
 
-/// Returns the directions of the touching contacts in compression. @param n_bins  number of bins from 0 to pi
+/// Returns the distribution of the directions of contacts in compression. @param n_bins  number of bins from 0
+/// to pi
 ContactDirections contact_directions(const Packing<2>& packing, int n_bins);
 
 }  // namespace floc

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Number of contacts between two grains with two contacts each.
+/// Returns the number of contacts between grains that both have two contacts.
 template <int Dim>
 int between_pairs(const Packing<Dim>& packing) {
   std::vector<int> degree(packing.grains.size(), 0);
@@ -29,8 +29,8 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   require_in_range("zero_force", zero_force, kNotNegativeNumber);
   Coordination result;
   int positive = 0, negative = 0;
-  // z counts surfaces that touch and leaves distant attractions out, unlike [GRC2008] (docs/physics.md,
-  // "Coordination and rattlers"). Walls decide only on which grains are rattlers.
+  // The coordination number z counts grains that touch, not attractions across a gap, unlike [GRC2008]
+  // (docs/physics.md, "Coordination and rattlers"). Contacts with walls count only in the search for rattlers.
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j)) continue;
     if (c.distant) {
@@ -51,7 +51,7 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   const std::vector<bool> rattler = find_rattlers(packing, zero_force);
   result.n_rattlers = static_cast<int>(std::count(rattler.begin(), rattler.end(), true));
   result.rattler_fraction = static_cast<double>(result.n_rattlers) / n;
-  // z* is that of the grains that are not rattlers, with only the contacts between two of these.
+  // The coordination number z* counts only grains that are not rattlers, and contacts between two such grains.
   int n_held = 0;
   for (const Contact<Dim>& c : packing.contacts)
     n_held += !c.distant && !packing.is_wall(c.j) && !rattler[c.i] && !rattler[c.j];

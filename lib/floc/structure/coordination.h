@@ -4,19 +4,20 @@
 
 namespace floc {
 
-/// Counts of contacts (docs/physics.md, "Coordination and rattlers"). Coordination numbers are 2 Nc/N over
-/// surfaces that touch; distant attractions are counted separately ([GRC2008] counts them in z and z-: to
-/// compare, add 2 n_distant/N).
+/// Numbers of contacts between the N grains of a packing (docs/physics.md, "Coordination and rattlers"). A
+/// coordination number is twice the number of contacts that touch over N. Attractions across a gap are counted
+/// separately; [GRC2008] includes them in z and z-, so that 2 n_distant/N must be added to compare.
 struct Coordination {
-  int n_contacts = 0;    ///< surfaces that touch
-  int n_distant = 0;     ///< attractions across a gap
-  double z = 0.0;        ///< 2 n_contacts/N
-  double z_plus = 0.0;   ///< of contacts in compression
-  double z_minus = 0.0;  ///< of contacts in tension
-  double z_zero = 0.0;   ///< of contacts whose normal force is zero within the tolerance
+  int n_contacts = 0;    ///< number of contacts that touch
+  int n_distant = 0;     ///< number of attractions across a gap
+  double z = 0.0;        ///< coordination number 2 n_contacts/N
+  double z_plus = 0.0;   ///< coordination number of contacts in compression
+  double z_minus = 0.0;  ///< coordination number of contacts in tension
+  double z_zero = 0.0;   ///< coordination number of contacts whose normal force is zero within the tolerance
   int n_rattlers = 0;
-  double rattler_fraction = 0.0;  ///< x0
-  /// Coordination number of the grains that are not rattlers: twice the contacts between them per such grain.
+  double rattler_fraction = 0.0;  ///< x0: share of grains that are rattlers (carry no force)
+  /// Coordination number without rattlers: twice the number of contacts between grains that are not rattlers,
+  /// over the number of these grains.
   double z_star = 0.0;
   double x22 = 0.0;  ///< share of the contacts that join two grains with two contacts each
 };

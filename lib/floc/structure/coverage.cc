@@ -18,7 +18,7 @@ double sector(double R, const Vec<2>& p, const Vec<2>& q) {
   return 0.5 * R * R * std::atan2(wedge(p, q), p.dot(q));
 }
 
-/// Signed area that the disk shares with the triangle of the origin, p and q.
+/// Returns the signed area that a disk of radius R about the origin shares with the triangle (origin, p, q).
 double fan_overlap(double R, const Vec<2>& p, const Vec<2>& q) {
   const Vec<2> along = q - p;
   const double length2 = along.squaredNorm();
@@ -41,7 +41,7 @@ int wrapped_index(int k, int n) {
   return (k % n + n) % n;
 }
 
-/// Adds single grains to a map.
+/// Adds disks one by one to a map of the solid fraction.
 class Painter {
  public:
   Painter(const Cell<2>& cell, const Vec<2, int>& size)
@@ -53,8 +53,8 @@ class Painter {
         circumradius_(0.5 * std::max((edge1_ + edge2_).norm(), (edge1_ - edge2_).norm())) {
     const Mat<2> to_reduced = cell.matrix.transpose().inverse();
     for (int a = 0; a < 2; ++a) reach_[a] = to_reduced.row(a).norm() * size[a];
-    // Corners of a mesh cell about its centre, counter-clockwise whatever the handedness of the lattice
-    // vectors.
+    // Corners of a mesh cell relative to its centre, counter-clockwise for lattice vectors of either
+    // handedness.
     const bool right = wedge(edge1_, edge2_) > 0.0;
     const Vec<2>&u = right ? edge1_ : edge2_, &v = right ? edge2_ : edge1_;
     corners_ = {Vec<2>(-0.5 * (u + v)), Vec<2>(0.5 * (u - v)), Vec<2>(0.5 * (u + v)), Vec<2>(0.5 * (v - u))};
@@ -80,7 +80,8 @@ class Painter {
   CoverageMap take() { return std::move(map_); }
 
  private:
-  /// Share of the mesh cell whose centre is at `at` from that of the disk.
+  /// Returns the share of a mesh cell that a disk of radius R covers. @param at  centre of the mesh cell, from
+  /// the centre of the disk
   double share_at(const Vec<2>& at, double R) const {
     const double distance2 = at.squaredNorm();
     const double inside = R - circumradius_, outside = R + circumradius_;
@@ -96,7 +97,7 @@ class Painter {
   Vec<2> edge1_, edge2_;
   double area_;
   double circumradius_;
-  Vec<2> reach_;  // mesh cells along each lattice vector that a unit length spans at most
+  Vec<2> reach_;  // largest number of mesh cells along each lattice vector that a unit length spans
   std::array<Vec<2>, 4> corners_;
 };
 

@@ -7,26 +7,26 @@
 
 namespace floc {
 
-/// Share of each cell of a regular mesh that grains cover. Mesh cells are parallelograms, the lattice vectors
-/// divided by `size`; values of cell (k1, k2) are at k1 * size[1] + k2.
+/// Map of the share of each mesh cell that grains cover. Mesh cells are parallelograms whose sides are the
+/// lattice vectors divided by `size`. The value of mesh cell (k1, k2) is at index k1 * size[1] + k2.
 struct CoverageMap {
-  Vec<2, int> size = Vec<2, int>::Zero();  ///< mesh cells along each lattice vector
-  std::vector<double> share;               ///< local solid fraction; overlaps count twice
+  Vec<2, int> size = Vec<2, int>::Zero();  ///< number of mesh cells along each lattice vector
+  std::vector<double> share;               ///< solid fraction of each mesh cell; overlaps count twice
 
   double operator()(int k1, int k2) const { return share[static_cast<std::size_t>(k1) * size[1] + k2]; }
 };
 
-/// Returns the area that a disk of radius R > 0 about the origin shares with a polygon.
-/// @param corners  counter-clockwise (length); clockwise ones give the negative area
+/// Returns the area that a disk of radius R > 0 about the origin shares with a polygon (length^2).
+/// @param corners  corners of the polygon, counter-clockwise (length); clockwise corners give the negative area
 double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners);
 
-/// Ranges of the number of mesh cells of a map, along each lattice vector and in all.
+/// Range of the number of mesh cells of a map along a lattice vector, and of their total number.
 inline constexpr WholeRange kMapSide{.least = 1, .most = 10000};
 inline constexpr WholeRange kMapCells{.least = 1, .most = 10000000};
 
-/// Computes a map of the solid fraction that is exact in every mesh cell: disks are cut along its edges in
-/// closed form. The mean of the map is the solid fraction of the packing.
-/// @param size  mesh cells along each lattice vector, >= 1   @throws InputError if it is less
+/// Computes a map of the solid fraction that is exact in every mesh cell, because the areas shared with disks
+/// are computed in closed form. The mean of the map is the solid fraction of the packing.
+/// @param size  number of mesh cells along each lattice vector, >= 1   @throws InputError if it is less
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size);
 
 }  // namespace floc

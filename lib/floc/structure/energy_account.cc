@@ -19,7 +19,7 @@
 namespace floc {
 namespace {
 
-/// Attractions included.
+/// Returns the energy stored in the contacts, including the energy of attraction.
 template <int Dim>
 double elastic_energy_of(const Packing<Dim>& packing) {
   return contact_energy(packing).all();
@@ -30,7 +30,7 @@ double kinetic_energy_of(const Packing<Dim>& packing) {
   return mean_kinetic_energy(packing) * packing.grains.size();
 }
 
-/// Sum of m v v.
+/// Returns the sum over the grains of m v v, with mass m and velocity v.
 template <int Dim>
 Mat<Dim> momentum_flux(const Grains<Dim>& g) {
   Mat<Dim> sum = Mat<Dim>::Zero();
@@ -38,16 +38,16 @@ Mat<Dim> momentum_flux(const Grains<Dim>& g) {
   return sum;
 }
 
-/// Relative motion of the two surfaces of a contact in a time step, taken at the middle of the step.
+/// Relative motion of the two surfaces of a contact in a time step, evaluated at the middle of the step.
 template <int Dim>
 struct StepMotion {
-  Vec<Dim> branch;  ///< at the end (length)
+  Vec<Dim> branch;  ///< branch vector at the end of the step (length)
   Vec<Dim> normal_before, normal, middle;
-  double opening;   ///< of the gap (length)
-  Shear<Dim> slip;  ///< in the frame of the end
+  double opening;   ///< increase of the gap (length)
+  Shear<Dim> slip;  ///< slip in the tangential frame at the end of the step (length)
   RotationVector<Dim> rolling;
   double twisting = 0.0;
-  double twist = 0.0;  ///< mean rotation of the grains about the normal
+  double twist = 0.0;  ///< mean rotation of the two grains about the normal (radians)
 
   StepMotion(const ContactGeometry<Dim>& before, const ContactGeometry<Dim>& after,
              const RotationVector<Dim>& rotation_i, const RotationVector<Dim>& rotation_j)
@@ -70,13 +70,15 @@ struct StepMotion {
     }
   }
 
-  /// Returns a tangential force carried by the contact, turned into the frame at the end of the step.
+  /// Returns a tangential force of the contact, transported from the frame at the beginning of the step to the
+  /// frame at its end.
   Shear<Dim> carried(const Shear<Dim>& force) const {
     return transport<double>(force, normal_before, normal, twist);
   }
 };
 
-/// Energy that a spring loses where its force goes from one value to another while it is worked on.
+/// Returns the energy that a spring dissipates in a step: its stored energy before, minus its stored energy
+/// after, plus the work done on it by `motion`.
 template <class V>
 double spring_loss(const V& before, double stiffness_before, const V& after, double stiffness_after,
                    const V& motion) {
@@ -84,26 +86,28 @@ double spring_loss(const V& before, double stiffness_before, const V& after, dou
          spring_energy(after.squaredNorm(), stiffness_after) + 0.5 * (before + after).dot(motion);
 }
 
-/// Adds the losses of the springs of a contact. @param before  of the step; a new contact carries nothing
+/// Adds the energy that the springs of a contact dissipate in a step. @param before  the contact before the
+/// step, without forces if it is new
 template <int Dim>
 void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, const StepMotion<Dim>& motion,
                        EnergyTerms& terms) {
   const Shear<Dim> start = motion.carried(to_shear<double>(motion.normal_before, before.shear_force));
-  // A tangential force falls with its stiffness, and does not grow with it.
+  // A tangential force falls in proportion to its stiffness if this falls, but does not grow if this grows.
   const double ratio = before.kt > after.kt ? after.kt / before.kt : 1.0;
   const Shear<Dim> scaled = ratio * start, none = Shear<Dim>::Zero();
   terms.scaling += spring_loss<Shear<Dim>>(start, before.kt, scaled, after.kt, none) +
                    0.5 * (start - scaled).dot(motion.slip);
   terms.sliding += spring_loss<Shear<Dim>>(scaled, after.kt, to_shear<double>(motion.normal, after.shear_force),
                                            after.kt, motion.slip);
-  // Moments on j have the sign of the rotation of i against j.
+  // The stored moments act on grain i, and change sign here, because the moments on grain j have the sign of
+  // the rotation of i relative to j.
   terms.sliding += spring_loss<RotationVector<Dim>>(motion.carried(-before.rolling_moment), before.kr,
                                                     -after.rolling_moment, after.kr, motion.rolling);
   terms.sliding += spring_loss<Vec<1>>(Vec<1>(-before.twisting_moment), before.ktw,
                                        Vec<1>(-after.twisting_moment), after.ktw, Vec<1>(motion.twisting));
 }
 
-/// Force of the dashpot of a contact in the middle of a step.
+/// Returns the force of the dashpot of a contact in the middle of a step (force).
 template <int Dim>
 double viscous_force(const AnyContactLaw& any, const Grains<Dim>& grains, const Contact<Dim>& c,
                      double gap_rate) {
@@ -128,9 +132,9 @@ double attraction_energy(const Law& law, const Packing<Dim>& packing, const Cont
                                                 acting_parameters(law, packing.grains, c));
 }
 
-/// Returns the change of the elastic energy, with grains at their places at the end of a step, by changes of
-/// the liquid in the step: liquid shared out anew, drawn into bridges that form, or left by bridges that are no
-/// longer in the list.
+/// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step, at the
+/// positions of the grains at its end: liquid is shared out again, flows into bridges that form, or leaves
+/// bridges that are no longer in the contact list.
 template <int Dim>
 double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
                         const ContactChanges<Dim>& changes) {
@@ -168,7 +172,7 @@ double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
       compose_law(after.law));
 }
 
-/// One time step of a packing.
+/// Energy balance of one time step of a packing.
 template <int Dim>
 class Step {
  public:
@@ -179,7 +183,8 @@ class Step {
         changes_(contact_changes(before, after)),
         law_(compose_law(after.law)) {}
 
-  /// Losses of the contacts that touch at the end, or did at the beginning, and the work of the boundary.
+  /// Adds the losses of all contacts that touch at the beginning or at the end of the step, and the work of the
+  /// boundary.
   void add_to(EnergyTerms& terms) {
     for (const KeptContact& kept : changes_.kept)
       add_contact(before_.contacts[kept.before], after_.contacts[kept.after], terms);
@@ -209,19 +214,20 @@ class Step {
     viscous_virial_ += force * motion.normal * motion.branch.transpose();
   }
 
-  /// Energy that the normal law alone stores in a contact; a new contact stores none before.
+  /// Returns the energy that the normal component of the contact law stores in a contact; 0 for a contact that
+  /// did not exist.
   static double normal_energy(const Packing<Dim>& packing, const Contact<Dim>& c) {
     if (c.normal.isZero(0.0)) return 0.0;
     const ContactEnergy energy = contact_energy(packing, c);
     return packing.law.adheres_by_itself() ? energy.normal + energy.attraction : energy.normal;
   }
-  /// The force that goes with it.
+  /// Returns the normal force that belongs to normal_energy().
   double force_of_normal_law(const Contact<Dim>& c) const {
     return after_.law.adheres_by_itself() ? c.normal_force : c.elastic_force;
   }
 
-  /// A contact of the end by the image that it had at the beginning: grains may have been moved back into the cell
-  /// since.
+  /// Returns a contact of the end of the step with its image at the beginning. The images differ if a grain was
+  /// moved back into the cell.
   Contact<Dim> named_as_before(Contact<Dim> after) const {
     after.image += changes_.wrapped[after.j] - changes_.wrapped[after.i];
     return after;
@@ -231,7 +237,8 @@ class Step {
     return 0.5 * time_step_ * (before_.grains.angular_velocity[i] + after_.grains.angular_velocity[i]);
   }
 
-  /// Minus the virial times the strain, both of the middle of the step.
+  /// Returns the work of the boundary on the packing: minus the virial times the strain increment, both at the
+  /// middle of the step.
   double work() const {
     Mat<Dim> virial = viscous_virial_;
     for (const Packing<Dim>* end : {&before_, &after_})
@@ -265,7 +272,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
   Step<Dim>(previous_, now, time_step).add_to(terms_);
   terms_.elastic = elastic_energy_of(now);
   terms_.kinetic = kinetic_energy_of(now);
-  // Where velocities were set to zero, the energy removed is the change of the account's error in this step.
+  // If all velocities were set to zero, the energy removed is the change of the error of the account in this
+  // step.
   if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
   previous_ = now;
 }
@@ -273,7 +281,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
 template <int Dim>
 void EnergyAccount<Dim>::change_law(const Law& law) {
   previous_.law = law;
-  // Springs are kept; pairs that the new law reaches and the one before did not have join the list.
+  // Springs keep their forces. Pairs that interact by the new law but did not by the old law are added to the
+  // contact list.
   const std::vector<Contact<Dim>> added = unlisted_pairs(previous_, interacting_pairs(previous_));
   previous_.contacts.insert(previous_.contacts.end(), added.begin(), added.end());
   std::sort(previous_.contacts.begin(), previous_.contacts.end(), precedes<Contact<Dim>>);

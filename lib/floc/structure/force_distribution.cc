@@ -15,12 +15,13 @@
 namespace floc {
 namespace {
 
-/// Share of the largest elastic force that rounding leaves of forces which are zero.
+/// Forces up to this share of the largest force in the packing count as zero, because they may be rounding.
 constexpr double kRoundedForce = 1e-12;
-/// See pressure_is_noise().
+/// Share of the pressure of a network in which all forces are compressive, up to which the pressure counts as
+/// zero.
 constexpr double kNoPressure = 1e-8;
 
-/// Largest force that a contact adds up from its parts.
+/// Returns the largest elastic or total normal force of the contacts of a packing (force).
 template <int Dim>
 double largest_part(const Packing<Dim>& packing) {
   double largest = 0.0;
@@ -29,7 +30,8 @@ double largest_part(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// Returns the histogram bin of a value; nothing beyond kMaxBins and for NaN.
+/// Returns the index of the histogram bin of a value; nothing if it is more than kMaxBins bins from zero, or
+/// NaN.
 std::optional<int> bin_of(double value, double width) {
   const double bin = std::floor(value / width);
   if (!(bin >= -kMaxBins && bin < kMaxBins)) return std::nullopt;
@@ -120,8 +122,8 @@ ForceDistribution distribution_of(const std::vector<double>& values, double unit
 
 std::string outside_bins(const ForceDistribution& d, const std::string& what, const std::string& remedy) {
   return fmt::format(
-      "{} of {} {} are in no bin of their distribution, which ends {} bins of {:g} from zero: choose a larger "
-      "{}",
+      "{} of {} {} are in no bin of their distribution, because it ends {} bins of width {:g} from zero: "
+      "choose a larger {}",
       d.n_outside, d.n, what, kMaxBins, d.width, remedy);
 }
 

@@ -6,18 +6,19 @@
 
 namespace floc {
 
-/// Moments of the contact forces and mobilisation of friction (docs/physics.md, "Force network"), over contacts
-/// that touch; all zero without any.
+/// Moments of the contact forces and mobilisation of friction, over contacts that touch (docs/physics.md,
+/// "Force network"). All are zero if there are no contacts.
 struct ForceMoments {
-  double mean_normal = 0.0;  ///< `<N>`, of the elastic normal force N (force)
-  double largest = 0.0;      ///< the largest N (force)
-  /// `Z(q) = <N^q>/<N>^q`, q = 2, 3, 4; without adhesion N is the whole normal force.
+  double mean_normal = 0.0;  ///< mean `<N>` of the elastic normal force N (force)
+  double largest = 0.0;      ///< largest elastic normal force N (force)
+  /// Reduced moments `Z(q) = <N^q>/<N>^q` for q = 2, 3, 4. Without adhesion, N is the whole normal force.
   std::array<double, 3> Z{};
-  /// Mean |F_T|/N over contacts whose N is above, and below, `<N>`; at most the coefficient of friction.
+  /// Mean of |F_T|/N, tangential over elastic normal force, over contacts with N above (M1) and below (M2) the
+  /// mean `<N>`; at most the coefficient of friction.
   double M1 = 0.0, M2 = 0.0;
 };
 
-/// Computes the moments over the contacts between grains.
+/// Computes the moments of the forces of the contacts between grains.
 template <int Dim>
 ForceMoments force_moments(const Packing<Dim>& packing);
 

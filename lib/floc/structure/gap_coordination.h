@@ -6,10 +6,11 @@
 
 namespace floc {
 
-/// Returns z(h): twice the number of pairs of surfaces no further apart than h, over the number of grains. Gaps
-/// count up to a rounding error of 1e-12 diameters. z(0) is the coordination number of contacts.
-/// @param gaps  h (length), ascending, >= 0
-/// @return one entry per gap
+/// Returns the coordination number z(h) of neighbours at gaps up to h: twice the number of pairs of grains
+/// whose gap is at most h, over the number of grains. z(0) is the coordination number of contacts. Gaps have a
+/// tolerance of 1e-12 diameters for rounding.
+/// @param gaps  values of h (length), ascending, >= 0
+/// @return z(h) for each entry of `gaps`
 template <int Dim>
 std::vector<double> gap_coordination(const Packing<Dim>& packing, const std::vector<double>& gaps);
 

@@ -4,14 +4,14 @@
 
 namespace floc {
 
-/// Mean mobilisation |F_T|/N of contacts whose force is above, and below, the mean force; contacts are added
-/// one by one.
+/// Mean mobilisation of friction |F_T|/N, tangential over elastic normal force, of contacts with N above and
+/// below the mean. Contacts are added one by one.
 class MobilisationByForce {
  public:
-  /// @param mean  elastic force of the contacts, > 0 (force)
+  /// @param mean  mean elastic normal force of the contacts, > 0 (force)
   explicit MobilisationByForce(double mean) : mean_(mean) {}
 
-  /// Contacts without an elastic force do not count.
+  /// Adds a contact; contacts without a positive elastic normal force are ignored.
   template <int Dim>
   void add(const Contact<Dim>& c) {
     if (!(c.elastic_force > 0.0)) return;
@@ -20,8 +20,10 @@ class MobilisationByForce {
     ++side.n;
   }
 
-  double M1() const { return above_.value(); }  ///< mean over contacts above the mean force, 0 without any
-  double M2() const { return below_.value(); }  ///< mean over the other contacts, 0 without any
+  /// Mean of |F_T|/N over contacts with N above the mean; 0 if there are none.
+  double M1() const { return above_.value(); }
+  /// Mean of |F_T|/N over the other contacts; 0 if there are none.
+  double M2() const { return below_.value(); }
 
  private:
   struct Mean {

@@ -12,13 +12,13 @@
 namespace floc {
 namespace {
 
-/// Volume of a ball of radius r (area of a disk in 2D).
+/// Returns the volume of a ball of radius r (area of a disk in 2D).
 template <int Dim>
 double ball(double r) {
   return std::numbers::pi * r * r * (Dim == 2 ? 1.0 : 4.0 / 3.0 * r);
 }
 
-/// Volume of the places no nearer to a wall than `reach`.
+/// Returns the volume of the part of the cell that is at least `reach` away from every wall.
 template <int Dim>
 double inner_volume(const Packing<Dim>& packing, double reach) {
   Vec<Dim> side = packing.cell.matrix.diagonal();
@@ -28,7 +28,8 @@ double inner_volume(const Packing<Dim>& packing, double reach) {
   return volume;
 }
 
-/// Counts the grains around each grain far from the walls. @return number of grains far from the walls
+/// Counts the pairs around each grain that is at least `reach` away from the walls. @return the number of these
+/// grains
 template <int Dim>
 int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points, double reach,
                           PairCorrelation& out) {
@@ -52,9 +53,9 @@ void require_countable(const Packing<Dim>& packing, double reach, int n_bins) {
   const double n = packing.grains.size();
   const double n_pairs = n > 0.0 ? 0.5 * n * n / packing.cell.volume() * ball<Dim>(reach) : 0.0;
   if (!(n_pairs <= kMostPairs))
-    throw InputError(
-        "", fmt::format("reach = {} (length): g(r) would count {:.2g} pairs, expected at most {:.2g}", reach,
-                        n_pairs, kMostPairs));
+    throw InputError("", fmt::format("reach = {} (length): the pair correlation g(r) would have to count "
+                                     "{:.2g} pairs, but at most {:.2g} are possible; choose a smaller reach",
+                                     reach, n_pairs, kMostPairs));
 }
 
 template <int Dim>

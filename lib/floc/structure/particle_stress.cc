@@ -15,7 +15,7 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing) {
     stress[c.i] += on_j * c.arm_i.transpose();
     if (!packing.is_wall(c.j)) stress[c.j] -= on_j * c.arm_j.transpose();
   }
-  // V_i = V R_i^Dim / sum R^Dim: the volumes of the grains over Phi.
+  // The volume that belongs to grain i, its own volume over Phi, is V_i = V R_i^Dim / sum R^Dim.
   double sum = 0.0;
   for (const double R : g.radius) sum += std::pow(R, Dim);
   for (int i = 0; i < g.size(); ++i) stress[i] *= sum / (std::pow(g.radius[i], Dim) * packing.cell.volume());

@@ -10,19 +10,21 @@ namespace floc {
 ///
 ///   sigma_i = -(1/V_i) sum_j f_(j on i) (x) l_i,   V_i = volume of the grain / Phi
 ///
-/// with l_i the arm from the centre to the contact point, static forces, all interactions. The sum of V_i
-/// sigma_i over the grains is the volume of the cell times static_stress(), exactly.
+/// where l_i is the arm from the centre to the contact point, f are the static forces of all interactions, and
+/// Phi is the solid fraction. The sum of V_i sigma_i over the grains is exactly the volume of the cell times
+/// static_stress().
 template <int Dim>
 std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 
-/// Returns the pressure of each grain: trace of its stress over Dim.
+/// Returns the pressure of each grain, the trace of its stress divided by Dim (stress).
 template <int Dim>
 std::vector<double> particle_pressure(const Packing<Dim>& packing);
 
-/// Returns the pressures whose sign is significant; others are set to zero. These are the pressures of
-/// rattlers, whose forces are rounding, and pressures of at most zero_force/a^(Dim-1), the one of a force
-/// `zero_force` on the largest grain.
-/// @param pressure  of each grain (stress)
+/// Returns the pressures of the grains, with those whose sign is not significant set to zero. These are the
+/// pressures of rattlers, whose forces are rounding, and pressures up to zero_force/a^(Dim-1), with a the
+/// largest diameter.
+/// @param pressure    pressure of each grain (stress)
+/// @param zero_force  largest force that counts as zero (force)
 template <int Dim>
 std::vector<double> pressure_beyond_zero(const Packing<Dim>& packing, std::vector<double> pressure,
                                          const std::vector<bool>& rattler, double zero_force);

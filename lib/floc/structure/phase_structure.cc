@@ -17,11 +17,12 @@ int sign_of(double p) {
   return (p > 0.0 ? 1 : 0) - (p < 0.0 ? 1 : 0);
 }
 
-/// The connected parts of one phase; grains without a like neighbour are parts of one.
+/// Connected parts of the phase of grains with positive, or with negative, pressure. A grain without a
+/// neighbour in its phase is a part of one grain.
 template <int Dim>
 struct PhaseParts {
   std::vector<int> sizes;
-  std::vector<Vec<Dim>> winding;  ///< of all parts
+  std::vector<Vec<Dim>> winding;  ///< winding vectors of all parts around the periodic cell
   int n_directions = 0;
 };
 
@@ -55,8 +56,9 @@ void describe(const PhaseParts<Dim>& parts, const Cell<Dim>& cell, PhaseGeometry
   }
 }
 
-/// Bonds between two grains with a sign, and how many of them join like signs. A grain and its own image are
-/// left out: nothing can part them.
+/// Returns the number of bonds between two grains with nonzero pressure, and how many of these join grains with
+/// pressures of equal sign. Bonds between a grain and its own image are left out, because their signs are
+/// always equal.
 template <int Dim>
 std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::vector<int>& sign) {
   int n = 0, like = 0;
@@ -68,7 +70,8 @@ std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::ve
   return {n, like};
 }
 
-/// |p| of the grains of a phase by the share of like ones among their neighbours with a sign.
+/// Returns the mean |p| of the grains of one phase in bins of the share of their neighbours that are in this
+/// phase. Neighbours of zero pressure do not count.
 template <int Dim>
 std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const Adjacency& of,
                                        const std::vector<int>& sign, const std::vector<double>& pressure,
@@ -88,7 +91,7 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
       like += sign[other] == phase;
     }
     if (n == 0) continue;
-    // Integer arithmetic puts a share on the border between two bins into the upper one.
+    // With integer arithmetic, a share of neighbours on the border between two bins is in the upper bin.
     const int b = std::min(n_bins - 1, n_bins * like / n);
     ++bins[b].n_grains;
     bins[b].mean_size += std::abs(pressure[i]);
@@ -105,7 +108,8 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
   return bins;
 }
 
-/// The control: the signs change places among the grains that have one.
+/// Adds the results of the control, in which the signs of the pressures are shuffled among the grains of
+/// nonzero pressure.
 template <int Dim>
 void add_control(const ContactNetwork<Dim>& network, const Adjacency& of, std::vector<int> sign,
                  const PhaseOptions& options, PhaseStructure& out) {

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// An edge between the centres of two grains, image by image.
+/// Edge of the network, between the centre of grain i and the centre of an image of grain j.
 struct Edge {
   int i, j;
   Vec<2, int> image;
@@ -26,15 +26,15 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
     const bool again =
         previous != nullptr && previous->i == c.i && previous->j == c.j && previous->image == c.image;
     previous = &c;
-    if (again) continue;  // another contact of the same two grains
+    if (again) continue;  // another contact of these two grains
     edges.push_back({c.i, c.j, c.image, branch(packing, c)});
     sets.join(c.i, c.j);
   }
   return edges;
 }
 
-/// Joins parts that no edge connects by the shortest gaps between them, as a minimal spanning tree does: none
-/// of these crosses a grain or another edge.
+/// Joins separate parts of the network by edges across the shortest gaps between them, as in a minimal spanning
+/// tree. These edges cross neither a grain nor another edge.
 void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& edges) {
   const Grains<2>& g = packing.grains;
   struct Gap {
@@ -56,13 +56,13 @@ void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& ed
   }
 }
 
-/// Integrals of 1, x and x.x over a region, about a fixed origin.
+/// Integrals of 1, x and x.x over a region, with x measured from a fixed origin.
 struct AreaMoments {
   double area = 0.0;
   Vec<2> first = Vec<2>::Zero();
   double second = 0.0;
 
-  /// The triangle of the origin, p and q, signed.
+  /// Adds the triangle (origin, p, q), with negative area if it is clockwise.
   void add_triangle(const Vec<2>& p, const Vec<2>& q) {
     const double cross = p[0] * q[1] - p[1] * q[0];
     area += cross / 2.0;
@@ -76,7 +76,8 @@ struct AreaMoments {
     second += other.second;
   }
 
-  /// Takes off the sector of a disk about c from direction `from` on, counter-clockwise by `angle`.
+  /// Subtracts a sector of a disk of radius R about c, which begins at direction `from` and extends
+  /// counter-clockwise by `angle` (radians).
   void remove_sector(const Vec<2>& c, double R, double from, double angle) {
     const double s = 0.5 * R * R * angle;
     const double to = from + angle;
@@ -87,16 +88,17 @@ struct AreaMoments {
   }
 };
 
-/// One face of the network, its disks taken off.
+/// One face of the network without the area of its disks.
 struct Face {
-  AreaMoments moments;   // about `origin`
+  AreaMoments moments;   // moments of area about `origin`
   double polygon = 0.0;  // signed area of the polygon of centres
   Vec<2> origin;         // centre of the first grain
   std::vector<int> grains;
-  bool winds = false;  // around the cell
+  bool winds = false;  // whether the face winds around the periodic cell
 };
 
-/// Walks around the faces of a network on the torus. Half edge 2e runs along edge e, 2e + 1 back.
+/// Finds the faces of a network in the periodic cell by walking around each. Half edge 2e runs from i to j of
+/// edge e, half edge 2e + 1 from j to i.
 class FaceWalk {
  public:
   FaceWalk(const Packing<2>& packing, const std::vector<Edge>& edges)
@@ -109,7 +111,8 @@ class FaceWalk {
     }
     for (std::vector<int>& around : out) {
       std::sort(around.begin(), around.end(), [&](int p, int q) { return angle_[p] < angle_[q]; });
-      // Arriving along the twin of `around[k]`, the face on the left goes on along the edge clockwise of it.
+      // After a walk arrives along the opposite half edge of `around[k]`, it keeps the face on its left by
+      // leaving along the next half edge clockwise.
       const std::size_t n = around.size();
       for (std::size_t k = 0; k < n; ++k) next_[twin(around[k])] = around[(k + n - 1) % n];
     }
@@ -145,7 +148,7 @@ class FaceWalk {
       winding += sign(h) * edges_[h / 2].image.cast<std::int64_t>();
       const int after = next_[h];
       double angle = angle_[twin(h)] - angle_[after];
-      if (angle <= 0.0) angle += 2.0 * std::numbers::pi;  // a tip turns all the way round
+      if (angle <= 0.0) angle += 2.0 * std::numbers::pi;  // at a dead end the walk turns by the full angle
       face.moments.remove_sector(to, packing_.grains.radius[origin(after)], angle_[after], angle);
       at = to;
       h = after;
@@ -162,8 +165,8 @@ class FaceWalk {
   std::vector<int> next_;
 };
 
-/// Removes the faces that have no size: those that wind around the cell, or the outside of a network that does
-/// not span it. Euler's formula decides which of the two there is, and whether the edges cross.
+/// Removes the faces that are not bounded: faces that wind around the cell, or the outside of a network that
+/// does not span the cell. Euler's formula decides which of the two is present, and whether edges cross.
 /// @return false if the edges cross
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;
@@ -203,18 +206,18 @@ Pores find_pores(const Packing<2>& packing) {
   DisjointSets sets(n);
   std::vector<Edge> edges = edges_of(packing, sets);
   bridge(packing, sets, edges);
-  if (edges.empty()) {  // a lone grain
+  if (edges.empty()) {  // the packing is a single grain without contacts
     out.unbounded = true;
     return out;
   }
   std::vector<Face> faces = FaceWalk(packing, edges).faces();
   if (!remove_unbounded(packing.cell.volume(), n, static_cast<int>(edges.size()), faces, out.unbounded)) {
-    out.failure_reason = "contacts cross each other, so no pores can be identified";
+    out.failure_reason = "lines of contacts cross each other, so that no pores can be identified";
     return out;
   }
   for (Face& face : faces) {
     const AreaMoments& m = face.moments;
-    if (m.area <= 0.0) continue;  // filled by overlaps
+    if (m.area <= 0.0) continue;  // the pore is filled by overlapping disks
     const Vec<2> centre = m.first / m.area;
     const double gyration2 = std::max(0.0, m.second / m.area - centre.squaredNorm());
     out.pores.push_back(

@@ -9,29 +9,33 @@ namespace floc {
 
 /// One pore of a 2D packing.
 struct Pore {
-  double area = 0.0;               ///< (area)
-  double gyration_radius = 0.0;    ///< root mean square distance of its points from its centre of mass (length)
+  double area = 0.0;  ///< area of the pore (length^2)
+  /// Root mean square distance of the points of the pore from its centre of mass (length).
+  double gyration_radius = 0.0;
   Vec<2> centre = Vec<2>::Zero();  ///< centre of mass, inside the cell
-  std::vector<int> grains;  ///< grains around it, counter-clockwise; a grain touched twice is listed twice
+  /// Grains around the pore, counter-clockwise; a grain that it touches twice is listed twice.
+  std::vector<int> grains;
 };
 
-/// Pores of a 2D packing: the faces of the network of its interactions (distant attractions close pores too),
-/// less the sectors of the disks around them and the disks inside (docs/physics.md, "Structure"). Closed forms,
-/// no mesh: areas add up to A (1 - Phi) with overlaps counted twice, as in Phi.
+/// Pores of a 2D packing: the faces of the network of its interactions, including attraction across gaps,
+/// without the area of the disks around and inside them (docs/physics.md, "Structure"). Areas are computed in
+/// closed form. They add up to A (1 - Phi), with A the area of the cell and overlaps counted twice in the solid
+/// fraction Phi.
 struct Pores {
-  std::vector<Pore> pores;  ///< the bounded pores
-  bool unbounded = false;   ///< whether a pore winds around the cell, and so has no size
+  std::vector<Pore> pores;  ///< pores that do not wind around the periodic cell
+  bool unbounded = false;   ///< whether another pore winds around the cell, and therefore has no size
   double total_area = 0.0;  ///< area of all bounded pores
-  /// xi': root of the mean of the squared radius of gyration, weighted by area (length); 0 without pores.
+  /// Size xi' of the pores: root of the mean squared radius of gyration, weighted by area (length); 0 without
+  /// pores.
   double size = 0.0;
-  double mean_area = 0.0;  ///< (area)
-  /// Reason why there are no pores: contacts cross each other, as those of disks with large overlaps do; else
-  /// empty.
+  double mean_area = 0.0;  ///< mean area of the pores (length^2)
+  /// Reason why the pores cannot be identified: lines of contacts cross each other, which happens with large
+  /// overlaps. Empty if they can.
   std::string failure_reason;
 };
 
-/// Finds the pores of a packing. Parts of the network and lone grains inside a pore are joined to their nearest
-/// neighbour by edges of no width, which do not change the pore.
+/// Finds the pores of a packing. Separate parts of the network and single grains inside a pore are joined to
+/// their nearest neighbour by edges without width, which do not change the pore.
 Pores find_pores(const Packing<2>& packing);
 
 }  // namespace floc

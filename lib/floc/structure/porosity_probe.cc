@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Centre of the cell or, along an axis between walls, the middle between them.
+/// Returns the centre of the cell. Along an axis with walls, it is the middle between the walls.
 template <int Dim>
 Vec<Dim> centre_of(const Packing<Dim>& packing) {
   Vec<Dim> centre = packing.cell.matrix.transpose() * Vec<Dim>::Constant(0.5);
@@ -18,8 +18,9 @@ Vec<Dim> centre_of(const Packing<Dim>& packing) {
   return centre;
 }
 
-/// Calls visit(place, radius) for every image of a grain that may reach into a box of that half width about the
-/// origin, places from the centre.
+/// Calls visit(place, radius) for every periodic image of a grain that may reach into a box about the centre of
+/// the cell. @param half_width  half the sides of the box   @param visit  takes the place from the centre of the
+/// cell
 template <int Dim, class Visit>
 void for_images(const Packing<Dim>& packing, const Vec<Dim>& half_width, const Visit& visit) {
   const Mat<Dim> to_reduced = packing.cell.matrix.transpose().inverse();

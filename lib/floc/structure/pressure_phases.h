@@ -6,24 +6,26 @@
 
 namespace floc {
 
-/// Grains whose pressures have the same sign, joined where two of them interact.
+/// Phase of the grains whose pressures have one sign. Grains of the phase that interact belong to one cluster.
 struct PressurePhase {
   int n_grains = 0;
-  double share = 0.0;       ///< number of its grains over that of all grains
-  double mean = 0.0;        ///< mean pressure of its grains (stress)
-  int n_clusters = 0;       ///< connected parts, single grains included
-  int largest_cluster = 0;  ///< grains
-  /// Independent ways in which one of its parts winds around the cell: it percolates if > 0.
+  double share = 0.0;       ///< number of grains of the phase over the number of all grains
+  double mean = 0.0;        ///< mean pressure of the grains of the phase (stress)
+  int n_clusters = 0;       ///< number of clusters (connected parts), including single grains
+  int largest_cluster = 0;  ///< number of grains of the largest cluster
+  /// Largest number of independent directions in which a cluster winds around the cell; the phase percolates if
+  /// it is > 0.
   int n_directions = 0;
 };
 
 /// The two phases of positive and negative particle pressure (docs/physics.md, "Force network"). Grains of
-/// pressure zero are in neither.
+/// pressure zero are in neither phase.
 struct PressurePhases {
   PressurePhase positive, negative;
 };
 
-/// Computes the two phases. @param pressure  of each grain of the network (stress)
+/// Computes the two phases of positive and negative particle pressure. @param pressure  pressure of each grain
+/// (stress)
 template <int Dim>
 PressurePhases pressure_phases(const ContactNetwork<Dim>& network, const std::vector<double>& pressure);
 

@@ -13,21 +13,23 @@
 namespace floc {
 namespace {
 
-/// A ball that a point may not enter: a grain, its radius grown by that of the rattler.
+/// Ball that the centre of a rattler may not enter: a grain with its radius enlarged by the radius of the
+/// rattler.
 template <int Dim>
 struct Obstacle {
   Vec<Dim> centre;
   double reach;
 };
 
-/// { u : n . u >= low }
+/// Half space of the points u with n . u >= low.
 template <int Dim>
 struct HalfSpace {
   Vec<Dim> n;
   double low;
 };
 
-/// Next choice of Dim numbers below n, ascending. @return false after the last
+/// Advances `choice` to the next combination of Dim ascending indices below n. @return false after the last
+/// combination
 template <int Dim>
 bool next_choice(std::array<int, Dim>& choice, int n) {
   for (int a = Dim - 1; a >= 0; --a) {
@@ -38,8 +40,8 @@ bool next_choice(std::array<int, Dim>& choice, int n) {
   return false;
 }
 
-/// The corner of an intersection of half spaces that lies furthest along a direction: all corners are tried,
-/// there are few. @pre the intersection is bounded and holds the origin.
+/// Returns the corner of the intersection of half spaces that lies furthest along a direction. All corners are
+/// tried, because there are few. @pre The intersection is bounded and contains the origin.
 template <int Dim>
 Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Dim>& direction, double length) {
   const auto n = static_cast<int>(spaces.size());
@@ -61,9 +63,10 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
   return best;
 }
 
-/// Pushes a point along a direction until obstacles hold it, from the origin. The balls are replaced by the
-/// half spaces that touch them where they are nearest to the point: these leave less room, so the point never
-/// enters a ball, and the sequence of linear programs converges quadratically to a corner.
+/// Pushes a point from the origin along a direction until obstacles stop it, and returns its place; nothing if
+/// it moves further than `length`. In each step every ball is replaced by the half space that touches it at its
+/// nearest point. The half spaces leave less space than the balls, so that the point never enters a ball. The
+/// sequence of linear programs converges quadratically to a corner.
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
                                double length) {
@@ -88,7 +91,8 @@ std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, cons
   return x;
 }
 
-/// Towards the nearest obstacle and half as much towards the next.
+/// Returns the direction in which a rattler is pushed: towards the nearest obstacle, and half as much towards
+/// the second nearest.
 template <int Dim>
 Vec<Dim> push_direction(std::vector<Obstacle<Dim>>& obstacles) {
   std::sort(obstacles.begin(), obstacles.end(), [](const Obstacle<Dim>& p, const Obstacle<Dim>& q) {

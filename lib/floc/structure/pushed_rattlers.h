@@ -6,14 +6,15 @@
 
 namespace floc {
 
-/// Returns the packing with its rattlers pushed against other grains, so that neighbours at small gaps do not
-/// depend on the places of rattlers in their cages [AR2007]. Each rattler is pushed towards the grain nearest
-/// to it, and half as much towards the second nearest, and slides along the grains it meets until Dim grains
-/// hold it. Only grains that are not rattlers are obstacles, so the result depends neither on numbering nor on
-/// where the cell is cut. A rattler that meets no grain within two largest diameters stays where it is.
-/// Contacts of the result are those of the given packing, and have no meaning for rattlers.
+/// Returns a packing with its rattlers pushed against other grains, so that numbers of neighbours at small gaps
+/// do not depend on the places of rattlers in their cages [AR2007]. Each rattler is pushed towards the grain
+/// nearest to it, and half as much towards the second nearest, and slides along the grains that it meets until
+/// Dim grains stop it. Only grains that are not rattlers are obstacles, so that the result depends neither on
+/// the numbering of the grains nor on the borders of the periodic cell. A rattler that meets no grain within
+/// two largest diameters stays at its place. The contacts are copied from the given packing, and have no
+/// meaning for rattlers.
 ///
-/// @param rattler  one entry per grain
+/// @param rattler  whether each grain is a rattler
 template <int Dim>
 Packing<Dim> with_pushed_rattlers(const Packing<Dim>& packing, const std::vector<bool>& rattler);
 

@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Rotation of each grain between the two states.
+/// Returns the rotation of a grain from its orientation in the state before to its orientation in the state
+/// after.
 Eigen::Rotation2Dd rotation_of(double before, double after) {
   return Eigen::Rotation2Dd(after - before);
 }
@@ -27,7 +28,8 @@ double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) {
   return p.angularDistance(q);
 }
 
-/// Branch after, from the grain that is i before to the one that is j before.
+/// Returns the branch vector of contact `c` of the state after, in the direction from grain i to grain j of the
+/// contact before.
 template <int Dim>
 Vec<Dim> branch_after(const Packing<Dim>& after, const Contact<Dim>& before, const Contact<Dim>& c) {
   const Vec<Dim> r = branch(after, c);

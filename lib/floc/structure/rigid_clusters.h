@@ -9,21 +9,22 @@ namespace floc {
 
 /// Groups of grains that moved nearly as rigid bodies between two states.
 struct RigidClusters {
-  std::vector<int> cluster;  ///< cluster of each grain, numbered by size from the largest; -1: none
-  std::vector<int> size;     ///< number of grains of each cluster, >= 2
-  int n_stuck = 0;           ///< number of kept contacts without relative motion, within the tolerance
+  /// Index of the cluster of each grain, ordered by size from the largest; -1 if it is in no cluster.
+  std::vector<int> cluster;
+  std::vector<int> size;  ///< number of grains of each cluster, >= 2
+  int n_stuck = 0;        ///< number of contacts without relative motion, within the tolerance
 
-  int n_clustered() const;  ///< grains in clusters
+  int n_clustered() const;  ///< number of grains in clusters
 };
 
-/// Finds groups of grains joined by kept contacts without relative motion: the material points that touched
-/// before are within tolerance * a of each other after, and the rotations of the two grains agree within
-/// `tolerance` (radians). A rigid body that moves and turns satisfies both exactly; along a chain of contacts
-/// small differences add up. The packings must have the orientations of the grains, which those of other
-/// programs may lack.
+/// Finds groups of grains joined by contacts that exist in both states and show no relative motion: the
+/// material points that touched before are within tolerance * a of each other after, and the rotations of the
+/// two grains differ by less than `tolerance` (radians). A rigid body that moves and rotates satisfies both
+/// conditions exactly; along a chain of contacts small differences add up. Both packings must include the
+/// orientations of the grains, which packings of other programs may lack.
 ///
-/// @param changes    from `before` to `after`
-/// @param tolerance  in largest diameters a and radians, > 0; otherwise InputError
+/// @param changes    changes of contacts from `before` to `after`
+/// @param tolerance  tolerance in largest diameters a and in radians, > 0; otherwise InputError
 template <int Dim>
 RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& after,
                              const ContactChanges<Dim>& changes, double tolerance);

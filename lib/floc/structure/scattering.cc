@@ -14,7 +14,8 @@
 namespace floc {
 namespace {
 
-/// The smallest product of 2, 3, 5 and 7 that is no smaller than n.
+/// Returns the smallest number of the form 2^a 3^b 5^c 7^d that is at least n, a size for which Fourier
+/// transforms are fast.
 int smooth_size(int n) {
   for (;; ++n) {
     int rest = n;
@@ -24,10 +25,11 @@ int smooth_size(int n) {
   }
 }
 
-/// Fourier coefficients sum_x f(x) exp(-i k x) of a real field on a mesh; the last index runs to size[1]/2.
+/// Returns the Fourier coefficients sum_x f(x) exp(-i k x) of a real field f on a mesh. The second index runs
+/// from 0 to size[1]/2.
 std::vector<std::complex<double>> transform(const CoverageMap& field) {
   std::vector<std::complex<double>> out(static_cast<std::size_t>(field.size[0]) * (field.size[1] / 2 + 1));
-  // The input is not changed out of place with FFTW_PRESERVE_INPUT.
+  // With FFTW_PRESERVE_INPUT, FFTW does not change its input, so that the const_cast is safe.
   fftw_plan plan =
       fftw_plan_dft_r2c_2d(field.size[0], field.size[1], const_cast<double*>(field.share.data()),
                            reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
@@ -36,8 +38,8 @@ std::vector<std::complex<double>> transform(const CoverageMap& field) {
   return out;
 }
 
-/// Returns the factor by which averaging over mesh cells reduces a wave of n periods: sin(x)/x with x = pi
-/// n/size.
+/// Returns the factor by which averaging over mesh cells reduces the amplitude of a wave of n periods: sin(x)/x
+/// with x = pi n/size.
 double kept_by_averaging(int n, int size) {
   const double x = std::numbers::pi * n / size;
   return n == 0 ? 1.0 : std::sin(x) / x;
@@ -60,7 +62,8 @@ std::vector<std::string> ScatteringOptions::validate() const {
 std::vector<double> scattering_bins(double largest, double unit, double growth) {
   std::vector<double> edges = {0.5 * unit};
   while (edges.back() < largest) edges.push_back(std::max(edges.back() + unit, edges.back() * growth));
-  if (edges.size() == 1) edges.push_back(edges[0] * growth);  // a tiny cell: no wave fits
+  // If the smallest wave number of the cell is beyond the largest k, there is a single bin.
+  if (edges.size() == 1) edges.push_back(edges[0] * growth);
   edges.back() = std::max(largest, edges[0] * growth);
   return edges;
 }
@@ -123,7 +126,8 @@ void ScatteringAverage::add(const Cell<2>& cell, const CoverageMap& field) {
       if (k < edges_.front() || k >= edges_.back()) continue;
       const double kept = kept1 * kept_by_averaging(n2, field.size[1]);
       const std::complex<double> chi = hat[static_cast<std::size_t>(row) * n_columns + n2];
-      // The row n2 = 0 of the transform holds both k and -k; other rows hold one of them, which counts twice.
+      // For n2 = 0 the transform contains both k and -k; for other n2 it contains one of them, which counts
+      // twice.
       add_vector(k, per_cell * per_cell * std::norm(chi) / (kept * kept * area), n2 == 0 ? 1 : 2);
     }
   }

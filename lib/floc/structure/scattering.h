@@ -12,79 +12,85 @@ namespace floc {
 
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-/// Intensity I(k) = |chi_hat(k)|^2/V of the indicator chi of the grains (docs/physics.md, "Structure"), V the
-/// volume of the cell, averaged over directions in bins of k.
+/// Scattering intensity I(k) = |chi_hat(k)|^2/V in bins of the wave number k, averaged over directions. chi is
+/// 1 inside grains and 0 outside, chi_hat its Fourier transform, and V the volume of the cell (docs/physics.md,
+/// "Structure").
 struct Scattering {
   std::vector<double> k;  ///< mean wave number of each bin (1/length)
   std::vector<double> I;  ///< mean intensity of each bin (length^Dim)
-  /// Independent wave vectors in each bin, k and -k counted once; the intensities of single ones scatter by 100
-  /// %.
+  /// Number of independent wave vectors in each bin; k and -k count once. The intensities of single wave
+  /// vectors scatter by 100 %.
   std::vector<std::int64_t> n_vectors;
 };
 
-/// Numerical settings of a scattering intensity.
+/// Numerical settings for the computation of a scattering intensity.
 struct ScatteringOptions {
-  /// Largest k, in 2 pi over the largest diameter: form factor and contacts show beyond 1, aggregates below.
+  /// Largest wave number k, in units of 2 pi over the largest diameter. Above 1 the intensity shows the shape
+  /// of grains and their contacts, below 1 aggregates.
   double largest = 2.0;
-  /// Mesh cells per wavelength of the largest k. The mesh holds averages over its cells; the result is
-  /// corrected for that. Aliasing from shorter waves is below 1 % of I with 8 cells, and falls as k^5 towards
-  /// smaller k.
+  /// Number of mesh cells per wavelength of the largest k. The values on the mesh are averages over its cells,
+  /// for which the result is corrected. With 8 cells, aliasing from shorter waves is below 1 % of I, and falls
+  /// as k^5 towards smaller k.
   double cells_per_wave = 8.0;
-  /// Bins are this much wider than the one before, and no narrower than 2 pi/V^(1/Dim).
+  /// Ratio of the upper to the lower edge of a bin of k. A bin is at least 2 pi/V^(1/Dim) wide.
   double bin_growth = 1.05;
-  /// For spheres, bins with more wave vectors than this are sampled instead of summed over. The relative error
-  /// of I is 1/sqrt(n), 6 %, no more than that of bins of small k.
+  /// For spheres, a bin with more wave vectors than this is averaged over a random sample of this many. The
+  /// relative error of I is then 1/sqrt(n), 6 % for n = 300, no more than in bins of small k.
   int most_vectors = 300;
-  /// Most wave vectors to sample from, in all; beyond it the largest k is lowered.
+  /// Largest total number of wave vectors from which the samples are drawn; the largest k is lowered to stay
+  /// within it.
   std::int64_t most_waves = std::int64_t{1} << 24;
-  /// Most cells of a mesh; beyond it the largest k is lowered.
+  /// Largest number of mesh cells; the largest k is lowered to stay within it.
   std::int64_t most_cells = std::int64_t{1} << 26;
 
   static constexpr NumberRange kLargest{.least = 0.0, .most = 1e6, .without_least = true};
   static constexpr NumberRange kCellsPerWave{.least = 4.0, .most = 1000.0};
-  /// Every fault as "name = value: requirement".
+  /// Returns the faults of the options, each as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// Returns the edges of bins of k (1/length). The first edge is `unit`/2, with `unit` the smallest k of the
-/// cell; each other one is `growth` times the edge before it, but at least `unit` above it.
+/// Returns the edges of the bins of the wave number k (1/length). The first edge is `unit`/2, with `unit` the
+/// smallest k of the cell. Each further edge is `growth` times the edge before it, but at least `unit` larger.
 std::vector<double> scattering_bins(double largest, double unit, double growth);
 
-/// Bins of k and the mesh that resolves them.
+/// Bins of the wave number k, and the mesh that resolves the largest k.
 struct ScatteringMesh {
-  std::vector<double> edges;  ///< edges of the bins, ascending (1/length)
+  std::vector<double> edges;  ///< edges of the bins of the wave number, ascending (1/length)
   double spacing = 0.0;       ///< largest spacing of the mesh (length)
 
-  /// Mesh cells along each lattice vector of a cell, products of 2, 3, 5 and 7.
+  /// Returns the number of mesh cells along each lattice vector of a cell; its prime factors are 2, 3, 5 and 7
+  /// only.
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
-/// Returns the grains of a packing in the shortest cell of its lattice. Scattering depends on the lattice
-/// alone, and a cell so slanted that its sides are nearly parallel would take a mesh as long as its sides.
-/// Cells of short vectors are left as they are.
+/// Returns the grains of a packing in the shortest cell of its lattice. The scattering intensity depends only
+/// on the lattice, and a very slanted cell, with nearly parallel sides, would need a mesh along its long sides.
+/// A cell that is already the shortest is left unchanged.
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
-/// Chooses the bins and the mesh, which depend on the area and the largest diameter only.
-/// @pre the packing has grains   @throws InputError with the faults of the options
+/// Chooses the bins of the wave number and the mesh. They depend only on the area of the cell and the largest
+/// diameter.
+/// @pre the packing has grains   @throws InputError with the faults of the options if they are not valid
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options);
 
-/// Returns the edges of the bins of k of a packing of spheres, ascending (1/length), as in ScatteringMesh.
-/// @pre the packing has grains   @throws InputError with the faults of the options
+/// Returns the edges of the bins of the wave number for a packing of spheres, ascending (1/length).
+/// @pre the packing has grains   @throws InputError with the faults of the options if they are not valid
 std::vector<double> scattering_edges(const Packing<3>& packing, const ScatteringOptions& options);
 
-/// I(k) averaged over wave vectors and states. All states have the same bins.
+/// Average of the scattering intensity I(k) over wave vectors and states, with the same bins for all states.
 class ScatteringAverage {
  public:
-  /// @param edges  of the bins of k, ascending (1/length)
+  /// @param edges  edges of the bins of the wave number k, ascending (1/length)
   explicit ScatteringAverage(std::vector<double> edges);
 
-  /// Adds a field given by its averages over mesh cells.
+  /// Adds a field, given by its averages over mesh cells, such as a map of the solid fraction.
   void add(const Cell<2>& cell, const CoverageMap& field);
-  /// Adds a packing of spheres by the sum of their transforms, without a mesh: overlaps count twice.
-  /// @param most_vectors  per bin, >= 1; drawn by a fixed seed where there are more
+  /// Adds a packing of spheres by the sum of their Fourier transforms, without a mesh; overlaps count twice.
+  /// @param most_vectors  largest number of wave vectors per bin, >= 1; if there are more, a sample with a fixed
+  /// seed
   void add(const Packing<3>& packing, int most_vectors);
 
-  /// Returns the average. Bins without any wave vector are left out.
+  /// Returns the average intensity. Bins without wave vectors are left out.
   Scattering result() const;
 
  private:
@@ -95,7 +101,7 @@ class ScatteringAverage {
   std::vector<std::int64_t> n_;
 };
 
-/// Return I(k) of one packing.
+/// Return the scattering intensity I(k) of one packing.
 Scattering scattering(const Packing<2>& packing, const ScatteringOptions& options = {});
 Scattering scattering(const Packing<3>& packing, const ScatteringOptions& options = {});
 

@@ -13,20 +13,21 @@
 namespace floc {
 namespace {
 
-/// Seed and purpose of the draw of wave vectors: the same for every state.
+/// Seed and stream number of the random choice of wave vectors, which is the same for every state.
 constexpr std::uint64_t kSeed = 1, kPurpose = 0x1e;
 
 using Wave = Vec<3, int>;
 
-/// Returns true for one of n and -n: the one whose first non-zero component is positive.
+/// Returns true if the first nonzero component of n is positive, which selects one of n and -n.
 bool in_half_space(const Wave& n) {
   return n[0] > 0 || (n[0] == 0 && (n[1] > 0 || (n[1] == 0 && n[2] > 0)));
 }
 
-/// Wave numbers along the lattice vectors of all waves k = 2 pi M^-1 n, bin by bin.
+/// Returns, for each bin of the wave number, the integer vectors n of all waves k = 2 pi M^-1 n in it; the rows
+/// of M are the lattice vectors.
 std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const Cell<3>& cell) {
   const Mat<3> reciprocal = kTwoPi * cell.matrix.inverse();
-  // n_a = k . a_a/(2 pi) is no larger than this.
+  // Largest component n_a = k . a_a/(2 pi) along each lattice vector a_a.
   Wave reach;
   for (int a = 0; a < 3; ++a) reach[a] = static_cast<int>(edges.back() * cell.matrix.row(a).norm() / kTwoPi);
   std::vector<std::vector<Wave>> bins(edges.size() - 1);
@@ -42,14 +43,14 @@ std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const 
   return bins;
 }
 
-/// Leaves `most` of the waves, drawn at random.
+/// Replaces the waves by a random sample of `most` of them, if there are more.
 void draw(std::size_t most, RandomStream& random, std::vector<Wave>& waves) {
   if (waves.size() <= most) return;
   for (std::size_t k = 0; k < most; ++k) std::swap(waves[k], waves[k + random.below(waves.size() - k)]);
   waves.resize(most);
 }
 
-/// Grains in reduced coordinates.
+/// Positions of grains in reduced coordinates, and their radii.
 struct Scatterers {
   std::vector<Vec<3>> place;
   std::vector<double> radius;
@@ -60,7 +61,7 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
   double radius = 0.0, transform = 0.0;
   for (std::size_t i = 0; i < grains.place.size(); ++i) {
     if (grains.radius[i] != radius) radius = grains.radius[i], transform = ball_transform(k, radius);
-    // The transform may be negative, which no absolute value is.
+    // The factor stands outside std::polar, because the transform may be negative and a magnitude may not.
     sum += transform * std::polar(1.0, -kTwoPi * n.cast<double>().dot(grains.place[i]));
   }
   return sum;
@@ -70,7 +71,7 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
 
 double ball_transform(double k, double R) {
   const double x = k * R;
-  // Below, the difference loses digits that the series has.
+  // Below this value of kR the series is used, because the difference in the formula loses digits.
   constexpr double kSmall = 0.02;
   const double over_volume = x < kSmall ? 1.0 - x * x / 10.0 + x * x * x * x / 280.0
                                         : 3.0 * (std::sin(x) - x * std::cos(x)) / (x * x * x);
@@ -81,7 +82,7 @@ std::vector<double> scattering_edges(const Packing<3>& packing, const Scattering
   assert(packing.grains.size() > 0);
   refuse_faults(options.validate());
   const double volume = packing.cell.volume();
-  // Up to k there are V k^3/(12 pi^2) pairs of k and -k.
+  // Up to the wave number k there are V k^3/(12 pi^2) pairs of wave vectors k and -k.
   const double affordable = std::cbrt(3.0 * kTwoPi * kTwoPi * static_cast<double>(options.most_waves) / volume);
   return scattering_bins(std::min(options.largest * kTwoPi / largest_diameter(packing.grains), affordable),
                          kTwoPi / std::cbrt(volume), options.bin_growth);

@@ -8,13 +8,14 @@
 
 namespace floc {
 
-/// A periodic cell as Voro++ requires it: turned until its lattice vectors are (bx, 0, 0), (bxy, by, 0), (bxz,
-/// byz, bz), and in a unit of length of the order of the distance between neighbours, which the absolute
-/// tolerances of the library assume.
+/// A periodic cell in the form that Voro++ requires: rotated so that its lattice vectors are (bx, 0, 0), (bxy,
+/// by, 0), (bxz, byz, bz), and measured in a unit of the order of the distance between neighbours, which the
+/// absolute tolerances of Voro++ assume.
 struct TurnedCell {
-  Mat<3> turn = Mat<3>::Identity();  ///< rotation (or reflection): place there = turn * place here/unit
-  Mat<3> lattice;                    ///< lower triangle, its diagonal positive
-  double unit = 1.0;                 ///< (length)
+  Mat<3> turn = Mat<3>::Identity();  ///< rotation (or reflection): place in Voro++ = turn * place/unit
+  /// Rotated lattice vectors, one per row (lower triangular, with positive diagonal).
+  Mat<3> lattice;
+  double unit = 1.0;  ///< unit of length of the rotated cell (length)
 
   TurnedCell(const Cell<3>& cell, int n_grains) : unit(std::cbrt(cell.volume() / n_grains)) {
     const Mat<3> rows = reduced_lattice(cell).cell.matrix / unit;
@@ -30,8 +31,8 @@ struct TurnedCell {
   Vec<3> there(const Vec<3>& x) const { return turn * x / unit; }
   Vec<3> here(const Vec<3>& x) const { return turn.transpose() * x * unit; }
 
-  /// Returns the number of search blocks along an axis for which Voro++ is fastest: kGrainsPerBlock grains in
-  /// each.
+  /// Returns the number of search blocks along an axis for which Voro++ is fastest, with kGrainsPerBlock grains
+  /// in each block.
   int blocks(int axis) const {
     return std::max(1, static_cast<int>(std::ceil(lattice(axis, axis) * std::cbrt(1.0 / kGrainsPerBlock))));
   }

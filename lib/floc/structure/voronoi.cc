@@ -14,17 +14,17 @@
 namespace floc {
 namespace {
 
-/// Distance below which vertices are merged, in largest diameters: above rounding, below the accuracy of
-/// packings.
+/// Distance below which vertices of the tessellation are merged (in largest diameters). It is above rounding
+/// and below the accuracy of packings.
 constexpr double kSameVertex = 1e-6;
 
-/// A vertex as the cell of one grain has it.
+/// A vertex of the Voronoi cell of one grain.
 struct Corner {
   Vec<3> at;
-  double to_surface;  ///< of that grain
+  double to_surface;  ///< distance from the vertex to the surface of the grain (length)
 };
 
-/// Cells of all grains: fills volumes, and lists their corners.
+/// Computes the Voronoi cells of all grains. Sets their volumes and returns their vertices.
 std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& volume) {
   const Grains<3>& g = packing.grains;
   const TurnedCell turned(packing.cell, g.size());
@@ -45,7 +45,7 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
     if (!container.compute_cell(cell, loop)) continue;
     const int i = loop.pid();
     volume[i] = cell.volume() * std::pow(turned.unit, 3);
-    cell.vertices(vertices);  // from the centre of the grain
+    cell.vertices(vertices);  // relative to the centre of the grain
     for (std::size_t v = 0; v + 2 < vertices.size(); v += 3) {
       const Vec<3> from = turned.here({vertices[v], vertices[v + 1], vertices[v + 2]});
       corners.push_back({packing.cell.wrapped(g.position[i] + from), from.norm() - g.radius[i]});
@@ -54,7 +54,8 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
   return corners;
 }
 
-/// One ball for the corners at one place, as far as the nearest of their grains.
+/// Merges the vertices at one place. Returns a ball about each, which extends to the nearest of the grains
+/// whose cells meet there.
 std::vector<VoidBall> merged(const Packing<3>& packing, const std::vector<Corner>& corners) {
   Grains<3> points = Grains<3>::with_size(static_cast<int>(corners.size()));
   for (std::size_t k = 0; k < corners.size(); ++k) points.position[k] = corners[k].at;
@@ -79,8 +80,8 @@ bool equal_sizes(const Grains<3>& grains) {
   return *least == *most;
 }
 
-/// Balls as far as the nearest surface of all: of unequal spheres that may be another than those whose cells
-/// meet.
+/// Shrinks each ball to the nearest surface of any grain. For unequal spheres this may be a grain whose cell
+/// does not meet the centre of the ball.
 void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) {
   Grains<3> all = packing.grains;
   all.position_low.clear();
@@ -90,7 +91,7 @@ void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) 
   }
   const int n = packing.grains.size();
   for (const NeighborPair<3>& pair : find_pairs(packing.cell, all, 0.0)) {
-    if (pair.i >= n || pair.j < n) continue;  // i <= j: a grain and a ball that enters it
+    if (pair.i >= n || pair.j < n) continue;  // keep pairs of a grain i and a ball j that enters it
     const Vec<3> r = all.position[pair.j] + packing.cell.shift(pair.image) - all.position[pair.i];
     double& radius = voids[pair.j - n].radius;
     radius = std::min(radius, r.norm() - all.radius[pair.i]);

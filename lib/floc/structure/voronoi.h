@@ -6,24 +6,26 @@
 
 namespace floc {
 
-/// A ball in the voids of a packing of spheres that touches the spheres around it.
+/// Ball in the void space of a packing of spheres that touches the spheres around it.
 struct VoidBall {
-  Vec<3> centre = Vec<3>::Zero();  ///< inside the cell (length)
-  double radius = 0.0;             ///< (length), > 0
+  Vec<3> centre = Vec<3>::Zero();  ///< centre of the ball, inside the cell (length)
+  double radius = 0.0;             ///< radius of the ball (length), > 0
 };
 
-/// The radical Voronoi tessellation of a packing of spheres (docs/physics.md, "Structure"): the cell of a
-/// sphere holds the points whose tangent to it is shorter than to any other.
+/// Radical Voronoi tessellation of a packing of spheres (docs/physics.md, "Structure"). The cell of a sphere
+/// contains the points whose tangent to this sphere is shorter than the tangents to all other spheres.
 struct VoronoiTessellation {
-  std::vector<double> volume;          ///< volume of the cell of each grain, 0 where others cover it
-  std::vector<double> solid_fraction;  ///< volume of each grain over that of its cell, 0 where there is none
-  /// A ball around each vertex of the tessellation, up to the nearest surface; none where the vertex is inside
-  /// a grain. For equal spheres these are the balls that four spheres touch.
+  std::vector<double> volume;  ///< volume of the Voronoi cell of each grain; 0 if it has no cell
+  /// Volume of each grain over the volume of its cell; 0 if it has no cell.
+  std::vector<double> solid_fraction;
+  /// Balls about the vertices of the tessellation that extend to the nearest surface; vertices inside a grain
+  /// have no ball. For equal spheres these are the balls that four spheres touch.
   std::vector<VoidBall> voids;
 };
 
-/// Computes the tessellation, whose volumes add up to that of the cell. Vertices closer than 1e-6 largest
-/// diameters are merged, such as those of crystals in which more than four spheres meet.
+/// Computes the radical Voronoi tessellation. Its volumes add up to the volume of the periodic cell. Vertices
+/// closer than 1e-6 largest diameters are merged, which is needed for crystals, where more than four cells meet
+/// at a vertex.
 /// @pre the packing has grains and no walls
 VoronoiTessellation voronoi_tessellation(const Packing<3>& packing);
 

@@ -10,17 +10,17 @@
 namespace floc {
 namespace {
 
-/// A face as the cell of one point has it, in the library's frame and from the point.
+/// A face of the Voronoi cell of one point, relative to this point and in the coordinates of Voro++.
 struct Polygon {
-  Vec<3> area = Vec<3>::Zero();    // along the normal
-  Vec<3> centre = Vec<3>::Zero();  // of area
+  Vec<3> area = Vec<3>::Zero();    // area times the normal of the face
+  Vec<3> centre = Vec<3>::Zero();  // centre of area of the face
 };
 
 Vec<3> corner(const std::vector<double>& vertices, int v) {
   return {vertices[3 * v], vertices[3 * v + 1], vertices[3 * v + 2]};
 }
 
-/// A fan of triangles from the first corner.
+/// Returns the area and the centre of a face, by splitting it into triangles that share the first corner.
 Polygon polygon_of(const std::vector<double>& vertices, const int* corners, int n) {
   Polygon out;
   double total = 0.0;
@@ -58,7 +58,7 @@ class FaceList {
   void add_face(int i, int j, const Polygon& face) {
     const double area = face.area.norm();
     if (!(area > kNoFace)) return;
-    // The face halves the branch.
+    // The face is the perpendicular bisector of the branch between the two points.
     const Vec<3> normal = face.area / area;
     const Vec<3> branch = turned_.here(2.0 * normal.dot(face.centre) * normal);
     const Vec<3> cells = cell_.reduced(branch - (points_[j] - points_[i]));
@@ -72,7 +72,8 @@ class FaceList {
     out_.faces.push_back(out);
   }
 
-  /// Area of a face that is an edge or a corner but for rounding, where the mean cell has volume 1.
+  /// Area below which a face is an edge or a corner with rounding errors, in units in which the mean volume of
+  /// a cell is 1.
   static constexpr double kNoFace = 1e-12;
 
   const Cell<3>& cell_;

@@ -7,21 +7,23 @@
 
 namespace floc {
 
-/// The face that the Voronoi cells of two points share: the bond of the Delaunay network that crosses it.
+/// Face between the Voronoi cells of two points, and the bond of the Delaunay network that crosses it.
 struct VoronoiFace {
-  int i, j;           ///< points, i <= j
-  Vec<3, int> image;  ///< branch = point[j] + image * cell.matrix - point[i]
-  Vec<3> branch;      ///< (length)
-  Vec<3> centre;      ///< centre of area, from point i (length)
-  double area;        ///< (length^2)
+  int i, j;           ///< indices of the two points, i <= j
+  Vec<3, int> image;  ///< periodic image of point j: branch = point[j] + image * cell.matrix - point[i]
+  Vec<3> branch;      ///< vector from point i to the image of point j (length)
+  Vec<3> centre;      ///< centre of area of the face, relative to point i (length)
+  double area;        ///< area of the face (length^2)
 };
 
 struct VoronoiFaces {
-  std::vector<double> volume;      ///< volume of the cell of each point; the cells fill the periodic cell
-  std::vector<VoronoiFace> faces;  ///< each once, sorted by (i, j, image)
+  /// Volume of the Voronoi cell of each point; the sum is the volume of the periodic cell.
+  std::vector<double> volume;
+  std::vector<VoronoiFace> faces;  ///< all faces, each once, sorted by (i, j, image)
 };
 
-/// Computes the Voronoi tessellation of points in a periodic cell. @pre no two points are the same
+/// Computes the volumes and faces of the Voronoi tessellation of points in a periodic cell. @pre No two points
+/// coincide.
 VoronoiFaces voronoi_faces(const Cell<3>& cell, const std::vector<Vec<3>>& points);
 
 }  // namespace floc

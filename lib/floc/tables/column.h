@@ -10,11 +10,11 @@
 
 namespace floc {
 
-/// A column of a table: its name and how a row fills it.
+/// A column of a table: its name, and a function that computes its cell from a row.
 template <class Row>
 using Column = std::pair<std::string, std::function<TableValue(const Row&)>>;
 
-/// Returns a table with one row for each of `rows`.
+/// Returns a table with the given columns and one row for each of `rows`.
 template <class Row>
 Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
   Table table;
@@ -27,16 +27,17 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return table;
 }
 
-/// Sets the columns of an empty table that is filled from several states.
-/// @throws InputError if the table already has other columns, as for a state of another dimension
+/// Sets the columns of a table to which several states add rows, if it has none yet.
+/// @throws InputError if the table already has other columns, because an earlier state has another dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.columns.empty()) table.columns = names;
   if (table.columns != names)
-    throw InputError(file,
-                     "differs in dimension from the states before it: one file holds states of one dimension");
+    throw InputError(
+        file,
+        "differs in dimension from the states before it: one table can only contain states of one dimension");
 }
 
-/// Returns a count as a value of a table.
+/// Returns an integer as a cell of a table.
 inline TableValue count(std::int64_t n) {
   return n;
 }

@@ -5,27 +5,28 @@
 
 namespace floc {
 
-/// A column as docs/columns.md describes it.
+/// Description of a column of a table in docs/columns.md.
 struct DescribedColumn {
-  std::string name;  ///< may be a pattern: "C??" stands for all entries of C
-  std::string unit;  ///< empty: none, such as of a count or a name
+  std::string name;  ///< name or pattern: "C??" stands for all entries of C
+  std::string unit;  ///< unit; empty if there is none, as for a count or a name
   std::string meaning;
 };
 
-/// A table that commands print or write.
+/// Description of a table that commands print or write.
 struct DescribedTable {
-  std::string name;                      ///< "moduli", "fit elastic", "moduli --increments"
-  std::vector<std::string> on_terminal;  ///< columns shown on a terminal, in order of priority; empty: all
+  /// Name of the command, with the option that writes the table, such as "moduli --increments".
+  std::string name;
+  std::vector<std::string> on_terminal;  ///< columns shown on a terminal, in order of priority; all if empty
   std::vector<DescribedColumn> columns;
 };
 
-/// Returns the reference of all tables: docs/columns.md, which is compiled into the library.
+/// Returns the descriptions of all tables in docs/columns.md, the text of which is compiled into the library.
 const std::vector<DescribedTable>& described_tables();
 
-/// Returns the table with the fewest columns that describes all of these; nullptr if there is none.
+/// Returns the description with the fewest columns that includes all given columns; nullptr if there is none.
 const DescribedTable* table_with(const std::vector<std::string>& columns);
 
-/// Returns whether a name matches a pattern of `*` and `?`.
+/// Returns whether a name matches a pattern with the wildcards `*` and `?`.
 bool stands_for(const std::string& pattern, const std::string& name);
 
 }  // namespace floc

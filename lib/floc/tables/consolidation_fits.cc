@@ -15,13 +15,13 @@ constexpr LeftOutStep kLeftOut[] = {
     {PathStep::unloading, "unloading", "of unloading"},
     {PathStep::reloading, "reloading", "of reloading"},
     {PathStep::later_virgin, "later_virgin",
-     "of later loading beyond the largest pressure before (--loading virgin includes them)"},
+     "of later loading beyond the largest earlier pressure (--loading virgin includes them)"},
     {PathStep::hold, "hold", "at constant pressure"},
     {PathStep::test, "test", "of tests with a driven axis"},
     {PathStep::first_loading, "before_loading", "before the branch \"load\""},
 };
 
-/// Applies --P0 X: the window starts at the pressure of the curve that is nearest to X.
+/// Applies the option --P0 X: the fitted window begins at the pressure of the curve that is nearest to X.
 void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOptions& options) {
   if (P0 <= 0.0 || curve.P_star.empty()) return;
   const auto distance = [P0](double P) { return std::abs(std::log(P / P0)); };
@@ -41,7 +41,8 @@ const char* word_for(Weighting weighting) {
   }
 }
 
-/// Returns the pressures between which a change of regime lies, and the limits of its 95 % interval.
+/// Returns, as json, the two neighbouring pressures between which one regime of consolidation changes to the
+/// next, and the ends of the 95 % interval of this change.
 Json change_as_json(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve) {
   if (!change) return nullptr;
   const auto pressure = [&](int i) {
@@ -56,7 +57,8 @@ Json change_as_json(const std::optional<ChangePoint>& change, const Consolidatio
           {"probability", change->places.empty() ? Json(nullptr) : Json(change->places.front().probability)}};
 }
 
-/// Returns the table rows of the points first to end; for a mean, the indices of its pressures.
+/// Returns the numbers of the table rows of the points [first, end). For a mean of several tables these are the
+/// indices of its pressures.
 Json rows_of(const ConsolidationSample& sample, int first, int end) {
   Json rows = Json::array();
   for (int i = first; i < end; ++i)
@@ -109,7 +111,8 @@ ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked)
   }
   options.hold_P0 = asked.protocol == "published";
   if (options.hold_P0 && options.law != ConsolidationLaw::full)
-    throw InputError("--protocol published", "fits the full law; expected --law full, or no --law");
+    throw InputError("--protocol published",
+                     "this protocol fits the full law: use --law full or leave out --law");
   options.weighting = asked.weights == "uniform"    ? Weighting::uniform
                       : asked.weights == "relative" ? Weighting::relative
                                                     : Weighting::automatic;
@@ -150,7 +153,7 @@ ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs, const
     }
   std::vector<ConsolidationSample> samples;
   for (const PathTable& path : paths) samples.push_back(consolidation_sample(path, asked));
-  if (samples.empty()) throw InputError("fit", "has no table: expected one or more");
+  if (samples.empty()) throw InputError("fit", "no table was given: expected one or more tables of load paths");
   return fit_of(with_pooled(std::move(samples), options.hold_P0).back(), asked, options);
 }
 

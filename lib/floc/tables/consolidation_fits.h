@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// Options of a fit of the consolidation law to paths, as keywords of `floc fit consolidation`.
+/// Options of a fit of the consolidation law to load paths, with the keywords of `floc fit consolidation`.
 struct ConsolidationFitOptions {
   std::string law = "full";
   std::string protocol;
@@ -25,16 +25,17 @@ struct ConsolidationFitOptions {
   std::string stress = "driven";
 };
 
-/// A named curve with the rows of its table; the mean of several samples has no rows.
+/// A consolidation curve with its name and the rows of its table. A mean of several samples has no rows.
 struct ConsolidationSample {
   std::string name;
   Loading loading;
-  std::vector<PathStep> steps;  ///< steps of all rows
+  std::vector<PathStep> steps;  ///< kinds of the steps of all rows of the table
   std::string unit;             ///< unit of the pressures; empty if the table names none
-  std::string stress = {};      ///< stress that is the pressure of oedometric rows: see PathTable::stress
+  /// Stress taken as the pressure of oedometric rows, "driven" or "mean"; empty without such rows.
+  std::string stress = {};
 };
 
-/// A kind of step whose rows are not fitted, with its key in json and its description in messages.
+/// A kind of step of a load path whose rows are not fitted, with its json key and its description in messages.
 struct LeftOutStep {
   PathStep step;
   const char *key, *description;
@@ -42,41 +43,45 @@ struct LeftOutStep {
 /// Returns all kinds of steps whose rows are not fitted.
 std::span<const LeftOutStep> left_out_steps();
 
-/// Returns the indices of the rows that are not fitted because their step is of this kind.
+/// Returns the indices of the rows of a sample that are not fitted because their step is of a given kind.
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 
-/// Returns the first loading of a path or its virgin loading, as the option `loading` says.
+/// Returns the curve of a path to fit: the first loading, or also later loading beyond the largest earlier
+/// pressure if the option `loading` is "virgin".
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked);
 
-/// Converts keywords to the options of fit_consolidation(). @throws InputError naming the option at fault
+/// Converts keywords to the options of fit_consolidation(). @throws InputError with the name of an option that
+/// is not valid
 ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked);
 
-/// Returns the curves to fit: each sample and, behind them, their mean. The published protocol fits the mean alone.
+/// Returns the curves to fit: all samples and, if there are several, their mean at the end.
+/// @param only_pooled  returns the mean alone
 std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled);
 
-/// Fits one of the samples. @param options  options that all samples share
+/// Fits the consolidation law to one sample. @param options  options that all samples share
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options);
 
-/// Fits the law to paths in one call, as `floc fit consolidation` does. Several samples are fitted by their mean.
-/// @param inputs   csv tables with columns P_star and phi or void_ratio, or directories of floc run
-/// @param columns  columns of the tables under other names
-/// @throws InputError if an input is no path or an option is not valid
+/// Fits the consolidation law to load paths in one call, as `floc fit consolidation` does. If there are several
+/// samples, their mean is fitted.
+/// @param inputs   csv tables with the columns P_star and phi or void_ratio, or directories of floc run
+/// @param columns  names of these columns in the tables, if they differ
+/// @throws InputError if an input is not a load path or an option is not valid
 ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs,
                                    const ConsolidationFitOptions& options = {},
                                    const ColumnNames& columns = {});
 
-/// Names the part that limits the error of a fit: the number of "samples" or of "points" on the curve, or the ends of
-/// its "regimes".
+/// Returns the name of the largest part of the error of a parameter: the number of "samples" or of "points" on
+/// the curve, or the uncertain ends of the "regimes".
 const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit);
 
-/// Returns the table of `floc fit consolidation`, without rows.
+/// Returns the table of `floc fit consolidation` without rows.
 Table consolidation_table(const ConsolidationFitOptions& asked);
-/// Adds a row for each parameter of a fit.
+/// Adds a row for each parameter of a fit to the table of `floc fit consolidation`.
 void add_rows(const ConsolidationSample& sample, const ConsolidationFit& fit,
               const ConsolidationFitOptions& asked, Table& table);
 
-/// Returns a fit as `--format json` prints it.
+/// Returns a fit as the json object that `floc fit consolidation --format json` prints.
 Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
              const ConsolidationFitOptions& asked);
 

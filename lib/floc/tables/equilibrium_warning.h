@@ -7,8 +7,7 @@
 
 namespace floc {
 
-/// Warns that a state is not an equilibrium, with its residuals that miss their tolerances; adds nothing for an
-/// equilibrium.
+/// Warns if a state is not in equilibrium. The warning lists the residuals that exceed their tolerances.
 /// @param file  name of the state in the warning
 template <int Dim>
 void warn_unless_in_equilibrium(const std::string& file, const State<Dim>& state, const Remarks& remarks);

@@ -14,10 +14,10 @@ using Json = nlohmann::ordered_json;
 /// Returns a number, or null if it is absent or not finite.
 Json number_or_null(const std::optional<double>& x);
 
-/// Returns {name: {value, stderr, low95, high95, identified}}.
+/// Returns the parameters of a fit as a json object {name: {value, stderr, low95, high95, identified}}.
 Json parameters_as_json(const std::vector<FittedParameter>& parameters);
 
-/// Returns the cells value, stderr, low95, high95, identified of one parameter.
+/// Returns the table cells of one parameter of a fit: value, stderr, low95, high95, identified.
 std::vector<TableValue> parameter_cells(const FittedParameter& parameter);
 
 }  // namespace floc

@@ -17,7 +17,8 @@
 namespace floc {
 namespace {
 
-/// Finds a column by its name, with or without a unit in brackets. @throws InputError if two columns have the name
+/// Finds a column by its name, with or without a unit in brackets in the header. @throws InputError if two
+/// columns have this name
 std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std::string& name) {
   std::optional<UnitColumn> found;
   for (const bool whole : {true, false}) {
@@ -26,11 +27,10 @@ std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std:
       const auto [bare, unit] = name_and_unit(header);
       if ((whole ? header : bare) != name) continue;
       if (found)
-        throw InputError(
-            table.place(),
-            fmt::format("columns {} and {} are both named \"{}\": rename or remove one of them, or "
-                        "name the one that counts by its whole header with --columns",
-                        found->index + 1, i + 1, name));
+        throw InputError(table.place(),
+                         fmt::format("columns {} and {} are both named \"{}\": rename or remove one of them, "
+                                     "or choose one by its whole header with --columns",
+                                     found->index + 1, i + 1, name));
       found = UnitColumn{i, unit};
     }
     if (found) break;
@@ -55,8 +55,8 @@ double solid_fraction_of(const std::string& place, double value, bool is_void_ra
   return is_void_ratio ? 1.0 / (1.0 + value) : value;
 }
 
-/// Returns the largest rounding error of a number as it is written: half a unit in its last place. Numbers with fewer
-/// than three decimals count as if they had three, because 0.5 may be exact.
+/// Returns the largest rounding error of a number in a text: half a unit in its last decimal place. A number
+/// with fewer than three decimals is treated as if it had three, because a number such as 0.5 may be exact.
 double rounding_of(std::string_view text) {
   constexpr double kThreeDecimals = 5e-4;
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
@@ -67,8 +67,8 @@ double rounding_of(std::string_view text) {
   return std::min(0.5 * std::pow(10.0, exponent), kThreeDecimals);
 }
 
-/// Reads the solid fractions of a table from the column phi or void_ratio. If `--columns` does not name one of them and
-/// the table has both, they must not contradict each other.
+/// Reads the solid fractions of a table from its column phi or void_ratio. If the table has both columns and
+/// `--columns` names neither, they must not contradict each other.
 class DensityColumns {
  public:
   DensityColumns(const CsvTable& table, const ColumnNames& columns) : table_(table) {
@@ -91,7 +91,8 @@ class DensityColumns {
   }
 
  private:
-  /// A column of shares and the factor of its numbers, which is 0.01 for a header such as "phi [%]".
+  /// A column of solid fractions or void ratios, with the factor of its numbers: 0.01 for a header such as "phi
+  /// [%]".
   struct ShareColumn {
     int index;
     double unit;
@@ -114,8 +115,8 @@ class DensityColumns {
     if (std::abs(phi * (1.0 + e) - 1.0) <= open) return;
     throw InputError(
         table_.place(row),
-        fmt::format("phi = {}, but void_ratio = {}, which is a phi of {:.6g}: these contradict each "
-                    "other; say which column counts (--columns phi=... or --columns void_ratio=...)",
+        fmt::format("phi = {}, but void_ratio = {} corresponds to phi = {:.6g}: the two columns contradict "
+                    "each other; choose one of them with --columns phi=... or --columns void_ratio=...",
                     phi, e, 1.0 / (1.0 + e)));
   }
 
@@ -123,7 +124,8 @@ class DensityColumns {
   std::optional<ShareColumn> phi_, void_ratio_;
 };
 
-/// Checks the pressures of rows against their branches. @param place  returns the place of a row, for messages
+/// Checks that the pressures along each branch of a load path grow, fall or stay constant as its name requires.
+/// @param place  returns the place of a row, for messages
 /// @throws InputError if a pressure contradicts its branch
 void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                   const std::function<std::string(int)>& place) {
@@ -135,17 +137,18 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
 
 /// Adds a warning if all void ratios are so large that they may be percentages.
 void check_for_percent(PathTable& path) {
-  constexpr double kLoosest = 10.0;  // void ratio; that of the loosest soils is 5
+  constexpr double kLoosest = 10.0;  // void ratio of a very loose packing; the loosest soils have about 5
   double smallest = std::numeric_limits<double>::infinity();
   for (const PathRow& row : path.rows) smallest = std::min(smallest, 1.0 / row.phi - 1.0);
   if (path.rows.empty() || smallest < kLoosest) return;
   path.inconsistencies.push_back(
-      fmt::format("the void ratio is {:.4g} and more in every row: is it in percent? A header such as "
-                  "\"e [%]\" says so",
+      fmt::format("the void ratio is {:.4g} and more in every row: is it in percent? If it is, write the unit "
+                  "into the header of the column, as in \"e [%]\"",
                   smallest));
 }
 
-/// Loading of the rows of a table of `floc run`, and the factor from their mean stress to the driven stress.
+/// Columns of a table of `floc run` that describe the kind of load of each row, and the ratio of the stress on
+/// the driven axis to the mean stress.
 class LoadColumns {
  public:
   explicit LoadColumns(const CsvTable& table) : table_(table) {
@@ -161,7 +164,7 @@ class LoadColumns {
     return control == "oedometric" ? PathLoad::oedometric : PathLoad::other;
   }
 
-  /// @pre the row is loaded with a driven axis
+  /// Returns the ratio of the stress on the driven axis to the mean stress. @pre the row has a driven axis
   double driven_over_mean(int row) const {
     const std::string name = fmt::format("stress_{}", static_cast<int>(table_.number(row, axis_)));
     return table_.number(row, table_.column(name)) / table_.number(row, mean_);
@@ -172,18 +175,20 @@ class LoadColumns {
   int control_ = -1, axis_ = -1, mean_ = -1;
 };
 
-/// Factors that convert P_star of `floc run` to the unit of the first rows under pressure. P_star is in units of the
-/// force of the contact law, which a stage of the load path may change.
+/// Factors that convert the column P_star of a table of `floc run` to one unit of stress, that of the first
+/// rows under pressure. The unit of P_star depends on the force scale of the contact law, which a stage of the
+/// load path may change.
 class PressureUnit {
  public:
-  /// @param name  name of the column of pressures  @param mapped  whether the user mapped the pressures to a column
+  /// @param name  name of the column of pressures   @param mapped  whether the user chose this column with
+  /// --columns
   PressureUnit(const CsvTable& table, const std::string& name, bool mapped) : table_(table) {
     if (mapped || name != "P_star" || !table.has("P") || !table.has("state")) return;
     reduced_ = table.column("P_star");
     stress_ = table.column("P");
   }
 
-  /// Returns the factor of P_star of a row, and notes where the unit changes.
+  /// Returns the factor that converts P_star of a row, and adds a note if the unit changes at this row.
   double factor(int row, std::vector<std::string>& notes) {
     if (reduced_ < 0) return 1.0;
     const double reduced = table_.number(row, reduced_), stress = table_.number(row, stress_);
@@ -192,9 +197,9 @@ class PressureUnit {
     if (first_ == 0.0) first_ = last_ = unit;
     if (std::abs(unit / last_ - 1.0) > kSameUnit)
       notes.push_back(
-          fmt::format("row {}: the stress that P* = 1 stands for changes from {:.6g} to {:.6g}, as a stage "
-                      "sets another force "
-                      "or stiffness of the contacts: P* is converted to the unit of the first rows, {:.6g}",
+          fmt::format("row {}: the stress that P* = 1 stands for changes from {:.6g} to {:.6g}, because a "
+                      "stage of the load path sets another force or stiffness of the contacts: P* is converted "
+                      "to the unit of the first rows, {:.6g}",
                       row, last_, unit, first_));
     last_ = unit;
     return std::abs(unit / first_ - 1.0) > kSameUnit ? unit / first_ : 1.0;
@@ -204,7 +209,8 @@ class PressureUnit {
   static constexpr double kSameUnit = 1e-9;
   const CsvTable& table_;
   int reduced_ = -1, stress_ = -1;
-  double first_ = 0.0, last_ = 0.0;  // stresses that P_star = 1 stands for
+  // Stresses that P_star = 1 stands for, in the first rows and in the last row read.
+  double first_ = 0.0, last_ = 0.0;
 };
 
 }  // namespace
@@ -232,7 +238,7 @@ std::vector<std::string> tables_of(const std::string& input) {
     if (name.starts_with("seed-") && fs::exists(entry.path() / "path.csv"))
       by_seed[{name.size(), name}] = (entry.path() / "path.csv").string();
   }
-  if (by_seed.empty()) throw InputError(input, "holds neither path.csv nor seed-N/path.csv");
+  if (by_seed.empty()) throw InputError(input, "this directory contains neither path.csv nor seed-N/path.csv");
   std::vector<std::string> tables, samples;
   for (const auto& [seed, table] : by_seed) {
     tables.push_back(table);
@@ -260,7 +266,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     const PathLoad load = loads.load(i);
     double P = table.number(i, pressure.index) * unit.factor(i, path.notes);
     double driven_over_mean = 1.0;
-    if (load == PathLoad::other) P = std::max(P, 0.0);  // which cohesive grains may carry as tension
+    if (load == PathLoad::other) P = std::max(P, 0.0);  // cohesive grains may carry a tension
     if (load == PathLoad::oedometric) {
       driven_over_mean = loads.driven_over_mean(i);
       if (oedometer == OedometerPressure::driven) P *= driven_over_mean;
@@ -271,7 +277,8 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
   }
   if (density.has_void_ratios_alone()) check_for_percent(path);
   if (!path.stress.empty())
-    path.notes.push_back(fmt::format("P* of oedometric rows is computed from the {} stress", path.stress));
+    path.notes.push_back(
+        fmt::format("the pressure P* of oedometric rows is computed from the {} stress", path.stress));
   require_path(path.rows, name, [&table](int row) { return table.place(row); });
   return path;
 }

@@ -28,11 +28,13 @@ Names column_names() {
   return names;
 }
 
-/// Normal, shear vector, rolling moment, energy, rank, whether among those that hold 95 %.
+/// Number of columns of one stress increment (isotropic or deviatoric): normal force, shear force vector,
+/// rolling moment, energy, rank, and whether the contact is among those that store 95 % of the energy.
 template <int Dim>
 constexpr int kStepColumns = 1 + Dim + kRotations<Dim> + 3;
 
-/// @param c  in the network; -1: not in it, the contact of a rattler
+/// Appends the cells of one contact for one stress increment.
+/// @param c  index of the contact in the network; -1 for a contact of a rattler, which is not in the network
 template <int Dim>
 void append_step(const std::optional<StepResponse<Dim>>& step, const ContactNetwork<Dim>& network, int c,
                  Values& values) {
@@ -56,7 +58,7 @@ void append_step(const std::optional<StepResponse<Dim>>& step, const ContactNetw
   values.emplace_back(step->rank[c] < step->n_holding);
 }
 
-/// Twisting moment.
+/// Appends the increment of the twisting moment of one contact under one stress increment.
 template <int Dim>
 void append_twisting(const std::optional<StepResponse<Dim>>& step, int c, Values& values) {
   if (!step)

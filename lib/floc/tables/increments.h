@@ -7,10 +7,11 @@
 
 namespace floc {
 
-/// Adds a row for each contact of a state to the table of `floc moduli --increments`: the increments of its forces
-/// under a unit of isotropic and of deviatoric stress, their energy and its rank, and whether the contact is a dead end
-/// or part of a backbone. The increments of contacts of rattlers are zero.
-/// @throws InputError if the table holds states of another dimension
+/// Adds a row for each contact of a state to the table of `floc moduli --increments`: the increments of the
+/// contact forces under a unit of isotropic and of deviatoric stress, the elastic energy of these increments
+/// and its rank among the contacts, and whether the contact is a dead end or part of a backbone. The increments
+/// of contacts of rattlers are zero.
+/// @throws InputError if the table already contains a state of another dimension
 template <int Dim>
 void add_increments(const std::string& file, const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
                     const ContactMechanics<Dim>& mechanics, Table& table);

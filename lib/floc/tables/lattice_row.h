@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// One row of the table of floc lattice: a sample, its load and its response.
+/// One row of the table of `floc lattice`: a sample, its load and its response.
 struct LatticeRow {
   std::string file;
   int dimension = 2;
@@ -24,9 +24,9 @@ struct LatticeRow {
   int axis = 1;  ///< axis of the load, from 0
   int n_bare = 0, n_open = 0;
   SpringRelaxationReport report;
-  std::vector<double> strain, stress;  ///< in the order of StrainSet::full
+  std::vector<double> strain, stress;  ///< components in the order of StrainSet::full
   StressDistribution all, grain, matrix, forces;
-  int n_pairs = 0;  ///< pairs of grains that exert forces on each other
+  int n_pairs = 0;  ///< number of pairs of grains that exert forces on each other
   std::optional<double> pearson_bonded, pearson_state;
   std::optional<Eigen::MatrixXd> moduli;
   std::optional<CompositeBounds> bounds;
@@ -34,7 +34,7 @@ struct LatticeRow {
   double seconds_lattice = 0.0, seconds_solve = 0.0, seconds = 0.0;
 };
 
-/// Returns the row as a table.
+/// Returns the table of `floc lattice` with this row.
 Table table_of(const LatticeRow& row);
 
 }  // namespace floc

@@ -43,8 +43,9 @@ void add_strain_mechanisms(const std::string& file, const StrainMechanisms& foun
     rows.push_back(row);
   }
   if (!found.vanishing.empty())
-    remarks.warn(file, fmt::format("mechanisms strain the cell at no cost; moduli that vanish: {}",
-                                   fmt::join(found.vanishing, ", ")));
+    remarks.warn(
+        file, fmt::format("mechanisms strain the cell without elastic energy, so that these moduli vanish: {}",
+                          fmt::join(found.vanishing, ", ")));
 }
 
 template <int Dim>
@@ -71,17 +72,17 @@ std::vector<std::string> words_on(const ContactNetwork<Dim>& network, const Modu
   std::vector<std::string> words;
   if (moduli.response.n_mechanisms > 0)
     words.push_back(fmt::format(
-        "{} mechanism(s) of the grains, {} of them due to how the contacts are "
-        "connected, the others due to where the grains are",
+        "{} mechanism(s) of the grains, {} of them due to how the contacts are connected, the others due to "
+        "the positions of the grains",
         moduli.response.n_mechanisms, structural_mechanisms(network, StrainSet::diagonal).n_mechanisms));
   const int listed = static_cast<int>(std::count_if(soft.modes.begin(), soft.modes.end(),
                                                     [](const auto& m) { return m.kind != ModeKind::elastic; }));
   if (soft.n_below_near_bound > 0)
-    words.push_back(
-        fmt::format("{} mode(s) below max |F_N|/r = {:.3g}, {} listed: prestress may matter; without "
-                    "it B = {:.6g}, G = {:.6g}, with it {:.6g}, {:.6g}",
-                    soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
-                    *moduli.G_without_prestress, moduli.B, moduli.G));
+    words.push_back(fmt::format(
+        "{} mode(s) have eigenvalues below max |F_N|/r = {:.3g}, {} of them are listed: prestress may matter; "
+        "without prestress B = {:.6g}, G = {:.6g}, with prestress B = {:.6g}, G = {:.6g}",
+        soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
+        *moduli.G_without_prestress, moduli.B, moduli.G));
   return words;
 }
 
@@ -102,7 +103,7 @@ std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim
                                         std::optional<int> count, std::vector<ModeRow>& rows,
                                         const Remarks& remarks) {
   const Packing<Dim>& packing = state.packing;
-  require_periodic(packing, "modes are found", file);
+  require_periodic(packing, "modes are computed", file);
   warn_unless_in_equilibrium(file, state, remarks);
   ModuliOptions options;
   options.prestress = true;
@@ -116,7 +117,8 @@ std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim
                         strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)),
                         rows, remarks);
   add_modes(file, packing.grains, soft, rows);
-  if (!soft.complete) remarks.warn(file, "copies of multiple eigenvalues are missing among the modes");
+  if (!soft.complete)
+    remarks.warn(file, "some modes of multiple eigenvalues are missing from the list of modes");
   return words_on(network, moduli, soft);
 }
 

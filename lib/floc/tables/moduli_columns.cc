@@ -22,12 +22,13 @@ const char* name_of(ModuliMethod method) {
       ->first.c_str();
 }
 
-/// Name of an entry of C, "C12"; indices from 0.
+/// Returns the name of an entry of the stiffness matrix C, such as "C12". @param a, b  indices from 0
 std::string entry_name(int a, int b) {
   return fmt::format("C{}{}", a + 1, b + 1);
 }
 
-/// Returns the indices of the upper triangle of C other than C11, C22, C12: the diagonal first, then row by row.
+/// Returns the indices of the entries in the upper triangle of the stiffness matrix C other than C11, C22 and
+/// C12: first the diagonal, then row by row.
 std::vector<std::pair<int, int>> further_entries(int size) {
   std::vector<std::pair<int, int>> entries;
   for (int a = 2; a < size; ++a) entries.emplace_back(a, a);
@@ -41,26 +42,28 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
   return c(a, b);
 }
 
-/// Returns the mean of the shear entries of C: C33 for disks, C44, C55 and C66 for spheres. Empty if shear is clamped.
+/// Returns the mean of the shear entries of the stiffness matrix C: C33 for disks, C44, C55 and C66 for
+/// spheres. The cell is empty if C has no shear entries.
 TableValue shear_strain_modulus(const ModuliRow& r) {
   const Eigen::Index n_shear = r.moduli.C.rows() - r.dimension;
   if (n_shear <= 0) return {};
   return r.moduli.C.diagonal().tail(n_shear).mean();
 }
 
-/// Returns the compliances of the normal strains. Shear strains are clamped, or relaxed if the strains are full.
+/// Returns the compliance matrix, the inverse of the stiffness matrix C; nothing if C cannot be inverted. Shear
+/// strains are clamped, or relaxed if C has shear entries.
 std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
   const Eigen::FullPivLU<Eigen::MatrixXd> factor(r.moduli.C);
   if (!r.moduli.C.allFinite() || !factor.isInvertible()) return std::nullopt;
   return Eigen::MatrixXd(factor.inverse());
 }
 
-/// A column of the table: its name and how a row fills it.
+/// A column of the table of moduli: its name, and a function that computes its cell from a row.
 using ModuliColumn = Column<ModuliRow>;
 
 std::vector<ModuliColumn> contract_columns() {
-  // Only the factor in double precision counts eigenvalues and mechanisms. Other methods leave these columns empty,
-  // because a zero would claim that there are none.
+  // Only the method "factor" counts negative eigenvalues and mechanisms. Other methods leave these columns
+  // empty, because a zero would state that there are none.
   const auto counted = [](const ModuliRow& r, int n) {
     return r.moduli.method == ModuliMethod::factor ? TableValue{std::int64_t{n}} : TableValue{};
   };
@@ -115,7 +118,8 @@ std::vector<ModuliColumn> network_columns() {
   const auto maybe = [](std::optional<double> NetworkMechanics::*member) -> Value {
     return [member](const NetworkMechanics& m) { return or_undefined(m.*member); };
   };
-  // Rows whose moduli were not solved for by the factor have no network mechanics, and these columns are empty.
+  // These columns are empty in rows without network mechanics, whose moduli were not computed by the method
+  // "factor".
   const auto column = [](const char* name, const Value& value) -> ModuliColumn {
     return {name, [value](const ModuliRow& r) { return r.network ? value(*r.network) : TableValue{}; }};
   };
@@ -152,8 +156,8 @@ std::vector<ModuliColumn> budget_columns() {
           column("limited_by", [](const ErrorBudget& b) { return std::string(b.limit()); })};
 }
 
-/// Returns columns with Young's modulus along each axis a and Poisson's ratio of each pair of axes a, b. They describe
-/// anisotropic states, for which B and G are means over the axes.
+/// Returns the columns of Young's modulus E_a along each axis a and Poisson's ratio nu_ab of each pair of axes
+/// a, b. They describe anisotropic states, for which B and G are only means over the axes.
 std::vector<ModuliColumn> axis_columns(int dimension) {
   std::vector<ModuliColumn> columns;
   for (int a = 0; a < dimension; ++a)

@@ -13,14 +13,14 @@
 
 namespace floc {
 
-/// Returns the method that a keyword of `floc moduli --method` names.
+/// Returns the method with the given keyword of `floc moduli --method`.
 /// @pre the keyword is valid
 ModuliMethod moduli_method(const std::string& keyword);
-/// Returns the strains that a keyword of `floc moduli --strains` names: "diagonal" or "full".
+/// Returns the set of strains with the given keyword of `floc moduli --strains`: "diagonal" or "full".
 /// @pre the keyword is valid
 StrainSet strain_set(const std::string& keyword);
 
-/// One row: properties of a state and its moduli.
+/// One row of `floc moduli`: properties of a state and its moduli.
 struct ModuliRow {
   std::string file;
   std::string units;
@@ -31,28 +31,29 @@ struct ModuliRow {
   double z;
   double pressure;  ///< mean normal stress of the contacts (stress)
   double reduced_pressure;
-  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); only in boxes
+  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent without walls
   double solid_fraction;
   Moduli moduli;
-  std::optional<NetworkMechanics> network;  ///< present if the moduli were solved for in full
-  std::optional<ErrorBudget> budget;        ///< present if the moduli were solved for in full
+  std::optional<NetworkMechanics> network;  ///< present if the method "factor" computed the moduli
+  std::optional<ErrorBudget> budget;        ///< present if the method "factor" computed the moduli
   std::optional<int> n_near_mechanisms;
-  std::optional<double>
-      B_prestress;  ///< bulk modulus with prestress (stress); only if there are near-mechanisms
+  /// Bulk modulus with prestress (stress); only with --prestress or if there are near-mechanisms.
+  std::optional<double> B_prestress;
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   MeanFieldEstimates mean_field;
-  double seconds;            ///< processor time of the moduli (s)
-  double seconds_row = 0.0;  ///< processor time of the whole row, including the reading of the state (s)
+  double seconds;            ///< processor time for the moduli (s)
+  double seconds_row = 0.0;  ///< processor time for the whole row, including reading the state (s)
 };
 
-/// Options of the rows on which their columns depend.
+/// Options on which the columns of the table of `floc moduli` depend.
 struct ModuliColumnChoice {
-  bool rolling_stiffness = false;  ///< the rows have rolling stiffnesses given in place of those of the states
+  bool rolling_stiffness = false;  ///< rolling stiffnesses were given in place of those of the states
   bool prestress = false;
 };
 
-/// Returns the columns of a table of these rows. The first ones keep their order, on which scripts may rely.
+/// Returns the columns of the table of `floc moduli` for these rows. The order of the first columns never
+/// changes, because scripts may rely on it.
 std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
                                               const std::vector<ModuliRow>& rows);
 

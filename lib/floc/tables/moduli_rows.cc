@@ -21,7 +21,7 @@
 namespace floc {
 namespace {
 
-/// Returns a row with the properties of a state other than its moduli.
+/// Returns a row with all properties of a state except its moduli.
 template <int Dim>
 ModuliRow described(const std::string& file, const State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;
@@ -41,28 +41,30 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
-/// Warns if the tolerances of a state are below the rounding errors of its positions.
+/// Warns if the rounding of the positions of a state causes residual forces or stresses above its tolerances.
 template <int Dim>
 void warn_of_rounding(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
   if (floor.force >= state.tolerance.force || floor.stress >= state.tolerance.stress)
     remarks.warn(
         file,
-        fmt::format("rounding of its positions leaves net forces of {:.1e} F1 and a stress of {:.1e} F1/a, not "
-                    "below the tolerances of {:.1e} and {:.1e}",
-                    floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
+        fmt::format(
+            "rounding of its positions leaves net forces of {:.1e} F1 and a stress error of {:.1e} F1/a (F1: "
+            "unit of force, a: largest diameter), not below the tolerances of equilibrium, {:.1e} and {:.1e}",
+            floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
         std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
 }
 
-/// Warns if the stiffnesses of a state differ from those of its law: the moduli are computed from those of the state.
+/// Warns if the stiffnesses of the contacts in a state differ from those by its contact law. The moduli are
+/// computed from the stiffnesses in the state.
 template <int Dim>
 void warn_of_stiffnesses(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const std::string differences = stiffness_differences(state.packing);
   if (!differences.empty()) remarks.warn(file, differences, first_number(differences));
 }
 
-/// Adds the mechanics of the contact network to a row that has its moduli, and rows for its contacts to the table
-/// `increments` unless that is null.
+/// Adds the mechanics of the contact network to a row whose moduli are known. Also adds a row for each contact
+/// to the table `increments`, unless it is null.
 template <int Dim>
 void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments,
                  const Remarks& remarks) {
@@ -76,7 +78,10 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   const ElasticResponse& response = row.moduli.response;
   const auto vanishing = strain_mechanisms<Dim>(response, affine_stiffness(network, options.strains)).vanishing;
   if (!vanishing.empty())
-    remarks.warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
+    remarks.warn(
+        row.file,
+        fmt::format("mechanisms strain the cell without elastic energy, so that these moduli vanish: {}",
+                    fmt::join(vanishing, ", ")));
   row.n_near_mechanisms = count_near_mechanisms(network, response, options.largest_factor);
   if (options.prestress || row.n_near_mechanisms.value_or(0) > 0) {
     const Moduli with = options.prestress ? row.moduli
@@ -84,10 +89,10 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
                                                                options, row.moduli);
     if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
   }
-  row.moduli.response = {};  // rows are kept until all are printed
+  row.moduli.response = {};  // frees the memory of the response, because rows are kept until all are printed
 }
 
-/// Returns the options with a rolling stiffness in place of that of the state, if one is given.
+/// Returns the options with the given rolling stiffness, if any, in place of that of the state.
 ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
   if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
   return options;
@@ -98,8 +103,8 @@ std::vector<std::optional<double>> rolling_of(const ModuliTableOptions& options)
   return {options.rolling_stiffness.begin(), options.rolling_stiffness.end()};
 }
 
-/// Checks that there are moduli. @throws InputError if the method `bounds` does not apply to the state, NoResult if
-/// there are no moduli for another reason
+/// Checks that the moduli could be computed. @throws InputError if the method `bounds` does not apply to the
+/// state, NoResult if there are no moduli for another reason
 void require_moduli(const std::string& file, const Moduli& moduli) {
   if (moduli.failure.empty()) return;
   if (moduli.method == ModuliMethod::bounds)
@@ -111,7 +116,8 @@ bool by_factor(const ModuliTableOptions& options) {
   return options.moduli.method == ModuliMethod::factor && !options.accuracy;
 }
 
-/// Returns the options with the largest size of a factor; the rest of the memory is for its matrix and workspace.
+/// Returns the options with the largest size of a factor: 70 % of the free memory, if none is given. The rest
+/// is for the matrix and workspace.
 ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   constexpr double kShare = 0.7;
   if (options.solver == ModuliSolver::automatic && by_factor(options))
@@ -134,16 +140,21 @@ ModuliRows::ModuliRows(const ModuliTableOptions& options)
       space_(options_.moduli),
       last_row_(processor_seconds()) {}
 
-/// Computes moduli without a factor, for packings whose factor is predicted to be too large.
+/// Computes the moduli of a packing whose factor of the stiffness matrix is predicted to be too large: by
+/// PETSc, which needs no factor, or else by the factor all the same.
 template <int Dim>
 std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Packing<Dim>& packing,
                                                double bytes, const ModuliOptions& options,
                                                const Remarks& remarks) {
-  const std::string size = fmt::format("a factor would take {:.3g} GB, more than the {:.3g} GB it may take",
-                                       bytes / 1e9, options.largest_factor / 1e9);
+  const std::string size = fmt::format(
+      "the factor of the stiffness matrix would take {:.3g} GB, more than the {:.3g} GB it may take",
+      bytes / 1e9, options.largest_factor / 1e9);
   std::vector<Moduli> all;
   if (!has_parallel_solver()) {
-    remarks.warn(file, size + ", and this floc was built without PETSc, which needs none: trying anyway",
+    remarks.warn(file,
+                 size +
+                     ", and this floc was built without PETSc, which needs no factor: trying to compute the "
+                     "factor nevertheless",
                  bytes);
     ModuliOptions unlimited = options;
     unlimited.largest_factor = std::numeric_limits<double>::infinity();
@@ -151,7 +162,7 @@ std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Pa
       all.push_back(elastic_moduli(packing, with_rolling(unlimited, rolling)));
     return all;
   }
-  remarks.remark(file, size + ": solved without one (--solver petsc)", bytes);
+  remarks.remark(file, size + ": solved by PETSc, which needs no factor (--solver petsc)", bytes);
   if (!solver_) solver_ = load_parallel_solver();
   for (const auto& rolling : rolling_of(options_))
     all.push_back(by_petsc(packing, with_rolling(options, rolling), *solver_));
@@ -256,7 +267,8 @@ std::vector<std::string> ModuliTableOptions::validate() const {
   if (increments && accuracy) faults.push_back("increments: expects --method factor in place of --accuracy");
   if (solver != ModuliSolver::petsc) return faults;
   if (!by_factor(*this))
-    faults.push_back("solver petsc: expected without --method and --accuracy; --tolerance sets its accuracy");
+    faults.push_back(
+        "solver petsc: cannot be combined with --method or --accuracy; set its accuracy with --tolerance");
   if (increments)
     faults.push_back(
         "increments: expects --solver cholmod, because the forces of the other solvers are approximate");
@@ -282,14 +294,14 @@ std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& te
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
   if (strains == StrainSet::full &&
       std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
-    throw InputError(file, "has walls, which cannot shear the grains: expected --strains diagonal");
+    throw InputError(file, "has walls, which cannot shear the grains: use --strains diagonal");
 }
 
 std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccuracy>& accuracy) {
   if (!accuracy || accuracy->met_by(row.moduli)) return "";
   return fmt::format(
-      "no method gives B and G as accurately as asked: the error bounds of the factor are {:.1e} of {:.6g} and "
-      "{:.1e} of {:.6g}",
+      "no method gives B and G as accurately as asked: the error bounds of the factor are {:.1e} for B = "
+      "{:.6g} and {:.1e} for G = {:.6g}",
       row.moduli.B_error, row.moduli.B, row.moduli.G_error, row.moduli.G);
 }
 

@@ -26,17 +26,19 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Values of one quantity in one unit, and where exponents are taken.
+/// Values of one quantity in one unit, and the windows of values in which their exponential decay is fitted.
 struct Measured {
   std::string quantity, unit;
   double unit_size = 0.0;
-  std::vector<double> values;                       ///< in units
-  std::vector<double> from;                         ///< thresholds
-  double end_of_negative = kEnd;                    ///< the largest size a negative value can have
-  std::optional<double> window_plus, window_minus;  ///< ends of windows beside the whole sides
+  std::vector<double> values;  ///< values of the quantity, in the unit
+  std::vector<double> from;    ///< thresholds at which windows begin, in the unit
+  /// Largest magnitude that a negative value can have, in the unit.
+  double end_of_negative = kEnd;
+  /// Ends of further windows for positive and negative values, in the unit.
+  std::optional<double> window_plus, window_minus;
 };
 
-/// Returns the size of a unit; empty for pooled samples, each of which has a unit of its own.
+/// Returns the size of a unit as a table cell. It is empty for pooled samples, which all have different units.
 TableValue size_or_none(double unit) {
   return unit > 0.0 ? TableValue{unit} : TableValue{};
 }
@@ -62,8 +64,8 @@ void add_exponents(const std::string& file, const Measured& of, Table& table) {
   }
 }
 
-/// Thresholds and windows of a quantity in a unit, without its values.
-/// @param end_of_negative  in units
+/// Returns the thresholds and windows of a quantity in a unit, without its values.
+/// @param end_of_negative  largest magnitude that a negative value can have, in the unit
 Measured limits_of(const std::string& quantity, const std::string& unit, double near, double end_of_negative) {
   constexpr double kBeyondTheMiddle = 0.1;
   Measured out{quantity, unit, 0.0, {}, {0.0, 1.0}, end_of_negative, std::nullopt, std::nullopt};
@@ -77,7 +79,8 @@ Measured limits_of(const std::string& quantity, const std::string& unit, double 
   return out;
 }
 
-/// Forces over F0, over their mean size and over P a^(Dim-1); particle pressures over p0 and over their mean size.
+/// Returns the normal forces in units of F0, of their mean magnitude and of P a^(Dim-1), and the particle
+/// pressures in units of p0 and of their mean magnitude.
 template <int Dim>
 std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<double>& pressure,
                                double unit_pressure, const ForceLimits& limits,
@@ -127,7 +130,7 @@ void add_phase_tables(const std::string& file, const PhaseStructure& phases, Bon
   }
 }
 
-/// Returns the lattice vectors along which a part of the phase winds around the cell, as "xy" or "z", or "none".
+/// Returns the lattice vectors along which the phase winds around the cell, such as "xy" or "z", or "none".
 std::string axes_of(const PhaseGeometry& phase) {
   std::string axes;
   for (int a = 0; a < 3; ++a)
@@ -211,7 +214,7 @@ std::vector<Column<BondRow>> bond_columns(const BondTableOptions& options) {
     columns.emplace_back(
         name, [value](const Row& r) { return r.phases ? TableValue{value(*r.phases)} : TableValue{}; });
   };
-  // p0 is the unit of the particle pressures, whose signs define the phases.
+  // The column p0 is the unit of the particle pressures, whose signs define the phases.
   columns.emplace_back("p0", [](const Row& r) { return r.unit_pressure; });
   add("n_signed_bonds", [](const PhaseStructure& p) { return count(p.n_bonds); });
   add("like_share", [](const PhaseStructure& p) { return p.like_share; });

@@ -18,9 +18,9 @@ namespace {
 
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
-/// Computes the degree of hyperstaticity of the force-carrying structure.
-/// @param network, response  network of the moduli and its response; they are used if that network has the contacts of
-/// the structure
+/// Computes the degree of hyperstaticity of the force-carrying structure of a packing.
+/// @param network, response  contact network of the moduli and its response, which are reused if this network
+/// has the contacts of the structure
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {
@@ -31,7 +31,8 @@ Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructur
   return force_indeterminacy(carrying, elastic_response(carrying, {}));
 }
 
-/// Adds the columns that need the moduli: mechanics of the network, correlation of forces, hyperstaticity.
+/// Adds the values that require the moduli to a row: mechanics of the network, correlation of forces,
+/// hyperstaticity.
 template <int Dim>
 void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double tolerance, NetworkRow& row,
                    const Remarks& remarks) {
@@ -47,10 +48,13 @@ void add_mechanics(const State<Dim>& state, const CarryingStructure& held, doubl
   const auto vanishing =
       strain_mechanisms<Dim>(moduli.response, affine_stiffness(network, StrainSet::diagonal)).vanishing;
   if (!vanishing.empty())
-    remarks.warn(row.file, fmt::format("moduli that vanish: {}", fmt::join(vanishing, ", ")));
+    remarks.warn(
+        row.file,
+        fmt::format("mechanisms strain the cell without elastic energy, so that these moduli vanish: {}",
+                    fmt::join(vanishing, ", ")));
 }
 
-/// Removes the contacts with walls from a carrying structure; the grains held stay as they are.
+/// Removes the contacts with walls from a force-carrying structure; its grains stay in it.
 template <int Dim>
 CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure held) {
   const auto on_wall = [&](int k) { return packing.is_wall(packing.contacts[k].j); };
@@ -78,21 +82,23 @@ void add_distribution(const std::string& file, ForceKind kind, const ForceDistri
         {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
 }
 
-/// Returns the largest force P a^(Dim-1) that the tolerance of equilibrium does not distinguish from zero.
+/// Returns the largest force P a^(Dim-1) that cannot be distinguished from zero, because of the tolerance of
+/// equilibrium.
 template <int Dim>
 double least_pressure_force(const State<Dim>& state) {
   return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;
 }
 
-/// Returns the reason why the normal forces of a state have no unit.
+/// Returns the reason why the normal forces of a state cannot be measured in a unit, for a warning.
 const char* why_no_unit(ForceUnit unit) {
   switch (unit) {
     case ForceUnit::pull_off:
-      return "F0 = 0, take --unit mean";
+      return "the pull-off force is F0 = 0, choose --unit mean";
     case ForceUnit::pressure:
-      return "P is not positive beyond rounding and the tolerance of equilibrium, take --unit mean";
+      return "the pressure P is not positive beyond rounding and the tolerance of equilibrium, choose --unit "
+             "mean";
     default:
-      return "all are zero but for rounding";
+      return "all normal forces are zero up to rounding";
   }
 }
 
@@ -107,7 +113,8 @@ void add_distributions(const std::string& file, const State<Dim>& state, const N
     const double size = no_pressure ? 0.0 : force_unit(packing, kind, unit);
     const ForceDistribution d = distribution_of(contact_forces(packing, kind), size, options.bin_width);
     if (d.n == 0 && kind == ForceKind::normal)
-      remarks.warn(file, fmt::format("no unit for the normal forces: {}", why_no_unit(unit)));
+      remarks.warn(
+          file, fmt::format("the normal forces cannot be measured in the chosen unit: {}", why_no_unit(unit)));
     add_distribution(file, kind, d, side.distributions, remarks);
     side.pooled[kind].add(d);
   }

@@ -18,24 +18,26 @@
 
 namespace floc {
 
-/// Options of the rows of `floc network`.
+/// Options of the tables of `floc network`.
 struct NetworkTableOptions {
-  /// Largest normal force that counts as zero, in F1; default: tolerance of the state.
+  /// Largest normal force that counts as zero, in units of the force scale F1; the tolerance of the state if
+  /// absent.
   std::optional<double> zero_force;
-  std::optional<int> least_contacts;  ///< fewest contacts of a grain that carries; default: least_contacts()
-  bool mechanics = true;              ///< adds the columns that need the moduli
-  bool distributions = false;         ///< adds the table of force distributions
-  ForceUnit unit = ForceUnit::mean;   ///< unit of these distributions
-  double bin_width = 0.1;             ///< bin width of these distributions, in that unit
-  bool pressures = false;             ///< adds the table of particle stresses
+  /// Smallest number of contacts of a grain that carries force; least_contacts() if absent.
+  std::optional<int> least_contacts;
+  bool mechanics = true;             ///< whether the columns that require the moduli are computed
+  bool distributions = false;        ///< whether the table of force distributions is written
+  ForceUnit unit = ForceUnit::mean;  ///< unit of the forces in the table of force distributions
+  double bin_width = 0.1;            ///< bin width of the force distributions, in this unit
+  bool pressures = false;            ///< whether the table of particle stresses is written
   BondTableOptions bonds;
 };
 
-/// Returns the unit that a keyword of `floc network --unit` names: "mean", "F0" or "P".
+/// Returns the unit of force with the given keyword of `floc network --unit`: "mean", "F0" or "P".
 /// @pre the keyword is valid
 ForceUnit force_unit_named(const std::string& keyword);
 
-/// One row: the contact network of a state.
+/// One row of `floc network`: properties of the contact network of a state.
 struct NetworkRow {
   std::string file;
   std::string units;
@@ -43,13 +45,15 @@ struct NetworkRow {
   int n_grains;
   double pressure;
   double reduced_pressure;
-  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); only in boxes
+  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent without walls
   double solid_fraction;
   Coordination coordination;
   ForceMoments moments;
   PressurePhases phases;
-  std::optional<NetworkMechanics> mechanics;  ///< absent without NetworkTableOptions::mechanics
-  ForceCorrelation correlation;               ///< needs the mechanics, as does hyperstaticity
+  /// Mechanics of the contact network; absent if NetworkTableOptions::mechanics is false.
+  std::optional<NetworkMechanics> mechanics;
+  /// Correlation of the static forces with the increments under isotropic stress; computed with the mechanics.
+  ForceCorrelation correlation;
   std::optional<Indeterminacy> hyperstaticity;
   CarryingForces carrying;
   double energy;
@@ -59,10 +63,10 @@ struct NetworkRow {
   double seconds;
 };
 
-/// Distributions of forces by kind, of all states together.
+/// Distributions of the contact forces of all states together, by kind of force.
 using Pooled = std::map<ForceKind, ForceDistribution>;
 
-/// Tables beside the main one.
+/// Further tables of `floc network`.
 struct NetworkTables {
   Table distributions{{"file", "kind", "unit_force", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table pressures;
@@ -70,9 +74,9 @@ struct NetworkTables {
   BondTables bonds;
 };
 
-/// Computes the row of one state, and adds the rows of the other tables that the options select to `side`. Contacts
-/// with walls support grains and contribute to their pressure, but are not counted as contacts. The mechanics of a
-/// state with walls are left out.
+/// Computes the row of one state, and adds rows to the further tables `side` that the options select. Contacts
+/// with walls support grains and contribute to their pressure, but are not counted as contacts. For a state
+/// with walls the network mechanics are not computed.
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
                        NetworkTables& side, const Remarks& remarks = {});
@@ -80,14 +84,15 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
 /// Returns the columns of the table of `floc network`.
 std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& options);
 
-/// Computes the row of `floc network` of one state in one call; docs/columns.md describes its columns.
+/// Computes the table of `floc network` for one state in one call; docs/columns.md describes its columns.
 /// @param file     name of the state in the table and in messages
-/// @param further  receives the other tables that the options select; null: they are dropped
+/// @param further  receives the further tables that the options select; null if they are not needed
 Table network_table(const AnyState& state, const NetworkTableOptions& options = {},
                     const std::string& file = "", NetworkTables* further = nullptr,
                     const Remarks& remarks = {});
 
-/// Adds the rows of all states together to the tables, if there are several states.
+/// Adds the rows with the name "pooled", for all states together, to the further tables, if there are several
+/// states.
 /// @param n_states  number of states read
 void add_pooled(const NetworkTableOptions& options, std::size_t n_states, NetworkTables& side,
                 const Remarks& remarks = {});

@@ -6,14 +6,15 @@
 
 namespace floc {
 
-/// Receives what a computation reports about a file besides its result: warnings, and methods that replaced those asked
-/// for. The program prints remarks on stderr, the Python package turns them into warnings.
+/// Receiver of remarks of a computation about a file: warnings, and notes on methods that replaced the chosen
+/// method. The program prints remarks on stderr, and the Python package turns them into Python warnings.
 class Remarks {
  public:
-  /// @param severity  among remarks that differ in their numbers alone, the largest is the worst
+  /// Function that receives a remark. @param severity  if remarks differ only in their numbers, the remark with
+  /// the largest severity is the most serious
   using Receiver = std::function<void(const std::string& file, const std::string& text, double severity)>;
 
-  /// Makes remarks without a receiver: they are dropped.
+  /// Creates an object that ignores all remarks.
   Remarks() = default;
   explicit Remarks(Receiver receiver) : receiver_(std::move(receiver)) {}
 
@@ -28,7 +29,7 @@ class Remarks {
   Receiver receiver_;
 };
 
-/// Returns the first number in a text, which is its severity if it is a count or an error; 0 without a number.
+/// Returns the first number in a text, which serves as the severity of a remark; 0 if there is no number.
 double first_number(const std::string& text);
 
 }  // namespace floc

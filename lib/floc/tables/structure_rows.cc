@@ -35,10 +35,11 @@ ScatteringFit fit_of(const Scattering& s, const StructureTableOptions& options, 
   return fit_scattering(points, options.fit_range[0] * unit, options.fit_range[1] * unit);
 }
 
-/// Warns if the fit failed or did not identify a parameter, and adds the intensity to its table.
+/// Adds the scattering intensity I(k) of a state to its table, and warns if its fit failed or did not identify
+/// a parameter.
 void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table,
             const Remarks& remarks) {
-  if (!fit.found()) remarks.remark(file, "no fit of I(k): " + fit.failure_reason);
+  if (!fit.found()) remarks.remark(file, "no fit of the scattering intensity I(k): " + fit.failure_reason);
   for (const std::string& warning : fit.warnings) remarks.warn(file, warning, first_number(warning));
   const bool drawn = fit.found() && std::all_of(fit.parameters.begin(), fit.parameters.end(),
                                                 [](const FittedParameter& p) { return p.value.has_value(); });
@@ -52,14 +53,14 @@ void report(const std::string& file, const Scattering& s, const ScatteringFit& f
   }
 }
 
-/// Fits I(k) of a state and adds its rows to the table.
+/// Fits the scattering intensity I(k) of a state, and adds its rows to the table of intensities.
 void add_fit(const Scattering& s, double diameter, const StructureTableOptions& options, Series& series,
              StructureRow& row, const Remarks& remarks) {
   row.fit = fit_of(s, options, diameter);
   report(row.file, s, *row.fit, series.intensity, remarks);
 }
 
-/// Returns the average over states; the first state sets its bins.
+/// Returns the average of the intensity over states; the first state determines its bins.
 ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
   if (!series.average) {
     series.diameter = diameter;
@@ -94,7 +95,7 @@ void add_scattering(const Packing<3>& packing, const StructureTableOptions& opti
   if (options.average) average_in(series, edges, diameter).add(packing, options.scattering.most_vectors);
 }
 
-/// Sets the columns of an empty table to those of a dimension.
+/// Sets the columns of a table without rows, which depend on the dimension of the state.
 void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.rows.empty()) table.columns.clear();
   expect_columns(file, names, table);
@@ -125,8 +126,8 @@ void add_pores(const Packing<2>& packing, const StructureTableOptions& options, 
 void require_map_size(const std::vector<int>& size) {
   for (const int side : size) require_in_range("map_size", side, kMapSide);
   if (!kMapCells.holds(std::int64_t{size[0]} * size[1]))
-    throw InputError(
-        "", fmt::format("map_size = {},{}: expected at most {} mesh cells", size[0], size[1], kMapCells.most));
+    throw InputError("", fmt::format("map_size = {},{}: expected at most {} mesh cells in all", size[0],
+                                     size[1], kMapCells.most));
 }
 
 void add_map(const std::string& file, const Packing<2>& packing, const StructureTableOptions& options,
@@ -174,7 +175,8 @@ void add_voronoi(const Packing<3>& packing, const StructureTableOptions& options
   }
 }
 
-/// Returns the factor of lengths by which a packing is compared with the first one: (Phi/Phi0)^(1/Dim).
+/// Returns the factor (Phi/Phi0)^(1/Dim) by which lengths are scaled to compare a packing with the first
+/// packing, of solid fraction Phi0.
 template <int Dim>
 double rescaling(const Packing<Dim>& packing, const Series& series) {
   return std::pow(solid_fraction(packing) / *series.reference_phi, 1.0 / Dim);
@@ -193,14 +195,15 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Returns the gaps 0 and 1e-6 to 1 largest diameters, with ten per decade.
+/// Returns the gaps at which coordination numbers are computed: 0, and 1e-6 to 1 largest diameters, with ten
+/// values per decade (length).
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
   return gaps;
 }
 
-/// Finds the rattlers, by the tolerance with which the state was brought to equilibrium.
+/// Returns which grains are rattlers, by the tolerance with which the state was brought to equilibrium.
 template <int Dim>
 std::vector<bool> rattlers_of(const State<Dim>& state) {
   return find_rattlers(state.packing,
@@ -219,7 +222,7 @@ void add_gaps(const std::string& file, const State<Dim>& state, Series& series) 
     series.gaps.rows.push_back({file, gaps[k], z[k], pushed[k], scale * (a + gaps[k]) - a});
 }
 
-/// Returns the void ratio 1/Phi - 1; undefined if Phi is zero.
+/// Returns the void ratio 1/Phi - 1; the cell is empty if Phi is zero.
 TableValue void_ratio(double solid_fraction) {
   return solid_fraction > 0.0 ? TableValue{1.0 / solid_fraction - 1.0} : TableValue{};
 }
@@ -233,7 +236,8 @@ void add_porosity(const std::string& file, const Packing<Dim>& packing, const St
                           probe.in_cell ? TableValue{1.0 - *probe.in_cell} : TableValue{}});
 }
 
-/// Counts the touching contacts of each grain, including those with walls.
+/// Returns the number of contacts of each grain, including contacts with walls; attraction across a gap does
+/// not count.
 template <int Dim>
 std::vector<double> contacts_of_each(const Packing<Dim>& packing) {
   std::vector<double> n(packing.grains.size(), 0.0);
@@ -249,7 +253,7 @@ template <int Dim>
 void add_profile(const std::string& file, const Packing<Dim>& packing, const StructureTableOptions& options,
                  Table& table) {
   const int axis = options.profile_axis.value_or(Dim - 1);
-  if (axis >= Dim) throw InputError(file, "is 2D and has no axis z: --profile-axis is x or y");
+  if (axis >= Dim) throw InputError(file, "is 2D and has no axis z: --profile-axis must be x or y");
   std::vector<std::vector<double>> values = {contacts_of_each(packing)};
   if (packing.walls.empty()) values.push_back(particle_pressure(packing));
   for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values))
@@ -264,15 +268,14 @@ void add_prediction(const std::string& file, const State<Dim>& state, Series& se
     series.affine = AffineReference<Dim>(state.packing, rattlers_of(state));
   const auto* reference = std::get_if<AffineReference<Dim>>(&series.affine);
   if (reference == nullptr)
-    throw InputError(file,
-                     "differs in dimension from the first state, from which no prediction follows for it");
+    throw InputError(file, "differs in dimension from the first state, from which predictions are computed");
   const double phi = solid_fraction(state.packing);
   const AffinePrediction p = reference->at(phi);
   series.prediction.rows.push_back({series.reference, file, phi, static_stress(state.packing).trace() / Dim,
                                     coordination(state.packing, 0.0).z, p.pressure, p.z, p.z_pushed});
 }
 
-/// Adds the quantities that need the periodic images of the grains, and so a cell without walls.
+/// Adds the quantities that require periodic images of the grains, and therefore a cell without walls.
 template <int Dim>
 void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOptions& options, Series& series,
                             StructureRow& row, const Remarks& remarks) {
@@ -285,18 +288,18 @@ void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOpt
   }
 }
 
-/// Checks the tables selected for a state with walls, which has no periodic images of its grains.
-/// @throws InputError naming a table that needs the images
+/// Checks the tables that are selected for a state with walls, whose grains have no periodic images.
+/// @throws InputError with the name of a table that requires the images
 template <int Dim>
 void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOptions& options,
                             const std::string& file) {
-  for (const auto& [table, asked] : {std::pair{"I(k) is measured", options.intensity},
-                                     {"coordination against the gap is measured", options.gaps},
-                                     {"pores are found", options.pores},
-                                     {"a map is made", options.map},
-                                     {"a prediction is made", options.prediction}})
+  for (const auto& [table, asked] : {std::pair{"the scattering intensity I(k) is computed", options.intensity},
+                                     {"coordination numbers against the gap are computed", options.gaps},
+                                     {"pores are computed", options.pores},
+                                     {"a map of the solid fraction is computed", options.map},
+                                     {"the affine prediction is computed", options.prediction}})
     if (asked) require_periodic(packing, table, file);
-  if (options.average) require_periodic(packing, "an average is taken", file);
+  if (options.average) require_periodic(packing, "an average over states is computed", file);
 }
 
 }  // namespace
@@ -316,7 +319,8 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state,
   if (series.dimension == 0) series.dimension = Dim;
   if (options.average && series.dimension != Dim)
     throw InputError(
-        file, "differs in dimension from the states before it: an average takes states of one dimension");
+        file,
+        "differs in dimension from the states before it: an average can only contain states of one dimension");
   StructureRow row;
   row.file = file;
   row.dimension = Dim;

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Adds the row of `floc verify` of a state, and the columns to a table without any: whether every criterion holds,
-/// those that do not, and the value that each found.
-/// @param criteria  as verify_state() returns them
+/// Adds the row of a state to the table of `floc verify`: whether all criteria of equilibrium hold, the names
+/// of those that fail, and the value of each. Sets the columns if the table has none.
+/// @param criteria  result of verify_state()
 void add_verification_row(const std::string& file, const std::vector<Criterion>& criteria, Table& table);
 
 }  // namespace floc

@@ -14,8 +14,8 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMinSamples = 3;
 using Fitted = std::array<double, kFittedNames.size()>;
 
-/// Returns the states of the first loading: the last assembled one, then those of the first stage, if its pressure
-/// increases.
+/// Returns the indices of the states of the first loading: the last assembled state, then the states of the first
+/// stage, if the pressure increases in it.
 std::vector<std::size_t> first_loading(const SamplePath& path) {
   std::vector<std::size_t> at;
   for (std::size_t k = 0; k < path.states.size() && path.states[k].stage <= 0; ++k) {
@@ -27,7 +27,8 @@ std::vector<std::size_t> first_loading(const SamplePath& path) {
   return at;
 }
 
-/// Returns the mean of 1/Phi of all samples but one.
+/// Returns the curve of 1/Phi against pressure, averaged over all samples but one.
+/// @param left_out  index of the sample that is left out; absent if none is
 ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
                                  std::optional<std::size_t> left_out) {
   ConsolidationCurve curve;
@@ -47,7 +48,8 @@ ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
   return curve;
 }
 
-/// Returns lambda, alpha and Phi_max of the full law, fitted on a window of pressures.
+/// Returns the parameters lambda, alpha and Phi_max of the full consolidation law, fitted to the states in a range of
+/// pressures; NaN if the fit is not possible.
 Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
   std::vector<double> log_P, y;
   for (std::size_t k = 0; k < curve.P_star.size(); ++k)
@@ -93,7 +95,8 @@ std::array<MeanDifference, kFittedNames.size()> compare_fits(const std::vector<c
     for (const Fitted& f : without) values.push_back(f[p]);
     const MeanDifference spread = mean_of(values);
     if (!std::isfinite(all[p]) || spread.n < static_cast<int>(n)) continue;
-    // Leaving out one sample changes the mean by (n - 1) times less than samples differ.
+    // Leaving out one of n samples changes the mean by 1/(n - 1) of the deviation of this sample from it, so the
+    // scatter is multiplied by n - 1.
     const auto scale = static_cast<double>(n - 1);
     out[p] = {all[p], scale * spread.standard_error, scale * spread.error95, spread.n};
   }

@@ -11,14 +11,17 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the scale of the exponential tail of the forces of one sign beyond their mean (force).
+/// Returns the decay force of the exponential tail in the distribution of the normal forces of one sign, beyond their
+/// mean (force).
+/// @param sign  1 for compressive forces, -1 for tensile ones
 double tail_of(const Packing<2>& packing, double sign) {
   std::vector<double> sizes;
   for (const Contact<2>& c : packing.contacts)
     if (sign * c.normal_force > 0.0) sizes.push_back(sign * c.normal_force);
   if (sizes.empty()) return kNoValue;
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
-  const ForceFit fit = fit_exponential_tail("", sizes, mean, {.n_draws = 1});  // the p-value is not used
+  // the p-value is not used, so one random draw is enough
+  const ForceFit fit = fit_exponential_tail("", sizes, mean, {.n_draws = 1});
   return fit.found() ? fit.parameters.front().value.value_or(kNoValue) : kNoValue;
 }
 
@@ -36,7 +39,7 @@ Observation observe_moduli(const State<2>& state, ModuliSequence<2>& sequence, c
 Observation observe(const State<2>& state, ModuliSequence<2>& moduli) {
   Observation x;
   const double force = force_scale(state.packing, state.target_stress).force;
-  // The threshold of a zero force is the same for all settings, because it is no part of their accuracy.
+  // The largest force that counts as zero is equal for all settings, because it is not part of their accuracy.
   const Coordination c = coordination(state.packing, EquilibriumTolerance{}.force * force);
   x[kPhi] = solid_fraction(state.packing);
   x[kZPlus] = c.z_plus;

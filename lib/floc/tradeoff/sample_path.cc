@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Runs up to equilibrium number `end`; its states are added to `path`.
+/// Runs up to the equilibrium before number `end`, and adds the equilibria to `path`.
 void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path) {
   while (run.point().step < end && path.whole()) {
     switch (run.advance()) {
@@ -28,8 +28,8 @@ void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path)
   }
 }
 
-/// Multiplies the caps on the strain rate by `factor`. @param capped  response of the cell, or options of a
-/// relaxation
+/// Multiplies the caps on the strain rate of the cell by `factor`.
+/// @param capped  object with the caps: a CellResponse or RelaxationOptions
 template <class Capped>
 void scale_caps(double factor, Capped& capped) {
   if (capped.strain_rate_cap) *capped.strain_rate_cap *= factor;
@@ -87,7 +87,8 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
 
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path) {
   RelaxationOptions options = strict;
-  options.finish = Finish::statics;  // most states are so close to it that no motion is needed
+  // Most states are so close to a strict equilibrium that no motion is needed.
+  options.finish = Finish::statics;
   for (ObservedState& s : path.states) {
     s.settled = s.observation;
     if (s.state.residuals.within(strict.tolerance)) continue;
@@ -97,8 +98,9 @@ void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePat
     if (status != RelaxationStatus::converged) {
       path.out_of_time = status == RelaxationStatus::running;
       if (!path.out_of_time)
-        path.failure = fmt::format("state {} finds no strict equilibrium: {}", s.state.path.step,
-                                   relaxer->report().blocking);
+        path.failure =
+            fmt::format("state {} did not converge to an equilibrium with the strictest settings: {}",
+                        s.state.path.step, relaxer->report().blocking);
       return;
     }
     State<2> settled = s.state;

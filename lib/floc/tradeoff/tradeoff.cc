@@ -15,16 +15,18 @@
 namespace floc {
 namespace {
 
-/// Number of grains of the sample that measures the speed of the machine, and smallest number of a study.
+/// Number of grains of the small sample that measures the speed of the machine. It is also the smallest number of
+/// grains of a study.
 constexpr int kMinGrains = 40;
-/// Number of samples of every setting that must fit before grains are removed: errors of means need two.
+/// Number of samples of every setting that must fit into the budget; otherwise the number of grains is reduced. Errors
+/// of means need two samples.
 constexpr double kSamplesWanted = 2.0;
-/// Assumed cost of the reference relative to the settings of the scene, before it is measured: the ratio of the time
-/// steps, and longer waits.
+/// Assumed processor time of the run with the strictest settings over that of the settings of the scene, before it is
+/// measured. The strictest settings have shorter time steps, and wait longer before motion counts as stopped.
 constexpr double kReferenceCost = 4.0;
-/// Share of the budget for runs; comparing and fitting take the rest.
+/// Share of the budget that runs may take; the rest is for comparing and fitting.
 constexpr double kShareOfRuns = 0.97;
-/// Share of its expected cost by which a run may exceed it.
+/// Factor by which the processor time of a run may exceed the expected one.
 constexpr double kMargin = 1.3;
 
 class Study {
@@ -51,11 +53,14 @@ class Study {
   struct Sample {
     int index;
     SamplePath path;
-    std::vector<Observation> levels;  // for a level of moduli: observables of the states of the reference
-    double base_seconds = 0.0;        // cost of the path to which it is added
+    // Observables of the states of the reference path, if the setting changes only the computation of the moduli.
+    std::vector<Observation> levels;
+    double base_seconds = 0.0;  // processor time of the path to which the time of the moduli is added (s)
   };
 
-  /// Returns the expected cost (s) of one sample of every setting with a number of grains.
+  /// Returns the expected processor time (s) of one sample of every setting.
+  /// @param n_grains  number of grains of the sample
+  /// @param speed  measured time over the time of expected_cost()
   double sample_cost(int n_grains, double speed) const {
     Scene sized = scene_;
     sized.grains.count = n_grains;
@@ -67,7 +72,8 @@ class Study {
     return units * expected_cost(sized) * speed;
   }
 
-  /// Runs a small sample, which measures the speed of this machine, then takes as many grains as the budget allows.
+  /// Runs a small sample to measure the speed of this machine, then reduces the number of grains until the study fits
+  /// into the budget.
   void fit_size_to_budget() {
     Scene small = scene_;
     small.grains.count = std::min(scene_.grains.count, kMinGrains);
@@ -75,8 +81,8 @@ class Study {
     const Deadline start(0.0);
     const SamplePath pilot = make_sample(run_options(small, plain, scene_.seed), {}, nullptr, deadline_);
     const double speed = -start.left() / expected_cost(small);
-    options_.progress(
-        fmt::format("{} grains with the settings of the scene: {:.1f} s", small.grains.count, -start.left()));
+    options_.progress(fmt::format("a sample of {} grains with the settings of the scene took {:.1f} s",
+                                  small.grains.count, -start.left()));
     if (!pilot.whole() || scene_.grains.diameter.kind == DiameterDistribution::Kind::list) return;
     const int wanted = scene_.grains.count;
     while (scene_.grains.count > kMinGrains &&
@@ -84,15 +90,19 @@ class Study {
       scene_.grains.count = std::max(kMinGrains, static_cast<int>(0.9 * scene_.grains.count));
     if (scene_.grains.count < wanted)
       left_out_.push_back(
-          fmt::format("{} grains instead of {}: the budget does not allow more", scene_.grains.count, wanted));
+          fmt::format("part of the grains: the samples have {} grains in place of {}, because the budget does "
+                      "not allow more",
+                      scene_.grains.count, wanted));
   }
 
   bool next_sample_fits(int k) {
     if (k == 0) return true;
     if (!last_seed_whole_) return false;
     if (kMargin * last_seed_seconds_ < deadline_.left()) return true;
-    left_out_.push_back(fmt::format("samples beyond {} of {}: the next would take {:.0f} s, {:.0f} s are left",
-                                    k, options_.max_samples, last_seed_seconds_, deadline_.left()));
+    left_out_.push_back(
+        fmt::format("all samples beyond {} of {}, because the next one would take {:.0f} s, but only {:.0f} s "
+                    "are left of the budget",
+                    k, options_.max_samples, last_seed_seconds_, deadline_.left()));
     return false;
   }
 
@@ -130,12 +140,13 @@ class Study {
     SamplePath path = make_sample(run_options(scene_, setting, seed), setting.moduli, reference, deadline_);
     RelaxationOptions strict = run_options(scene_, settings_[0], seed).relaxation;
     if (path.whole()) settle(strict, deadline_, path);
-    options_.progress(
-        fmt::format("seed {}: {} {}: {:.2f} s", seed, setting.parameter, setting.value, path.core_seconds));
+    options_.progress(fmt::format("seed {}, setting {} {}: {:.2f} s", seed, setting.parameter, setting.value,
+                                  path.core_seconds));
     return path;
   }
 
-  /// Leaves out a setting that would not fit into the budget any more, from the first sample on.
+  /// Returns whether a setting still fits into the budget. A setting that does not fit in the first sample is left out
+  /// of the whole study.
   bool affordable(std::size_t i, const SamplePath& reference) {
     const double share = scene_.relaxation.time_step / settings_[i].numerical.time_step / kReferenceCost;
     const double expected =
@@ -143,18 +154,19 @@ class Study {
     if (kMargin * expected < deadline_.left()) return true;
     if (samples_[i].empty()) {
       skipped_.insert(i);
-      left_out_.push_back(fmt::format("{} {}: it would take {:.0f} s, {:.0f} s are left",
-                                      settings_[i].parameter, settings_[i].value, expected,
-                                      std::max(0.0, deadline_.left())));
+      left_out_.push_back(
+          fmt::format("{} {}: this setting would take {:.0f} s, but only {:.0f} s are left of the budget",
+                      settings_[i].parameter, settings_[i].value, expected, std::max(0.0, deadline_.left())));
     }
     return false;
   }
 
   void fail(std::size_t i, std::uint64_t seed, const SamplePath& path) {
-    left_out_.push_back(fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
-                                    path.out_of_time ? "stopped at the end of the budget" : path.failure));
+    left_out_.push_back(
+        fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
+                    path.out_of_time ? "the run was stopped because the budget was used up" : path.failure));
     if (path.out_of_time) return;
-    skipped_.insert(i);  // other samples may fail as well
+    skipped_.insert(i);  // the setting is left out of later samples, which may fail as well
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,
@@ -210,8 +222,8 @@ class Study {
             {}};
   }
 
-  /// Adds the settings of the parameter "samples": the scatter that remains after averaging over 1, 2, 4, ... samples
-  /// of the reference.
+  /// Adds settings of the parameter "samples" to the results. Their error is the scatter of the mean over 1, 2, 4, ...
+  /// samples made with the strictest settings.
   void add_sample_numbers(Tradeoff& out) const {
     std::vector<const SamplePath*> references;
     for (const Sample& s : samples_[0]) references.push_back(&s.path);
@@ -234,7 +246,7 @@ class Study {
   const TradeoffOptions& options_;
   Deadline deadline_;
   std::vector<StudiedSetting> settings_;
-  std::vector<std::vector<Sample>> samples_;  // by setting, then by sample
+  std::vector<std::vector<Sample>> samples_;  // samples of each setting
   std::set<std::size_t> skipped_;
   std::vector<std::string> left_out_;
   double last_seed_seconds_ = 0.0;
@@ -248,7 +260,8 @@ Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
   require_in_range("samples", options.max_samples, TradeoffOptions::kSamples);
   if (scene.starts_from_state())
     throw InputError("assembly.protocol = \"state\"",
-                     "expected \"direct\" or \"aggregation\": samples and their sizes are made from the gas");
+                     "a study needs samples made from a gas, whose number of grains it can choose: expected "
+                     "\"direct\" or \"aggregation\"");
   return Study(std::move(scene), options).run();
 }
 

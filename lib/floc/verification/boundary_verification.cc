@@ -21,7 +21,7 @@ Criterion verify_boundary_motion(const State<Dim>& state) {
     if (follows_forces(wall))
       energy += 0.5 * wall.mass * wall.velocity * wall.velocity;
     else if (wall.velocity != 0.0)
-      moving += fmt::format("wall {}, which stands still, moves at {:.3g}; ", w, wall.velocity);
+      moving += fmt::format("wall {} is a fixed wall but has the velocity {:.3g}; ", w, wall.velocity);
   }
   const Grains<Dim>& g = packing.grains;
   const Mat<Dim> gradient = packing.cell.matrix.inverse() * packing.cell.velocity;
@@ -32,8 +32,9 @@ Criterion verify_boundary_motion(const State<Dim>& state) {
   if (energy > 0.0) result.value = energy / (g.size() * scale.force * scale.length);
   result.holds = moving.empty() && *result.value < result.limit;
   if (!result.holds)
-    result.where = moving + (packing.walls.empty() ? "the cell still changes its shape (cell/velocity)"
-                                                   : "the walls still move (walls/velocity)");
+    result.where =
+        moving + (packing.walls.empty() ? "the cell is still being deformed (cell/velocity in the state file)"
+                                        : "the walls still move (walls/velocity in the state file)");
   return result;
 }
 

@@ -14,10 +14,11 @@
 namespace floc {
 namespace {
 
-/// Relative excess of a tangential force over its limit above which it counts as beyond. Files print six digits or
-/// more, and the part of a nearly tangential force along the branch counts as normal force.
+/// Relative excess of a tangential force over its limit above which it counts as too large. Files may give only six
+/// digits, and the small component of a nearly tangential force along the line between the centres is counted as normal
+/// force.
 constexpr double kCapTolerance = 1e-4;
-/// Tensile force below which a contact does not count as pulling, relative to the largest normal force: rounding.
+/// Largest tensile force that counts as a rounding error and not as tension, relative to the largest normal force.
 constexpr double kNoForce = 1e-9;
 
 template <int Dim>
@@ -25,8 +26,8 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j));
 }
 
-/// Returns the normal force of the law at the geometry of a contact, with the stiffness of the contact. A spring that
-/// was read as touching pulls across a gap.
+/// Returns the normal force that the contact law gives at the present gap of a contact, with the stiffness of this
+/// contact. A linear spring that is marked as touching pulls if there is a gap between its surfaces.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Law& law = law_of(packing, c);

@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Compares the stored masses with the radii and the density of the scene; the value is the largest relative
-/// difference.
+/// Compares the stored masses of the grains with their radii and the density of the scene. The value of the criterion
+/// is the largest relative difference.
 template <int Dim>
 Criterion check_mass(const std::string& file, const State<Dim>& state) {
   constexpr double kRelative = 1e-12;
@@ -32,32 +32,35 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
     if (error <= result.value) continue;
     result.value = error;
     result.where = fmt::format(
-        "mass {:.6g} of grain {}, whose radius is {:.6g}, is not the {:.6g} that follows from the scene's "
-        "density",
+        "the mass {:.6g} of grain {}, whose radius is {:.6g}, differs from the mass {:.6g} that follows from "
+        "the density of the scene",
         g.mass[i], g.name(i), g.radius[i], expected);
   }
   result.holds = result.value <= kRelative;
   return result;
 }
 
-/// Reads the scene of a state. None if the state has no scene, or if the scene cannot be read, for example without
-/// the state that it starts from.
-/// @param why_not  set to the reason
+/// Reads the scene that is stored in a state. Returns std::nullopt if the state has no scene, or if the scene cannot be
+/// read, for example because the state from which it starts is missing.
+/// @param file  name of the state file
+/// @param text  text of the scene
+/// @param why_not  set to the reason if the scene cannot be read
 std::optional<Scene> scene_of(const std::string& file, const std::string& text, std::string& why_not) {
   if (text.empty()) return std::nullopt;
   try {
     return parse_scene(text, "its scene", std::filesystem::path(file).parent_path().string());
   } catch (const InputError& error) {
-    why_not = fmt::format("not compared: {}", error.what());
+    why_not = fmt::format("the state was not compared with its scene: {}", error.what());
     return std::nullopt;
   }
 }
 
-/// Largest tolerance of a state without a scene, in units of F1 and the largest diameter: a packing out of balance by
-/// this much is not near an equilibrium.
+/// Largest accepted tolerance of a state without a scene, in units of the typical force F1 and of the largest diameter.
+/// A packing whose forces are out of balance by this much is not near an equilibrium.
 constexpr double kLargestTolerance = 10.0;
 
-/// Checks the recorded tolerances. @param expected  tolerances of the scene; none without a scene
+/// Checks the tolerances recorded in a state.
+/// @param expected  tolerances of the scene; absent if there is no scene
 Criterion check_tolerances(const EquilibriumTolerance& t, const std::optional<EquilibriumTolerance>& expected) {
   struct Named {
     const char* name;
@@ -73,9 +76,10 @@ Criterion check_tolerances(const EquilibriumTolerance& t, const std::optional<Eq
     const double value = t.*member;
     if (expected ? value == *expected.*member : value > 0.0 && value <= kLargestTolerance) continue;
     ++n_wrong;
-    where += fmt::format("{}{} is recorded as {:g}, {}", where.empty() ? "" : "; ", name, value,
-                         expected ? fmt::format("the scene says {:g}", *expected.*member)
-                                  : fmt::format("expected a number in (0, {:g}]", kLargestTolerance));
+    where +=
+        fmt::format("{}the tolerance of {} is recorded as {:g}, but {}", where.empty() ? "" : "; ", name, value,
+                    expected ? fmt::format("the scene has {:g}", *expected.*member)
+                             : fmt::format("a number in (0, {:g}] is expected", kLargestTolerance));
   }
   return {"tolerances", static_cast<double>(n_wrong), 0.0, n_wrong == 0, where};
 }
@@ -86,13 +90,13 @@ class Differences {
   template <class Value>
   void compare(const char* name, const Value& recorded, const Value& of_scene) {
     if (recorded != of_scene)
-      add(fmt::format("{} is recorded as {}, the scene says {}", name, recorded, of_scene));
+      add(fmt::format("{} is recorded as {}, but the scene has {}", name, recorded, of_scene));
   }
-  /// Compares numbers that another compiler may round differently.
+  /// Compares two numbers, which another compiler may have rounded differently.
   void compare_number(const std::string& name, double recorded, double of_scene) {
     constexpr double kRelative = 1e-12;
     if (std::abs(recorded - of_scene) > kRelative * std::abs(of_scene))
-      add(fmt::format("{} is recorded as {:.9g}, the scene says {:.9g}", name, recorded, of_scene));
+      add(fmt::format("{} is recorded as {:.9g}, but the scene has {:.9g}", name, recorded, of_scene));
   }
   void add(const std::string& what) { words_ += (n_++ == 0 ? "" : "; ") + what; }
   Criterion criterion() const { return {"scene", static_cast<double>(n_), 0.0, n_ == 0, words_}; }
@@ -130,14 +134,16 @@ void compare_walls(const Packing<Dim>& packing, const PlannedEquilibrium& planne
                    Differences& found) {
   const auto& box = scene.assembly.box;
   if (packing.walls.empty() == box.has_value())
-    return found.add("the scene and the state differ in having walls");
+    return found.add("only one of the scene and the state has walls");
   if (!box) return;
-  if (packing.wall_law != wall_law(planned.law, *box)) found.add("wall_law is not that of the scene");
+  if (packing.wall_law != wall_law(planned.law, *box))
+    found.add("the contact law of the walls (wall_law) differs from that of the scene");
   for (std::size_t w = 0; w < packing.walls.size(); ++w) {
     const Wall<Dim>& wall = packing.walls[w];
     const bool follows = box->boundary[wall.axis] == BoxSide::walls;
     if (box->boundary[wall.axis] == BoxSide::periodic || follows != follows_forces(wall))
-      found.add(fmt::format("wall {} is not of the kind that the scene says", w));
+      found.add(
+          fmt::format("wall {} differs from the scene, which has another kind of boundary along this axis", w));
     else if (follows)
       found.compare_number(fmt::format("walls/mass of wall {}", w), wall.mass,
                            box->mass * largest_mass(packing.grains));
@@ -150,13 +156,14 @@ Criterion check_scene(const State<Dim>& state, const Scene& scene) {
   found.compare("units", state.units, scene.units);
   const auto plan = plan_run(scene.assembly, scene.law, scene.load, Dim);
   if (state.path.step < 0 || state.path.step >= static_cast<int>(plan.size())) {
-    found.add(fmt::format("path/step is recorded as {}, the scene has states 0 to {}", state.path.step,
-                          plan.size() - 1));
+    found.add(fmt::format("path/step is recorded as {}, but the scene has only the states 0 to {}",
+                          state.path.step, plan.size() - 1));
     return found.criterion();
   }
   const PlannedEquilibrium& planned = plan[static_cast<std::size_t>(state.path.step)];
   found.compare("path/branch", state.path.branch, planned.branch);
-  if (state.packing.law != planned.law) found.add("law is not that of the scene at this step");
+  if (state.packing.law != planned.law)
+    found.add("the contact law (law) differs from that of the scene at this step");
   compare_load(state, planned, found);
   compare_walls(state.packing, planned, scene, found);
   return found.criterion();

@@ -22,7 +22,8 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair, independent of the order of its grains and of the choice between opposite images.
+/// Identity of a pair of grains: their numbers and the periodic image. It does not depend on the order of the two
+/// grains nor on the choice between opposite images.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>
@@ -31,9 +32,9 @@ PairIdentity identity(Pair pair) {
   return {pair.i, pair.j, {pair.image.begin(), pair.image.end()}};
 }
 
-constexpr std::size_t kMaxListed = 5;  ///< largest number of violations that a message names
+constexpr std::size_t kMaxListed = 5;  ///< largest number of violations that a message lists
 
-/// Items that violate a criterion, each with the size of its violation.
+/// Grains or contacts that violate a criterion, each with the size of its violation.
 class Violations {
  public:
   void add(double how_bad, std::string name) { found_.emplace_back(how_bad, std::move(name)); }
@@ -85,21 +86,25 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   int n_wrong = 0;
   const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
   for (const Contact<Dim>& c : recomputed.contacts) {
-    if (!listed.insert({identity(c), c.key}).second) wrong(name_of(recomputed, c) + " listed twice");
+    if (!listed.insert({identity(c), c.key}).second)
+      wrong(name_of(recomputed, c) + " are in the contact list twice");
     if (c.distant && c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
-      wrong(fmt::format("{} listed at a gap of {:.2g}", name_of(recomputed, c), c.gap));
+      wrong(fmt::format("{} are in the contact list although they do not interact at their gap of {:.2g}",
+                        name_of(recomputed, c), c.gap));
   }
-  // Several contacts of one pair are numbered by the keys 0, 1, ...
+  // Several contacts of one pair of grains are distinguished by the keys 0, 1, ...
   for (const Contact<Dim>& c : recomputed.contacts)
     if (c.key < 0 || (c.key > 0 && !listed.contains({identity(c), c.key - 1})))
-      wrong(fmt::format("{} listed with key {}", name_of(recomputed, c), c.key));
+      wrong(fmt::format("{} are in the contact list with the key {}, but not with the key before it",
+                        name_of(recomputed, c), c.key));
   for (const Contact<Dim>& c : missing_contacts(recomputed, open))
-    wrong(fmt::format("{} missing at a gap of {:.2g}", name_of(recomputed, c), c.gap));
+    wrong(fmt::format("{} are missing in the contact list although they interact at their gap of {:.2g}",
+                      name_of(recomputed, c), c.gap));
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// Checks the liquid of a state: its volume is that of the law, and a new distribution of the liquid changes only as
-/// many bridges as the state records.
+/// Checks the liquid of a state. The total volume of its bridges must be the volume that the contact law gives, and
+/// distributing the liquid once more must change only as many bridges as the state records.
 template <int Dim>
 Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
   if (!holds_liquid(recomputed)) return {"liquid", 0.0, 0.0, true, ""};
@@ -112,14 +117,16 @@ Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) 
   const int recorded = std::max(state.n_bridges_unsettled, 0);
   std::string where;
   if (sum != 0.0 && !(std::abs(sum - all) <= kRelative * all))
-    where = fmt::format("bridges hold {:.6g}, the law says {:.6g}", sum, all);
+    where = fmt::format("the liquid bridges have the total volume {:.6g}, but the contact law gives {:.6g}",
+                        sum, all);
   if (n_changed != recorded)
-    where +=
-        fmt::format("{}{} bridges would change, {} recorded", where.empty() ? "" : ", ", n_changed, recorded);
+    where += fmt::format(
+        "{}{} liquid bridges would change if the liquid were distributed once more, but {} are recorded",
+        where.empty() ? "" : ", ", n_changed, recorded);
   return {"liquid", static_cast<double>(n_changed), static_cast<double>(recorded), where.empty(), where};
 }
 
-/// Returns the uncertainty of a force that the rounding of positions causes.
+/// Returns the uncertainty of a contact force (force) that results from rounding of the positions.
 template <int Dim>
 double force_error(const Packing<Dim>& packing) {
   double largest = 0.0;
@@ -131,10 +138,11 @@ double force_error(const Packing<Dim>& packing) {
   return stiffest * distance_error(packing) + 1e-12 * largest;
 }
 
-/// Returns the largest relative difference of a stiffness from the law. Surfaces that touch have a constant
-/// stiffness, or one that follows from the elastic force by a root, with a rounding error of some 1e-15, also after a
-/// change of units. The stiffness of a distant attraction depends on its gap: kn over the force is the relative rate
-/// at which the force decreases with the gap, and kn itself decreases at up to three times that rate.
+/// Returns the largest accepted relative difference of a stored stiffness from the contact law. Surfaces that touch
+/// have a constant stiffness, or a stiffness that follows from the elastic force by a root. Its rounding error is about
+/// 1e-15, even after a change of units. The stiffness of an attraction across a gap depends on the gap: kn over the
+/// force is the relative rate at which the force decreases with the gap, and kn itself decreases at up to three times
+/// this rate.
 template <int Dim>
 double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   constexpr double kRelative = 1e-12;
@@ -143,13 +151,15 @@ double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return kRelative + kSteepest * std::abs(c.kn / c.normal_force) * distance_error(packing);
 }
 
-/// Describes the first stored stiffness that differs from the law; empty if all agree.
+/// Returns a description of the first stored stiffness of a contact that differs from the contact law; an empty text if
+/// all agree.
 template <int Dim>
 std::string wrong_stiffness(const Packing<Dim>& packing, const Contact<Dim>& stored, double tolerance) {
   const Stiffnesses found = stiffnesses(stored), by_law = law_stiffnesses(packing, stored);
   for (std::size_t k = 0; k < found.size(); ++k)
     if (differ(found[k], by_law[k], tolerance))
-      return fmt::format("{} = {:.17g}, the law gives {:.17g}", kStiffnessNames[k], found[k], by_law[k]);
+      return fmt::format("{} = {:.17g}, but the contact law gives {:.17g}", kStiffnessNames[k], found[k],
+                         by_law[k]);
   return "";
 }
 
@@ -167,9 +177,10 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
                   std::abs(c.twisting_moment - r.twisting_moment) / arm});
     result.value = std::max(*result.value, error);
     std::string state = wrong_stiffness(recomputed, c, stiffness_tolerance(recomputed, r));
-    if (!state.empty()) state = "a stiffness: " + state;
+    if (!state.empty()) state = "the stiffness " + state;
     if (c.distant != r.distant)
-      state = fmt::format("being stored as {}, at a gap of {:.2g}", c.distant ? "distant" : "touching", r.gap);
+      state = fmt::format("being stored as {} although its gap is {:.2g}", c.distant ? "distant" : "touching",
+                          r.gap);
     if (!(error <= result.limit))
       violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
     else if (!state.empty())
@@ -181,7 +192,9 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
   return result;
 }
 
-/// Lists the grains whose net force or moment, in units of unit(grain), is not below `limit`.
+/// Returns a list of the grains whose net force or moment is not below `limit`, in words.
+/// @param unit  function that returns the unit of the force or moment of a grain
+/// @param limit  largest accepted force or moment, in this unit
 template <int Dim, class Vector, class Unit>
 std::string unbalanced(const Grains<Dim>& grains, const std::vector<Vector>& net, const Unit& unit,
                        double limit) {
@@ -189,7 +202,8 @@ std::string unbalanced(const Grains<Dim>& grains, const std::vector<Vector>& net
   for (std::size_t i = 0; i < net.size(); ++i) {
     const double value = net[i].norm() / unit(static_cast<int>(i));
     if (value >= limit)
-      violations.add(value, fmt::format("grain {} with {:.2g}", grains.name(static_cast<int>(i)), value));
+      violations.add(value,
+                     fmt::format("grain {} with the residual {:.2g}", grains.name(static_cast<int>(i)), value));
   }
   return violations.worst_first();
 }
@@ -215,14 +229,15 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, co
   const bool boxed = !recomputed.walls.empty();
   const Vec<Dim> on_walls = wall_pressure(recomputed);
   for (int a = 0; a < Dim; ++a)
-    stresses += fmt::format("{}{}_{} = {:.6g} against {:.6g}", a == 0 ? "" : ", ",
+    stresses += fmt::format("{}{}_{} = {:.6g} but the target is {:.6g}", a == 0 ? "" : ", ",
                             boxed ? "pressure on the walls" : "sigma", a + 1,
                             boxed ? on_walls[a] : stress(a, a), state.target_stress[a]);
   add("stress", r.stress, t.stress, stresses);
-  add("energy", r.energy, t.energy, "the grains still move");
+  add("energy", r.energy, t.energy, "the grains are still moving");
 }
 
-/// Compares the offset of a sheared lattice vector with the imposed one, relative to the length of its axis.
+/// Compares the offset of a sheared lattice vector with the offset imposed by a simple shear. The difference is
+/// relative to the length of the axis.
 template <int Dim>
 void check_offset(const State<Dim>& state, double limit, Criterion& result) {
   if (!state.target_offset) return;
@@ -231,12 +246,12 @@ void check_offset(const State<Dim>& state, double limit, Criterion& result) {
   const double error = std::abs(lattice(axis, 0) - imposed) / lattice(axis, axis);
   result.value = std::max(*result.value, error);
   if (!(error <= limit))
-    result.where += fmt::format("{}offset of L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ",
-                                axis + 1, lattice(axis, 0), imposed);
+    result.where += fmt::format("{}the offset of lattice vector L{} is {:.17g}, but {:.17g} was imposed",
+                                result.where.empty() ? "" : ", ", axis + 1, lattice(axis, 0), imposed);
 }
 
-/// Compares the lengths of axes, and the offset of a sheared lattice, with the imposed values, which motion reaches
-/// within rounding.
+/// Compares the lengths of axes, and the offset of a sheared lattice vector, with the imposed values. The motion of the
+/// cell reaches these values except for rounding errors.
 template <int Dim>
 void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
   if (state.target_side.isZero(0.0)) return;
@@ -249,15 +264,15 @@ void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
     const double error = std::abs(length / imposed - 1.0);
     result.value = std::max(*result.value, error);
     if (!(error <= kRelative))
-      result.where += fmt::format("{}L{} = {:.17g} against {:.17g}", result.where.empty() ? "" : ", ", a + 1,
-                                  length, imposed);
+      result.where += fmt::format("{}the length L{} is {:.17g}, but {:.17g} was imposed",
+                                  result.where.empty() ? "" : ", ", a + 1, length, imposed);
   }
   check_offset(state, kRelative, result);
   result.holds = result.where.empty();
   criteria.push_back(std::move(result));
 }
 
-/// Returns the components of a stress as text, row by row.
+/// Returns all components of a stress tensor as text, row by row.
 template <int Dim>
 std::string components(const Mat<Dim>& stress) {
   std::string text;
@@ -266,35 +281,37 @@ std::string components(const Mat<Dim>& stress) {
   return text;
 }
 
-/// Compares the recorded stress with that of the recomputed forces, in units of the mean stress.
+/// Compares the recorded stress with the stress of the recomputed forces. The difference is in units of the mean
+/// stress.
 template <int Dim>
 Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& recomputed,
                                 const Mat<Dim>& stress) {
   constexpr double kRelative = 1e-10;
-  double lengths = 0.0;    // sum of the lengths of all branches
-  double magnitude = 0.0;  // sum of the absolute terms of the virial
+  double lengths = 0.0;    // sum of the lengths of all branch vectors (from centre to centre)
+  double magnitude = 0.0;  // sum of the absolute values of normal force times branch length
   for (const Contact<Dim>& c : recomputed.contacts) {
     const double length = branch(recomputed, c).norm();
     lengths += length;
     magnitude += std::abs(c.normal_force) * length;
   }
   const double volume = recomputed.cell.volume();
-  // At zero pressure tension and compression cancel, so the rounding error is relative to the terms, not to their
-  // sum.
+  // At zero pressure tension and compression cancel, so the rounding error must be compared with the size of the terms,
+  // not with their sum.
   const double scale = std::max(std::abs(stress.trace() / Dim), 1e-5 * magnitude / (Dim * volume));
   const double error = (state.stress - stress).cwiseAbs().maxCoeff();
-  // Normal and tangential force may each have the error that the criterion "law" allows.
+  // The normal and the tangential force may each have the error that the criterion "law" accepts.
   const double limit = kRelative * scale + 2.0 * force_error(recomputed) * lengths / volume;
   const bool holds = error <= limit;
   const double unit = scale > 0.0 ? scale : 1.0;
   return {"mean_stress", error / unit, limit / unit, holds,
           holds ? ""
-                : fmt::format("recorded {}, recomputed {}", components<Dim>(state.stress), components(stress))};
+                : fmt::format("the recorded stress is {}, but the recomputed stress is {}",
+                              components<Dim>(state.stress), components(stress))};
 }
 
-/// Compares the stress of the forces across the faces of the cell with that of the contacts. Net forces explain part
-/// of the difference (see boundary_stress()); each grain contributes up to the tolerance of forces only, because
-/// beyond it there is no balance.
+/// Compares the stress that the forces across the faces of the cell give with the stress of all contacts. Part of the
+/// difference results from net forces on grains (see boundary_stress()). Each grain contributes only up to the
+/// tolerance of forces, because a larger net force is no equilibrium.
 template <int Dim>
 Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress) {
   const Grains<Dim>& g = recomputed.grains;
@@ -303,7 +320,7 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
   Vec<Dim> centre = Vec<Dim>::Zero();
   if (recomputed.walls.empty())
     for (const Vec<Dim>& x : g.position) centre += x / g.size();
-  double open = 0.0;  // difference that net forces explain (force * length)
+  double open = 0.0;  // difference that net forces within their tolerance explain (force * length)
   for (int i = 0; i < g.size(); ++i)
     open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
   double rounded = 0.0;
@@ -318,19 +335,23 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
   const double error = (across - stress).cwiseAbs().maxCoeff();
   const bool holds = error <= limit;
   return {"boundary_balance", error, limit, holds,
-          holds ? "" : fmt::format("across the faces {}, stress {}", components(across), components(stress))};
+          holds ? ""
+                : fmt::format(
+                      "the stress from the forces across the faces is {}, but the stress of all contacts is {}",
+                      components(across), components(stress))};
 }
 
-/// Comparison of recorded quantities other than forces with those that the forces give: the number of differences,
-/// and the first of them.
+/// Comparison of quantities recorded in a state, other than forces, with the values that follow from the recomputed
+/// forces. It counts the differences and describes the first of them.
 class Record {
  public:
-  /// Compares one quantity. @param rounding  uncertainty of the value that rounding of the positions causes
+  /// Compares one quantity.
+  /// @param rounding  uncertainty of the value that results from rounding of the positions
   void compare(const char* name, double recorded, double found, double rounding) {
-    constexpr double kRelative = 1e-6;  // sums of another compiler are rounded differently
+    constexpr double kRelative = 1e-6;  // sums computed by another compiler are rounded differently
     if (recorded == found || std::abs(recorded - found) <= kRelative * std::max(recorded, found) + rounding)
       return;
-    wrong(fmt::format("{} recorded as {:.3g}, found {:.3g}", name, recorded, found));
+    wrong(fmt::format("{} is recorded as {:.3g}, but its value is {:.3g}", name, recorded, found));
   }
   void wrong(std::string what) { found_.add(0.0, std::move(what)), ++n_; }
 
@@ -341,17 +362,18 @@ class Record {
   int n_ = 0;
 };
 
-/// Relative distance of a force from its limit up to which a flag of a mobilised contact is accepted: files of other
-/// programs print six digits or more.
+/// Largest relative distance of a force from its limit at which the contact may be flagged as mobilised (sliding or
+/// yielding). Files of other programs print at least six digits.
 constexpr double kFlagTolerance = 1e-5;
-/// Relative distance of a force from its limit below which every program counts it as mobilised.
+/// Relative distance of a force from its limit below which the contact must be flagged as mobilised.
 constexpr double kAtCap = 1e-13;
 
 template <int Dim>
 void compare_flags(const Packing<Dim>& stored, Record& record) {
   const auto compare = [&](const Contact<Dim>& c, const char* flag, bool recorded, bool near, bool at) {
     if (recorded ? !near : at)
-      record.wrong(fmt::format("{} recorded as {}{}", name_of(stored, c), recorded ? "" : "not ", flag));
+      record.wrong(fmt::format("{} are recorded as {}{}, but their forces show the opposite",
+                               name_of(stored, c), recorded ? "" : "not ", flag));
   };
   for (const Contact<Dim>& c : stored.contacts) {
     const Law& law = law_of(stored, c);
@@ -362,8 +384,9 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   }
 }
 
-/// Compares the residuals of the grains recorded as the worst ones with the largest residuals found.
-/// @param rounding  rounding error of residuals
+/// Compares the residuals of the grains that are recorded as the worst ones with the largest residuals of all grains.
+/// @param found  largest residuals of the recomputed packing
+/// @param rounding  rounding error of a residual
 template <int Dim>
 void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recomputed, const Residuals& found,
                           double rounding, Record& record) {
@@ -372,18 +395,18 @@ void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recompute
   if (!(scales.of_packing().force > 0.0)) return;
   const auto compare = [&](const char* name, int i, double largest, const auto& residual) {
     if (i >= recomputed.grains.size())
-      record.wrong(fmt::format("{} recorded as {}, expected a grain", name, i));
-    else if (i >= 0)  // negative: not recorded
+      record.wrong(fmt::format("{} is recorded as {}: expected the number of a grain", name, i));
+    else if (i >= 0)  // a negative number means that no grain is recorded
       record.compare(name, residual(i), largest, rounding);
   };
-  compare("the residual of worst_force_grain", state.residuals.worst_force_grain, found.force,
+  compare("the residual of the grain worst_force_grain", state.residuals.worst_force_grain, found.force,
           [&](int i) { return net.force[i].norm() / scales.of(i).force; });
-  compare("the residual of worst_moment_grain", state.residuals.worst_moment_grain, found.moment,
+  compare("the residual of the grain worst_moment_grain", state.residuals.worst_moment_grain, found.moment,
           [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
 }
 
-/// Compares the recorded forces on walls with the contacts, and the recorded rates of the sides of a box with the
-/// velocities of its walls.
+/// Compares the recorded forces on walls with the forces of the contacts on them, and the recorded rates of the sides
+/// of a box with the velocities of its walls.
 template <int Dim>
 void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
   const std::vector<double> found = wall_forces(recomputed);
@@ -401,29 +424,31 @@ void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Reco
 
 template <int Dim>
 void compare_orientations(const Grains<Dim>& grains, Record& record) {
-  constexpr double kRounding = 1e-9;  // rounding error of the motion of many steps
+  constexpr double kRounding = 1e-9;  // rounding error after the motion of many time steps
   if constexpr (Dim == 3)
     for (int i = 0; i < grains.size(); ++i)
       if (!(std::abs(grains.orientation[i].norm() - 1.0) <= kRounding))
         record.wrong(
-            fmt::format("the orientation of grain {} recorded with norm {:.9g}, not as a unit quaternion",
+            fmt::format("the orientation of grain {} is recorded with the norm {:.9g}, but a unit quaternion "
+                        "has the norm 1",
                         grains.name(i), grains.orientation[i].norm()));
 }
 
-/// Compares the recorded residuals, number of negative eigenvalues and flags with those found.
+/// Compares the recorded residuals, number of negative eigenvalues, worst grains, flags, wall forces and orientations
+/// with the values found.
 template <int Dim>
 Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
                        const Stability& tested) {
   Record record;
   const Residuals found = residuals(recomputed, state.target_stress, stress);
   const ForceScale scale = force_scale(recomputed, state.target_stress);
-  constexpr double kContacts = 8.0;  // contacts per grain whose rounding errors add up
+  constexpr double kContacts = 8.0;  // number of contacts of a grain, whose rounding errors add up
   const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
   record.compare("residuals.force", state.residuals.force, found.force, open);
   record.compare("residuals.moment", state.residuals.moment, found.moment, open);
   double lengths = 0.0;
   for (const Contact<Dim>& c : recomputed.contacts) lengths += branch(recomputed, c).norm();
-  // The residual of the stress of a box is in units of the pressure.
+  // With walls, the residual of the stress is in units of the pressure.
   const bool by_pressure = !recomputed.walls.empty() && state.target_stress.mean() > 0.0;
   const double unit = by_pressure ? state.target_stress.mean() : scale.force / std::pow(scale.length, Dim - 1);
   record.compare(
@@ -431,7 +456,8 @@ Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, 
       unit > 0.0 ? kContacts * force_error(recomputed) * lengths / (recomputed.cell.volume() * unit) : 0.0);
   record.compare("residuals.energy", state.residuals.energy, found.energy, 0.0);
   if (state.n_negative >= 0 && tested.n_negative && state.n_negative != *tested.n_negative)
-    record.wrong(fmt::format("n_negative recorded as {}, found {}", state.n_negative, *tested.n_negative));
+    record.wrong(
+        fmt::format("n_negative is recorded as {}, but its value is {}", state.n_negative, *tested.n_negative));
   compare_worst_grains(state, recomputed, found, open, record);
   compare_flags(state.packing, record);
   compare_walls(state, recomputed, record);
@@ -443,7 +469,7 @@ Criterion check_stability(const Stability& found) {
   const bool holds = found.may_be_stable();
   std::string where = found.note;
   if (!holds && where.empty())
-    where = fmt::format("{} negative eigenvalues of the stiffness matrix", *found.n_negative);
+    where = fmt::format("the stiffness matrix has {} negative eigenvalues", *found.n_negative);
   return {"stability", found.n_negative, 0.0, holds, where};
 }
 

@@ -8,9 +8,10 @@
 
 namespace floc {
 
-/// Verifies a state completely, as `floc verify` does, by verify_equilibrium(), check_against_scene() and
+/// Verifies a state completely, like the command `floc verify`, by verify_equilibrium(), check_against_scene() and
 /// verify_boundary_motion(), in this order. The state is an equilibrium if every criterion holds.
-/// @param file  name of the state in messages; a state from which its scene starts is looked for beside this file
+/// @param file  name of the state file, for messages; if the scene starts from a saved state, this state is searched in
+/// the same directory
 std::vector<Criterion> verify_state(const AnyState& state, const std::string& file = "");
 
 }  // namespace floc

@@ -32,7 +32,8 @@ TEST(ReadText, NamesOtherEncodings) {
                                        {"\xff\xfe\0\0x\0\0\0"sv, "UTF-32"},
                                        {"\0\0\xfe\xff\0\0\0x"sv, "UTF-32"}})
     EXPECT_THAT([given = text] { require_text("t.txt", given); },
-                ThrowsMessage<InputError>(std::string("t.txt: is in ") + encoding + ": save it as UTF-8"));
+                ThrowsMessage<InputError>(std::string("t.txt: the file is in the encoding ") + encoding +
+                                          ": save it as UTF-8"));
 }
 
 TEST(ReadText, RefusesLinesThatEndInCarriageReturnsAlone) {

@@ -215,8 +215,8 @@ TEST(CapillaryAdhesion, RefusesNumbersThatNoLiquidHas) {
   law.adhesion = kWater;
   law.friction = CoulombFriction{0.5, 1e5};
   law.rolling = RollingSpring{0.01, 10.0};
-  EXPECT_NE(faults_of(law).find("contact.rolling is not allowed here: grains under contact.adhesion.law = "
-                                "\"capillary\" do not resist it"),
+  EXPECT_NE(faults_of(law).find("contact.rolling is not allowed here: grains with contact.adhesion.law = "
+                                "\"capillary\" roll and twist without resistance"),
             std::string::npos);
 }
 

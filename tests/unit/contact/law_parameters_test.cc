@@ -72,7 +72,8 @@ TEST(LawParameters, AllFaultsAreListedAtOnce) {
 TEST(LawParameters, RollingNeedsFriction) {
   LawParameters p = usable();
   p.friction.reset();
-  EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.rolling: needs contact.friction")));
+  EXPECT_THAT(p.validate(),
+              ElementsAre(HasSubstr("contact.rolling: rolling resistance needs contact.friction")));
 }
 
 TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
@@ -82,18 +83,19 @@ TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
   EXPECT_TRUE(p.faults_in_dimension(3).empty());
   ASSERT_EQ(p.faults_in_dimension(2).size(), 1u);
   EXPECT_THAT(p.faults_in_dimension(2)[0].words,
-              HasSubstr("contact.twisting.law = \"spring\": is for spheres"));
+              HasSubstr("contact.twisting.law = \"spring\": this model is for spheres"));
   p.rolling.reset();
   EXPECT_THAT(p.validate(), IsEmpty());
   p.friction.reset();
-  EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.twisting: needs contact.friction")));
+  EXPECT_THAT(p.validate(),
+              ElementsAre(HasSubstr("contact.twisting: twisting resistance needs contact.friction")));
   LawParameters hertz;
   hertz.normal = HertzRepulsion{1e3, 0.3};
   hertz.friction = MindlinFriction{0.3};
   hertz.twisting = TwistingSpring{0.004, 8.0};
   EXPECT_THAT(hertz.validate(),
               ElementsAre(HasSubstr(
-                  "contact.twisting.law = \"spring\" does not go with contact.normal.law = \"hertz\"")));
+                  "contact.twisting.law = \"spring\" cannot be combined with contact.normal.law = \"hertz\"")));
 }
 
 }  // namespace

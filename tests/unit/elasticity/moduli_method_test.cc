@@ -108,8 +108,8 @@ TEST(ModuliMethod, BoundsFailWithAReasonWhereTheyAreNone) {
       {[](Contact& c) { c.kt = -1e-3; }, "contacts have a negative stiffness"},
       {[](Contact& c) { c.kr = -1e-3; }, "contacts have a negative stiffness"},
       {[](Contact& c) { c.distant = true; }, "attractions across gaps"},
-      {[](Contact& c) { c.normal_force *= 1.01; }, "the forces do not balance"},
-      {[](Contact& c) { c.rolling_moment[0] += 0.1 * c.normal_force; }, "the forces do not balance"}};
+      {[](Contact& c) { c.normal_force *= 1.01; }, "the contact forces do not balance"},
+      {[](Contact& c) { c.rolling_moment[0] += 0.1 * c.normal_force; }, "the contact forces do not balance"}};
   for (const auto& [change, reason] : changes) {
     const Moduli m = bounds_of_changed(change);
     EXPECT_THAT(m.failure, testing::HasSubstr(reason));

@@ -126,9 +126,10 @@ TEST(ModuliWithin, MeanErrorsRelativeToTheModulusItself) {
 
 TEST(ModuliAccuracy, RefusesWhatRoundingLeavesAndNothingAtAll) {
   EXPECT_THAT((ModuliAccuracy{1e-15, kAny}.validate()),
-              ElementsAre("accuracy of B = 1e-15: must be at least 1e-14, the error that rounding leaves"));
+              ElementsAre("accuracy of B = 1e-15: must be at least 1e-14, the rounding error"));
   EXPECT_THAT((ModuliAccuracy{kAny, -1.0}.validate()), ElementsAre(HasSubstr("accuracy of G = -1: must be")));
-  EXPECT_THAT(ModuliAccuracy{}.validate(), ElementsAre("accuracy: must be finite for B or G"));
+  EXPECT_THAT(ModuliAccuracy{}.validate(),
+              ElementsAre("accuracy: at least one of the accuracies of B and G must be finite"));
   EXPECT_TRUE((ModuliAccuracy{1e-14, kAny}.validate().empty()));
 }
 

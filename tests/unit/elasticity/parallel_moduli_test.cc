@@ -129,7 +129,7 @@ TEST(ParallelModuli, AFactorThatWouldBeTooLargeIsNotMade) {
   const auto packing = test::random_packing<2>(300, 2, test::elastic_law(1.0, 0.8, 0.01));
   const Moduli m = elastic_moduli(packing, options);
   EXPECT_GT(m.factor_bytes, 1e5);
-  EXPECT_THAT(m.failure, HasSubstr("more than the 0.0 GB it may take"));
+  EXPECT_THAT(m.failure, HasSubstr("but at most 0.0 GB are allowed"));
   options.largest_factor = 1.01 * m.factor_bytes;
   EXPECT_EQ(elastic_moduli(packing, options).failure, "");
 }

@@ -229,7 +229,7 @@ TEST(FitConsolidation, DataThatEndBeforeRegimeThreeBoundItOnly) {
   EXPECT_LT(*fit.find("Phi_max")->low95, law.phi_max);
   EXPECT_NEAR(value(fit, "lambda"), law.lambda, 5 * *fit.find("lambda")->standard_error);
   ASSERT_EQ(fit.warnings.size(), 1u);
-  EXPECT_THAT(fit.warnings[0], HasSubstr("before P1*"));
+  EXPECT_THAT(fit.warnings[0], HasSubstr("before regime III begins at P1*"));
 }
 
 TEST(FitConsolidation, ASharpKneeLeavesAlphaOpenAndTheRestKnown) {
@@ -305,7 +305,7 @@ TEST(FitConsolidation, AFullLawWithoutRegimeTwoIsThePowerLaw) {
 TEST(FitConsolidation, TooLittleIsRefusedInWords) {
   const auto curve = curve_of(kNoRolling.law(), published_pressures(0.01));
   EXPECT_THAT(fit_consolidation(curve, on(0.03, 0.05, ConsolidationLaw::log)).failure_reason,
-              HasSubstr("2 pressures in regime II, the log law needs 3"));
+              HasSubstr("there are 2 pressures in regime II, but a fit of the log law needs 3"));
   EXPECT_THAT(fit_consolidation(curve, on(100, 200)).failure_reason, HasSubstr("0 pressures in the window"));
   EXPECT_THAT(fit_consolidation({{1.0, 2.0}, {0.5, 0.6}, {}}, {}).failure_reason, HasSubstr("2 pressures"));
   ConsolidationCurve falling = curve;

@@ -161,7 +161,7 @@ TEST(DynamicCompaction, RepeatedRunsTellTheScatterFromWhatTheLawMisses) {
   const auto missed = fit_dynamic_compaction(samples, {});
   ASSERT_TRUE(missed.found()) << missed.failure_reason;
   for (const CompactionErrorParts& parts : missed.error_parts) EXPECT_GT(parts.law, parts.scatter);
-  EXPECT_THAT(missed.warnings, testing::Contains(HasSubstr("the law misses e by")));
+  EXPECT_THAT(missed.warnings, testing::Contains(HasSubstr("the law misses the void ratio e by")));
 }
 
 TEST(DynamicCompaction, SamplesBelowThePoleAreLeftOutAndSaid) {

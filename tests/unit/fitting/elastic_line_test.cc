@@ -76,7 +76,7 @@ TEST(Elastic, OfACurvedBranchIsThatOfItsStraightPartOrNotIdentified) {
   EXPECT_TRUE(held.parameters[0].value);
   hold_against(3.6e4, 3.4e4, held);
   EXPECT_FALSE(held.parameters[0].value || held.parameters[0].low95 || held.parameters[0].identified);
-  EXPECT_THAT(held.warnings.back(), HasSubstr("is not that of its states"));
+  EXPECT_THAT(held.warnings.back(), HasSubstr("disagrees with the bulk moduli computed from its states"));
 
   // ln Phi goes with the root of P: no part of it is straight.
   phi.clear();
@@ -97,8 +97,9 @@ TEST(Elastic, OfABranchWhoseBeginningCollapsesIsThatOfTheRest) {
   EXPECT_EQ(fit.first, 1);
   EXPECT_EQ(fit.n_points, 6);
   EXPECT_NEAR(*fit.parameters[0].value, 2.5e4, 1e-6 * 2.5e4);
-  EXPECT_THAT(fit.warnings.at(0), HasSubstr("its solid fraction grows as the pressure falls; B is that of its "
-                                            "straight part, from 0.1 to 7"));
+  EXPECT_THAT(fit.warnings.at(0),
+              HasSubstr("its solid fraction grows as the pressure falls; B is the modulus of the "
+                        "straight part of the branch, at pressures from 0.1 to 7"));
   // Where one step of the rest does not fall either, nothing is elastic.
   phi[5] = 0.9;
   EXPECT_THAT(fit_elastic(P, phi).failure_reason, HasSubstr("does not fall"));

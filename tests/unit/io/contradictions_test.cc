@@ -207,8 +207,7 @@ TEST_F(Contradictions, OfFilesWithFixedColumnsAreRefused) {
   accepted(fault_of("lammps-data", data + with_id("7.0")));
   for (const char* line : {"2 atoms", "0 5 xlo xhi", "0 4 ylo yhi", "0 4 zlo zhi"})
     refused(fault_of("lammps-data", data + line + "\n" + with_id("7")), HasSubstr("is given twice"));
-  refused(fault_of("lammps-data", data + with_id("7") + with_id("8")),
-          HasSubstr("section Atoms is there twice"));
+  refused(fault_of("lammps-data", data + with_id("7") + with_id("8")), HasSubstr("section Atoms occurs twice"));
   const std::string header = "N = 2 ,L1= { 4 , 0 } ,L2= { 0 , 4 } ,P0= 0.001";
   const std::string grains = "\n{\n1 , 1 , 0.5\n1.999 , 1 , 0.5\n}\n";
   accepted(fault_of("jambashbulk", header + grains));

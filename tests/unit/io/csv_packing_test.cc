@@ -166,7 +166,8 @@ TEST_F(CsvPacking, NamesWhatIsWrongInAListOfContacts) {
                              HasSubstr("c.csv:2: image2 = -1000000001, expected a number of cells up to 1e9")));
   grains("id,x,y,radius\n7,-3e9,1,0.5\n3,3e9,1,0.5\n");
   contacts("id1,id2,image1,image2,normal_force\n7,3,1000000000,0,1\n");
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("g.csv:2: is more than 1e9 cells away from")));
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("g.csv:2: the grain is more than 1e9 cells away from")));
   grains("id,x,y,radius\n7,4.4,1,0.5\n3,3.5,1,0.5\n");
   contacts("id1,id2,shear_force1,shear_force2\n7,3,0,1\n");
   options_.law = parse_law("", "normal.stiffness=10");
@@ -176,8 +177,8 @@ TEST_F(CsvPacking, NamesWhatIsWrongInAListOfContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("c.csv:2: the grains have the same centre")));
   grains("x,y,radius\n1,1,1\n");
   contacts("id1,id2\n0,1\n");
-  EXPECT_THAT(refusal(),
-              ThrowsMessage<InputError>(HasSubstr("id2 = 1: no grain has this id; they are from 0 to 0")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
+                             HasSubstr("id2 = 1: no grain has this id; the ids of grains are from 0 to 0")));
 }
 
 }  // namespace

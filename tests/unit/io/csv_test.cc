@@ -54,12 +54,13 @@ TEST(Csv, NamesFileLineAndColumnOfWhatItCannotRead) {
   EXPECT_THAT([&] { t.number(2, 1); }, ThrowsMessage<InputError>(StartsWith("t.csv:4: y = \"nan\"")));
   EXPECT_THAT([&] { t.integer(3, 1); }, ThrowsMessage<InputError>("t.csv:5: y = \"1.5\", expected an integer"));
   EXPECT_THAT([&] { t.column("z"); },
-              ThrowsMessage<InputError>("t.csv: has no column \"z\"; its columns are x, y"));
+              ThrowsMessage<InputError>("t.csv: the table has no column \"z\"; its columns are x, y"));
 }
 
 TEST(Csv, RefusesALineOfAnotherLengthAndATableWithoutHeader) {
-  EXPECT_THAT([] { parse("x,y\n1,2\n1,2,b\n"); },
-              ThrowsMessage<InputError>("t.csv:3: has 3 cells, expected 2 as in the header of the csv table"));
+  EXPECT_THAT(
+      [] { parse("x,y\n1,2\n1,2,b\n"); },
+      ThrowsMessage<InputError>("t.csv:3: the line has 3 cells, expected 2 as in the header of the csv table"));
   EXPECT_THAT([] { parse("x,y\n\"1,2\n"); }, ThrowsMessage<InputError>(HasSubstr("t.csv:2: a quoted cell")));
   EXPECT_THAT([] { parse("# nothing\n"); }, ThrowsMessage<InputError>(HasSubstr("no header")));
   EXPECT_THAT([] { CsvTable::read("nowhere.csv"); }, ThrowsMessage<InputError>(HasSubstr("No such file")));
@@ -74,14 +75,15 @@ TEST(Csv, NamesDecimalCommasTitlesAndColumnsSeparatedByBlanks) {
   EXPECT_THAT([&] { t.integer(0, 1); }, ThrowsMessage<InputError>(HasSubstr(words)));
   EXPECT_THAT([&] { t.number(1, 0); }, ThrowsMessage<InputError>(Not(HasSubstr(words))));
   EXPECT_THAT([&] { t.number(1, 1); }, ThrowsMessage<InputError>(Not(HasSubstr(words))));
-  EXPECT_THAT(
-      [] { parse("x,y\n0,5,1\n"); },
-      ThrowsMessage<InputError>(AllOf(StartsWith("t.csv:2: has 3 cells, expected 2"), HasSubstr(words))));
+  EXPECT_THAT([] { parse("x,y\n0,5,1\n"); },
+              ThrowsMessage<InputError>(
+                  AllOf(StartsWith("t.csv:2: the line has 3 cells, expected 2"), HasSubstr(words))));
   for (const char* titled : {"Sample 12, 3 May\np,e\n1,2\n", "Sample 12\np,e\n1,2\n"})
     EXPECT_THAT([titled] { parse(titled).column("e"); },
                 ThrowsMessage<InputError>(HasSubstr("is a title, remove it or put # before it")));
-  EXPECT_THAT([] { parse("x y r\n1 2 3\n").column("x"); },
-              ThrowsMessage<InputError>(HasSubstr("a comma, semicolon or tab between them, not blanks")));
+  EXPECT_THAT(
+      [] { parse("x y r\n1 2 3\n").column("x"); },
+      ThrowsMessage<InputError>(HasSubstr("have to be separated by a comma, semicolon or tab, not blanks")));
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ TEST_F(VtuEncodings, AllGiveTheSameGrains) {
 
 TEST_F(VtuEncodings, NameWhatIsWrong) {
   expect_refusal(file(ascii_points_, "format=\"ascii\">0.5 0"),
-                 "array PointData/radius, point 1: 0, must be positive");
+                 "array PointData/radius, point 1: the value is 0, must be positive");
   expect_refusal(file(ascii_points_, "format=\"ascii\">0.5 nan"), "\"nan\", expected a finite number");
   expect_refusal(file(ascii_points_, "format=\"ascii\">0.5"),
                  "has 1 numbers, expected one for each of 2 points");
@@ -208,10 +208,10 @@ TEST_F(VtuEncodings, NameWhatIsWrong) {
                  "has 3 numbers, expected three for each of 2");
   const std::string damaged = base64(bytes_of(radius_)).substr(0, 12);
   expect_refusal(file(ascii_points_, "format=\"binary\">" + damaged),
-                 "is damaged: 9 bytes where its header says 16");
+                 "the array is damaged: it has 9 bytes, but its header says 16");
   const std::string radii = "format=\"ascii\">0.5 1</DataArray><DataArray type=\"Float64\" Name=\"id\" ";
   expect_refusal(file(ascii_points_, radii + "format=\"ascii\">1 2.5"),
-                 "array PointData/id, point 1: 2.5, expected a whole number");
+                 "array PointData/id, point 1: the value is 2.5, expected a whole number");
   std::string nameless = file(ascii_points_, "format=\"ascii\">0.5 1");
   nameless.replace(nameless.find("\"radius\""), 8, "\"colour\"");
   expect_refusal(nameless, "no point array radius or diameter; its point arrays are colour");
@@ -234,8 +234,9 @@ void expect_refusal(Imported (*read)(const std::string&, const ImportOptions&), 
 TEST(ExtendedXyz, NamesWhatIsWrong) {
   const std::string lattice = "Lattice=\"4 0 0 0 4 0 0 0 4\" ";
   const std::string properties = "Properties=species:S:1:pos:R:3:radius:R:1\n";
-  expect_refusal(read_extended_xyz, "one\n", "p:1: \"one\", expected the number of grains");
-  expect_refusal(read_extended_xyz, "1\n" + lattice + "\nX 1 1 1 1\n", "p:2: has no Properties=");
+  expect_refusal(read_extended_xyz, "one\n", "p:1: a frame begins with \"one\", expected the number of grains");
+  expect_refusal(read_extended_xyz, "1\n" + lattice + "\nX 1 1 1 1\n",
+                 "p:2: the comment line of the frame has no Properties=");
   expect_refusal(read_extended_xyz, "1\nProperties=species:S:1:pos:R:3\nX 1 1 1\n", "has no column \"radius\"");
   expect_refusal(read_extended_xyz, "2\n" + lattice + properties + "X 1 1 1 1\n", "ends after 1 of 2 grains");
   expect_refusal(read_extended_xyz, "1\n" + lattice + properties + "X 1 1 nan 1\n", "p:3: z = \"nan\"");
@@ -252,10 +253,12 @@ TEST(LammpsData, NamesWhatIsWrong) {
   expect_refusal(read_lammps_data, box + atoms + "1 1 0 1 1 1 1\n", "p:10: diameter = 0, must be positive");
   expect_refusal(read_lammps_data, box + atoms + "1 1 1 1 1 x 1\n",
                  "p:10: y = \"x\", expected a finite number");
-  expect_refusal(read_lammps_data, box + atoms + "1 1 1 1 1\n", "p:10: has 5 cells, expected id type diameter");
+  expect_refusal(read_lammps_data, box + atoms + "1 1 1 1 1\n",
+                 "p:10: the line has 5 cells, expected id type diameter");
   expect_refusal(read_lammps_data, box + atoms + "1.5 1 1 1 1 1 1\n",
                  "p:10: id = \"1.5\", expected an integer");
-  expect_refusal(read_lammps_data, "title\n\n1.5 atoms\n", "p:3: 1.5 atoms, expected a whole number");
+  expect_refusal(read_lammps_data, "title\n\n1.5 atoms\n",
+                 "p:3: the header says 1.5 atoms, expected a whole number");
   expect_refusal(read_lammps_data, box + "\nAtoms # atomic\n\n1 1 1 1 1\n",
                  "p:8: atom_style atomic has no radii");
   expect_refusal(read_lammps_data, box + atoms, "has 0 atoms in its section Atoms, but its header says 1");

@@ -24,10 +24,10 @@ TEST(Hdf5Reader, TakesNoMemoryForWhatIsLongerThanItsFile) {
   ASSERT_LT(std::filesystem::file_size(scratch.file("s.h5")), 10'000u);
   const Hdf5Reader reader("s.h5", scratch.file("s.h5"));
   EXPECT_THAT([&] { reader.n_rows("rows"); },
-              ThrowsMessage<InputError>(HasSubstr("s.h5:/rows: claims 1e+09 bytes in a file of ")));
+              ThrowsMessage<InputError>(HasSubstr("s.h5:/rows: the dataset claims 1e+09 bytes in a file of ")));
   std::vector<double> values;
   EXPECT_THAT([&] { reader.array("rows", {kRows}, values); },
-              ThrowsMessage<InputError>(HasSubstr("s.h5:/rows: claims 8e+09 bytes in a file of ")));
+              ThrowsMessage<InputError>(HasSubstr("s.h5:/rows: the dataset claims 8e+09 bytes in a file of ")));
   EXPECT_EQ(values.capacity(), 0u);
 }
 
@@ -38,7 +38,7 @@ TEST(Hdf5Reader, RefusesNumbersWhereATextIsExpected) {
   writer.close();
   const Hdf5Reader reader("s.h5", scratch.file("s.h5"));
   EXPECT_THAT([&] { (void)reader.text("scene"); },
-              ThrowsMessage<InputError>(HasSubstr("s.h5:/scene: is not a string")));
+              ThrowsMessage<InputError>(HasSubstr("s.h5:/scene: the dataset is not a string")));
 }
 
 }  // namespace

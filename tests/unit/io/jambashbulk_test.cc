@@ -73,7 +73,7 @@ TEST(Jambashbulk, OneOfSeveralPackingsIsChosenByIndex) {
   EXPECT_EQ(read(scratch.file("both.txt"), 0).packing.grains.position[0][0], 8.8767069662298361795);
   EXPECT_EQ(read(scratch.file("both.txt"), 1).packing.grains.position[0][0], 8.5);
   EXPECT_THAT([&] { read(scratch.file("both.txt"), 2); },
-              ThrowsMessage<InputError>(HasSubstr("index = 2, but it holds packings 0 to 1")));
+              ThrowsMessage<InputError>(HasSubstr("index = 2, but the file holds packings 0 to 1")));
 }
 
 TEST(Jambashbulk, NamesFileAndLineOfWhatIsMalformed) {
@@ -82,9 +82,9 @@ TEST(Jambashbulk, NamesFileAndLineOfWhatIsMalformed) {
     return [path = spoiled(scratch, piece, by)] { read(path); };
   };
   EXPECT_THAT(refusal("7.2547583839685033783", "seven"),
-              ThrowsMessage<InputError>(HasSubstr("p.txt:7: \"seven\"")));
+              ThrowsMessage<InputError>(HasSubstr("p.txt:7: the text is \"seven\"")));
   EXPECT_THAT(refusal("7.2547583839685033783 ,", ""),
-              ThrowsMessage<InputError>(HasSubstr("p.txt:7: has 2 numbers")));
+              ThrowsMessage<InputError>(HasSubstr("p.txt:7: the line has 2 numbers")));
   EXPECT_THAT(refusal("7.2547583839685033783", "nan"), ThrowsMessage<InputError>(HasSubstr("\"nan\"")));
   EXPECT_THAT(refusal("1.0000000000000000000", "-1.0"),
               ThrowsMessage<InputError>(HasSubstr("must be positive")));

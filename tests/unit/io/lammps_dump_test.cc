@@ -93,13 +93,15 @@ TEST_F(LammpsDump, OfATriclinicBoxHasTheBoundsOfItsBoundingBox) {
 TEST_F(LammpsDump, OfSeveralFramesIsReadLastUnlessOneIsNamed) {
   grains(frame(10, "id x y z radius", kRows) + frame(20, "id x y z radius", "1 2 3 0 0.25\n"));
   EXPECT_EQ(packing<2>().grains.size(), 1);
-  EXPECT_THAT(read().remarks,
-              ElementsAre("frame 1 of 0 to 1, time step 20",
-                          "every z is the same: taken as disks, in 2D; --dimension 3 makes spheres of them"));
+  EXPECT_THAT(
+      read().remarks,
+      ElementsAre(
+          "frame 1 of the frames 0 to 1 is read, time step 20",
+          "every z is the same, so the grains are taken as disks in 2D; --dimension 3 makes them spheres"));
   options_.index = 0;
   EXPECT_EQ(packing<2>().grains.size(), 3);
   options_.index = 2;
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("index = 2, but it holds frames 0 to 1")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("index = 2, but the file holds frames 0 to 1")));
 }
 
 TEST_F(LammpsDump, TakesForcesOnTheFirstGrainFromADumpLocal) {
@@ -133,7 +135,7 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsGrains) {
   EXPECT_THAT(refusal(),
               ThrowsMessage<InputError>(HasSubstr("g.dump:5: the cell is degenerate: its side along x is 0")));
   grains(frame(10, "id x y z radius", kRows, "ITEM: BOX BOUNDS pp ff pp\n1 5\n2 5\n-0.5 0.5\n"));
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("not periodic (\"pp ff pp\"")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("not periodic (its boundary is \"pp ff pp\"")));
   options_.cell = {{9, 0}, {0, 9}};
   EXPECT_EQ(packing<2>().cell.matrix(0, 0), 9.0);
   options_.cell.clear();
@@ -148,14 +150,14 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsGrains) {
 
 TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
   contacts("3 8 -1 0 0 0 0\n");
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
-                             HasSubstr("c.dump:10: id2 = 8: no grain has this id; they are from 3 to 7")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr(
+                             "c.dump:10: id2 = 8: no grain has this id; the ids of grains are from 3 to 7")));
   contacts("3 7 -1 0 0 0 0\n7 3 1 0 0 0 0\n");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
                              HasSubstr("c.dump:11: the contact of grains 7 and 3 is listed twice, first at")));
   contacts("3 7 -1 0 0 0 0\n", 20);
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
-                             HasSubstr("has no frame of time step 10, that of the grains; it has 20")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr(
+                             "has no frame of time step 10, that of the grains; its time steps are 20")));
   contacts("3 7 -1 0 0 0 0\n");
   options_.contact_columns.clear();
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("has no column \"id1\"")));

@@ -63,10 +63,11 @@ TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
               ThrowsMessage<InputError>(HasSubstr("given twice")));
   EXPECT_THAT(refusal("normal.stiffness=1,friction.coefficient=0.5"),
               ThrowsMessage<InputError>(HasSubstr("friction.stiffness is missing")));
-  EXPECT_THAT(refusal("normal.modulus=1,normal.poisson=0.3,friction.coefficient=0.5,friction.stiffness=1"),
-              ThrowsMessage<InputError>(
-                  HasSubstr("friction.law = \"coulomb\" does not go with contact.normal.law = "
-                            "\"hertz\", under which its stiffness follows from Poisson's ratio")));
+  EXPECT_THAT(
+      refusal("normal.modulus=1,normal.poisson=0.3,friction.coefficient=0.5,friction.stiffness=1"),
+      ThrowsMessage<InputError>(HasSubstr(
+          "friction.law = \"coulomb\" cannot be combined with contact.normal.law = "
+          "\"hertz\", because the tangential stiffness of elastic spheres follows from Poisson's ratio")));
   EXPECT_THAT(
       refusal("normal.stiffness=1,normal.modulus=1"),
       ThrowsMessage<InputError>(HasSubstr("normal.modulus: normal.law = linear has no such parameter")));

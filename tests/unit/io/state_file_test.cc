@@ -167,7 +167,7 @@ TEST(StateFile, OfDisksUnderALawOfSpheresIsRefused) {
   s.packing.contacts.clear();
   s.packing.law = Law{};
   s.packing.law += test::hertz(70.0, 0.3);
-  EXPECT_THAT(refusal_of(s), HasSubstr("contact.normal.law = \"hertz\": is for spheres"));
+  EXPECT_THAT(refusal_of(s), HasSubstr("contact.normal.law = \"hertz\": this model is for spheres"));
 }
 
 TYPED_TEST(StateFile, KeepsTheLiquidOfAWetPacking) {
@@ -286,9 +286,10 @@ TEST(StateFileRefuses, SealedBytesThatAreDamagedInside) {
   ASSERT_NE(at, std::string::npos);
   content[at] = 'X';
   std::ofstream(scratch.file("s.h5"), std::ios::binary) << test::sealed(content);
-  EXPECT_THAT(refusal(scratch.file("s.h5")), HasSubstr("s.h5: is damaged although its checksum is right"));
+  EXPECT_THAT(refusal(scratch.file("s.h5")),
+              HasSubstr("s.h5: the file is damaged although its checksum is right"));
   EXPECT_THAT([&] { read_progress(scratch.file("s.h5")); },
-              ThrowsMessage<InputError>(HasSubstr("s.h5: is damaged although its checksum is right")));
+              ThrowsMessage<InputError>(HasSubstr("s.h5: the file is damaged although its checksum is right")));
 }
 
 /// States that can be written but that no run can produce: the reader has to name the dataset.

@@ -60,7 +60,7 @@ TEST(PlanRun, RefusesChangesThatTheLawHasNoPlaceFor) {
   law += test::without("rolling");
   EXPECT_THAT(
       [&] { (void)plan_run(direct, law, {hold(0.01, "rolling.coefficient", 0.1)}, 2); },
-      testing::ThrowsMessage<InputError>(HasSubstr("rolling.coefficient = 0.1: the scene's contact law")));
+      testing::ThrowsMessage<InputError>(HasSubstr("rolling.coefficient = 0.1: the contact law of the scene")));
   EXPECT_THAT(
       [&] { (void)plan_run(direct, law, {hold(0.01, "friction.stiffness", -1.0)}, 2); },
       testing::ThrowsMessage<InputError>(HasSubstr("contact.friction.stiffness = -1: must be positive")));
@@ -90,13 +90,14 @@ TEST(PlanRun, TakesAsManyAxesAsTheSceneHasAndRefusesOthers) {
         continue;
       }
       EXPECT_THAT([&] { (void)plan_run(direct, law, {oedometric(n_axes)}, dimension); },
-                  testing::ThrowsMessage<InputError>(HasSubstr("branch \"load\" loads")))
+                  testing::ThrowsMessage<InputError>(HasSubstr("the stage \"load\" has loads for")))
           << n_axes << " in " << dimension;
     }
   LoadStage across = oedometric(2);
   across.axis = 2;
   EXPECT_THAT([&] { (void)plan_run(direct, law, {across}, 2); },
-              testing::ThrowsMessage<InputError>(HasSubstr("drives axis 3: expected one from 1 to 2")));
+              testing::ThrowsMessage<InputError>(
+                  HasSubstr("drives axis 3: expected the number of an axis from 1 to 2")));
 }
 
 TEST(PlanRun, RefusesEquilibriumWithoutPressureAndAdhesion) {
@@ -105,7 +106,8 @@ TEST(PlanRun, RefusesEquilibriumWithoutPressureAndAdhesion) {
         (void)plan_run(assembly(AssemblyOptions::Protocol::direct), test::cohesive_law(),
                        {hold(0.0, "adhesion.force", 0.0)}, 2);
       },
-      testing::ThrowsMessage<InputError>(HasSubstr("branch \"hold\" asks for equilibrium at zero pressure")));
+      testing::ThrowsMessage<InputError>(
+          HasSubstr("the stage \"hold\" requires an equilibrium at zero pressure")));
 }
 
 TEST(LawNumber, IsFoundForEveryKeyOfAFullLaw) {

@@ -138,8 +138,9 @@ TEST(Pairs, OfOneGrainAThousandTimesAsLargeAsManyAreFound) {
 TEST(Pairs, OfACellThatIsTinyBesideItsGrainsAreRefused) {
   Grains<2> grains = Grains<2>::with_size(2);
   grains.radius = {1e4, 1.0};
-  EXPECT_THAT([&] { (void)find_pairs(Cell<2>{}, grains, 0.0); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("is so small beside its largest grain")));
+  EXPECT_THAT(
+      [&] { (void)find_pairs(Cell<2>{}, grains, 0.0); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("is so small compared with its largest grain")));
 }
 
 TEST(Pairs, OfNoGrainsAreNone) {

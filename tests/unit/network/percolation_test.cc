@@ -57,7 +57,8 @@ TEST(Percolation, RefusesWaysAroundThatNoContactsTake) {
     FAIL();
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(),
-                 "contacts/image: lead around more than 2^40 cells to where they began: one of them is wrong");
+                 "contacts/image: the images of contacts lead around more than 2^40 cells before they return "
+                 "to the same grain, so that at least one image is wrong");
   }
 }
 

@@ -27,7 +27,7 @@ TEST(BlockingCriterion, EachDemandHasWordsOfItsOwn) {
 TEST(BlockingCriterion, DemandsGiveTheirNumbers) {
   for (const Demand compared : {Demand::response, Demand::density, Demand::stress, Demand::rest,
                                 Demand::pressure, Demand::energy_ratio})
-    EXPECT_THAT(in_words({compared, 3.25e-4, 2e-5}), HasSubstr("3.25e-04 against 2e-05"));
+    EXPECT_THAT(in_words({compared, 3.25e-4, 2e-5}), HasSubstr("3.25e-04 (limit 2e-05)"));
   for (const Demand counted : {Demand::mechanisms, Demand::stability, Demand::liquid})
     EXPECT_THAT(in_words({counted, 7.0}), HasSubstr(" 7 "));
 }
@@ -42,10 +42,10 @@ TEST(BlockingCriterion, NamesTheResidualThatIsWorstAgainstItsTolerance) {
     r.*residual = value;
     return worst_residual(r, tolerance);
   };
-  EXPECT_EQ(beyond(&Residuals::force, 2e-5), "force 2.00e-05 against 1e-05 (grain 4)");
-  EXPECT_EQ(beyond(&Residuals::moment, 1e-6), "moment 1.00e-06 against 1e-06 (grain 7)");
-  EXPECT_THAT(beyond(&Residuals::stress, 1.0), StartsWith("stress 1.00e+00 against 1e-04"));
-  EXPECT_THAT(beyond(&Residuals::energy, 1e-7), StartsWith("energy 1.00e-07 against 1e-08"));
+  EXPECT_EQ(beyond(&Residuals::force, 2e-5), "force residual 2.00e-05 (tolerance 1e-05), on grain 4");
+  EXPECT_EQ(beyond(&Residuals::moment, 1e-6), "moment residual 1.00e-06 (tolerance 1e-06), on grain 7");
+  EXPECT_THAT(beyond(&Residuals::stress, 1.0), StartsWith("stress residual 1.00e+00 (tolerance 1e-04)"));
+  EXPECT_THAT(beyond(&Residuals::energy, 1e-7), StartsWith("energy residual 1.00e-07 (tolerance 1e-08)"));
 }
 
 }  // namespace

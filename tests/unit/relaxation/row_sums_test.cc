@@ -21,7 +21,7 @@ TEST(RowPlace, HoldsBeyondTheRowsThatTwoGigabytesHold) {
 TEST(RowPlace, RefusesMorePairsThanItCanName) {
   EXPECT_EQ(row_place(536'870'911, row_size<2>(RowKind::moments)), 2'147'483'644);
   EXPECT_THAT([] { (void)row_place(536'870'912, row_size<2>(RowKind::moments)); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("536870911 pairs of neighbours")));
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("536870911 pairs of neighbouring grains")));
 }
 
 /// Calls visit(grain of the block, row) for each place that a side of a block's sums reads.

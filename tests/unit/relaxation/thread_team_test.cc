@@ -65,8 +65,8 @@ void close_upon(int n_threads) {
 
 /// The one parallel region of the library throws where its lists of neighbours do.
 TEST(ThreadTeam, CarriesOutWhatListsOfNeighboursRefuseInMotion) {
-  const auto refused =
-      testing::ThrowsMessage<InputError>(testing::HasSubstr("the grains overlap so much, or reach so far"));
+  const auto refused = testing::ThrowsMessage<InputError>(
+      testing::HasSubstr("the grains overlap so much, or attract each other across such wide gaps"));
   for (const int n_threads : {1, 2}) {
     EXPECT_THAT([&] { close_upon<2>(n_threads); }, refused) << n_threads;
     EXPECT_THAT([&] { close_upon<3>(n_threads); }, refused) << n_threads;

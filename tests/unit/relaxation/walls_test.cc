@@ -328,7 +328,7 @@ TEST(Walls, MayHaveFrictionWhereGrainsHaveNone) {
 TEST(Walls, AreRefusedWhereNothingKnowsThem) {
   Packing<2> box = box_around_one_disk(cohesive_law());
   find_contacts(box);
-  const auto refuses = testing::ThrowsMessage<InputError>(testing::HasSubstr("has walls; "));
+  const auto refuses = testing::ThrowsMessage<InputError>(testing::HasSubstr("this packing has walls; "));
   EXPECT_THAT([&] { (void)solve_statics(box, pressure(1.0), StaticSolverOptions{}); }, refuses);
 }
 

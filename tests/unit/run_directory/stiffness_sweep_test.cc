@@ -127,15 +127,16 @@ void sweep(const Law& law, Counts& counts) {
         Packing<Dim> changed = packing;
         *stiffness(changed.contacts[k], kind) *= factor;
         EXPECT_THAT(stiffness_differences(changed),
-                    HasSubstr(fmt::format("{} of 1 contact is {:.4g} times what the law gives", name, factor)));
+                    HasSubstr(fmt::format("{} of 1 contact is {:.4g} times the value of the contact law", name,
+                                          factor)));
         const Criterion criterion = law_criterion(changed);
         EXPECT_FALSE(criterion.holds || criterion.by_value);
         EXPECT_THAT(criterion.where, HasSubstr(fmt::format("by a stiffness: {} = ", name)));
         ++counts.states, ++counts.verified;
         if (k > 0) continue;
         EXPECT_THAT(said_of_list(packing, kind, factor),
-                    testing::ElementsAre(HasSubstr(
-                        fmt::format("{} of 1 contact is {:.4g} times what the law gives", name, factor))));
+                    testing::ElementsAre(HasSubstr(fmt::format(
+                        "{} of 1 contact is {:.4g} times the value of the contact law", name, factor))));
         ++counts.lists;
       }
       for (const double direction : {0.0, 2.0}) {  // one unit in the last place passes, and 1e-9 does not
@@ -163,8 +164,9 @@ TEST(Stiffnesses, OfEveryLawAreComparedWithItInListsAndStates) {
 TEST(Stiffnesses, OfHertzThatAreForceOverOverlapAreNamed) {
   Law law;
   law += test::hertz(1e6, 0.3);
-  EXPECT_THAT(said_of_list(pair_and_neighbour<3>(law), 0, 2.0 / 3.0),
-              testing::ElementsAre(testing::AllOf(HasSubstr("0.6667 times"), HasSubstr("it is N/delta"))));
+  EXPECT_THAT(
+      said_of_list(pair_and_neighbour<3>(law), 0, 2.0 / 3.0),
+      testing::ElementsAre(testing::AllOf(HasSubstr("0.6667 times"), HasSubstr("the value is N/delta"))));
 }
 
 TEST(Stiffnesses, ThatTheLawDoesNotHaveAreSaidOrRefused) {
@@ -186,8 +188,9 @@ TEST(Stiffnesses, ThatTheLawDoesNotHaveAreSaidOrRefused) {
     return assemble(list).listed_contacts.stiffness_differences;
   };
   EXPECT_THAT(listed(&ListedContact::kt, 0.0), testing::IsEmpty());
-  EXPECT_THAT(listed(&ListedContact::kt, 5.0),
-              testing::ElementsAre(HasSubstr("kt of 1 contact is not zero, but the law gives none")));
+  EXPECT_THAT(
+      listed(&ListedContact::kt, 5.0),
+      testing::ElementsAre(HasSubstr("kt of 1 contact is not zero, but it is zero by the contact law")));
   EXPECT_THROW(listed(&ListedContact::kr, 5.0), InputError);
   EXPECT_THROW(listed(&ListedContact::ktw, 5.0), InputError);
   for (const double none : {0.0, -1.0, -1e5})

@@ -93,8 +93,9 @@ steps = 3
   EXPECT_EQ(load[1].shear, -2.5);
   const std::string shear = "[[load]]\ncontrol = \"simple_shear\"\nsteps = 2\n";
   EXPECT_THAT(faults(2, shear), HasSubstr("load.0.strain"));
-  EXPECT_THAT(faults(2, shear + "strain = 0.1\nto = 2\n"), HasSubstr("expected strain"));
-  EXPECT_THAT(faults(2, shear + "strain = 0.1\naxis = 1\n"), HasSubstr("across whose planes"));
+  EXPECT_THAT(faults(2, shear + "strain = 0.1\nto = 2\n"), HasSubstr("expected the key strain"));
+  EXPECT_THAT(faults(2, shear + "strain = 0.1\naxis = 1\n"),
+              HasSubstr("perpendicular to the planes that are sheared"));
   EXPECT_THAT(faults(2, shear + "strain = 1000\n"), HasSubstr("from -100 to 100"));
 }
 
@@ -112,33 +113,34 @@ steps_per_decade = 4
 TEST(ReadLoad, FaultsSayWhatWasExpected) {
   const std::string oedometer = "[[load]]\ncontrol = \"oedometric\"\n";
   EXPECT_THAT(faults(2, oedometer + "to = 2\nstrain = 0.1\nsteps = 1\n"),
-              AllOf(HasSubstr("s.toml:"), HasSubstr("load.0.strain"), HasSubstr("either this or to")));
-  EXPECT_THAT(faults(2, oedometer + "steps = 1\n"), HasSubstr("give to or strain"));
-  EXPECT_THAT(faults(2, oedometer + "to = 2\n"), HasSubstr("give steps or steps_per_decade"));
+              AllOf(HasSubstr("s.toml:"), HasSubstr("load.0.strain"), HasSubstr("is given together with to")));
+  EXPECT_THAT(faults(2, oedometer + "steps = 1\n"), HasSubstr("expected either to or strain"));
+  EXPECT_THAT(faults(2, oedometer + "to = 2\n"), HasSubstr("expected steps or steps_per_decade"));
   EXPECT_THAT(faults(2, oedometer + "to = 2\naxis = 3\nsteps = 1\n"), HasSubstr("1 or 2"));
   EXPECT_THAT(faults(2, oedometer + "to = -2\nsteps = 1\n"), HasSubstr("a stress >= 0"));
   EXPECT_THAT(faults(2, oedometer + "to = 0\nsteps = 1\n"), HasSubstr("without adhesion"));
-  EXPECT_THAT(faults(2, oedometer + "strain = 2.5\nsteps = 1\n"), HasSubstr("the cell would close"));
+  EXPECT_THAT(faults(2, oedometer + "strain = 2.5\nsteps = 1\n"), HasSubstr("the cell would vanish"));
   EXPECT_THAT(faults(2, oedometer + "strain = 0.5\nstrain_step = 1e-6\n"), HasSubstr("at most 10000"));
   EXPECT_THAT(faults(2, oedometer + "to = 5\nstrain_step = 0.1\n"), HasSubstr("expected steps"));
   EXPECT_THAT(faults(2, oedometer + "strain = 0.5\nsteps = 1\nstrain_step = 0.1\n"),
               HasSubstr("expected one of"));
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"constant_volume\"\nto = 2\nsteps = 1\n"),
-              HasSubstr("expected strain"));
+              HasSubstr("expected the key strain"));
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"axes\"\naxes = [{stress = 1}, {stress = 1}, {stress = 1}]\n"),
               HasSubstr("has 3 tables: expected 2"));
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"axes\"\naxes = [{stress = 1, strain = 0.1}, {stress = 1}]\n"),
-              HasSubstr("not both"));
+              HasSubstr("is given together with stress: expected only one of them"));
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"axes\"\naxes = [{as = 1}, {stress = 1}]\nsteps = 1\n"),
-              HasSubstr("an axis before this one"));
-  EXPECT_THAT(faults(2, "[[load]]\nto = 2\nsteps = 1\nstrain = 0.1\n"), HasSubstr("the load is isotropic"));
+              HasSubstr("the number of an earlier axis"));
+  EXPECT_THAT(faults(2, "[[load]]\nto = 2\nsteps = 1\nstrain = 0.1\n"),
+              HasSubstr("the load of this stage is isotropic"));
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"round\"\nto = 2\n"), HasSubstr("oedometric"));
 }
 
 TEST(ReadLoad, StrainsTogetherDoNotCloseTheCell) {
   EXPECT_THAT(
       faults(3, "[[load]]\ncontrol = \"axes\"\naxes = [{strain = 0.9}, {as = 1}, {as = 1}]\nsteps = 9\n"),
-      AllOf(HasSubstr("add up to 2.7"), HasSubstr("the cell would close")));
+      AllOf(HasSubstr("add up to 2.7"), HasSubstr("the cell would vanish")));
   const std::string thinner =
       "[[load]]\ncontrol = \"axes\"\naxes = [{strain = 1.9}, {stress = 2}]\nsteps = 9\n";
   EXPECT_EQ(faults(2, thinner), "");

@@ -138,7 +138,7 @@ TEST(ReadScene, FaultyOverridesAreNamed) {
   EXPECT_THAT(faults(kScene, {"contact.normal.stiffness=-1"}),
               AllOf(HasSubstr("--set contact.normal.stiffness=-1"), HasSubstr("expected a positive number")));
   EXPECT_THAT(faults(kScene, {"run.seeed=1"}), AllOf(HasSubstr("--set run.seeed=1"), HasSubstr("is seed")));
-  EXPECT_THAT(faults(kScene, {"contact"}), HasSubstr("expected key.path=value"));
+  EXPECT_THAT(faults(kScene, {"contact"}), HasSubstr("an override must have the form key.path=value"));
   EXPECT_THAT(faults(kScene, {"load.3.to=1"}), HasSubstr("'3'"));
   EXPECT_THAT(faults(kScene, {"cell.mass.x=1"}), HasSubstr("'mass'"));
 }
@@ -196,8 +196,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"pressure = 0.01", "pressure = nan", "assembly.pressure = nan: expected"},
         BadScene{"stiffness = 1e5}\nadhesion", "stiffness = inf}\nadhesion", "contact.normal.stiffness = inf"},
         BadScene{"stiffness = 1e5}\nadhesion", "stiffness = -1e5}\nadhesion",
-                 "expected a positive number (K_N"},
-        BadScene{"min = 0.5", "min = 1.5", "grains.diameter.min = 1.5: expected at most max = 1"},
+                 "expected a positive number (normal stiffness K_N, force per length)"},
+        BadScene{"min = 0.5", "min = 1.5",
+                 "grains.diameter.min = 1.5: expected at most grains.diameter.max = 1"},
         BadScene{"count = 40", "count = 40.5", "grains.count = 40.5: expected a whole number"},
         BadScene{"solid_fraction = 0.36", "solid_fraction = 0.75", "cell.solid_fraction = 0.75: expected"},
         BadScene{"solid_fraction = 0.36", "solid_fraction = 0", "cell.solid_fraction = 0: expected"},
@@ -205,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"coefficient = 0.5, ", "coefficient = -0.5, ",
                  "contact.friction.coefficient = -0.5: expected"},
         BadScene{"friction = {coefficient = 0.5, stiffness = 1e5}\n", "",
-                 "contact.rolling: needs contact.friction"},
+                 "contact.rolling: rolling resistance needs contact.friction"},
         BadScene{"law = \"tail\", force = 1.0, range = 1e-3", "law = \"tail\", force = 1.0, range = 0",
                  "contact.adhesion.range = 0: expected"},
         BadScene{"[cell]", "range = 1e-3\n[cell]", "unknown key contact.range"},
@@ -213,31 +214,35 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"dimension = 2", "dimension = 2.0",
                  "scene.dimension = 2.0: expected 2 or 3, written without a decimal point"},
         BadScene{"units = \"reduced\"\n", "", "scene.units is missing: expected \"reduced\" or \"SI\""},
-        BadScene{"strain_rate_cap = 0.05", "strain_rate_cap = 0.05\ninertial_number_cap = 1e-3", "not both"},
+        BadScene{"strain_rate_cap = 0.05", "strain_rate_cap = 0.05\ninertial_number_cap = 1e-3",
+                 "expected only one of them"},
         BadScene{"pressure = 0.01", "pressure = 0.01\nstrain_rate_cap = 0",
                  "assembly.strain_rate_cap = 0: expected a positive number"},
-        BadScene{"[[load]]", "[[load]]\ninertial_number_cap = 1e-3\nstrain_rate_cap = 0.05",
-                 "load.0.inertial_number_cap: expected either this or strain_rate_cap, not both"},
+        BadScene{
+            "[[load]]", "[[load]]\ninertial_number_cap = 1e-3\nstrain_rate_cap = 0.05",
+            "load.0.inertial_number_cap is given together with strain_rate_cap: expected only one of them"},
         BadScene{"[[load]]", "[[load]]\nset = {adhesion.force = 0}\nstrain_rate_cap = 0.05",
-                 "load.0.strain_rate_cap: is in units of 1/T0"},
-        BadScene{"protocol = \"aggregation\"", "protocol = \"direct\"",
-                 "assembly.agitation: grains start at rest"},
+                 "load.0.strain_rate_cap is not allowed here: its unit 1/T0"},
+        BadScene{
+            "protocol = \"aggregation\"", "protocol = \"direct\"",
+            "assembly.agitation is not allowed here: with protocol = \"direct\" cohesive grains start at rest"},
         BadScene{"agitation = 9.5\n", "", "assembly.agitation is missing"},
         BadScene{"to = 1.0", "to = -1.0", "load.0.to = -1: expected a pressure"},
         BadScene{"steps_per_decade = 8", "", "load.0.steps_per_decade is missing"},
-        BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nsteps = 3", "load.0.steps: expected either"},
+        BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nsteps = 3",
+                 "load.0.steps is given together with steps_per_decade"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {adhesion = {forc = 0}}",
-                 "load.0.set.adhesion.forc: the scene's contact law has no such parameter; the nearest it has "
-                 "is adhesion.force"},
+                 "load.0.set.adhesion.forc: the contact law of the scene has no such parameter; its parameter "
+                 "with the most similar name is adhesion.force"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 8\nset = {normal.stiffness = -2}",
                  "contact.normal.stiffness = -2: must be positive"},
         BadScene{"steps_per_decade = 8", "steps_per_decade = 1e9",
-                 "load.0.steps_per_decade = 1000000000: expected a number of steps per decade of pressure, in "
-                 "(0, 1000]"},
+                 "load.0.steps_per_decade = 1000000000: expected the number of steps per decade of "
+                 "pressure, a number in (0, 1000]"},
         BadScene{"steps_per_decade = 8", "steps = 1000000000",
-                 "load.0.steps = 1000000000: expected a whole number"},
+                 "load.0.steps = 1000000000: expected the number of steps, a whole number"},
         BadScene{"count = 40", "count = 99999999999",
-                 "grains.count = 99999999999: expected a whole number of grains, 2 to 1e8"},
+                 "grains.count = 99999999999: expected the number of grains, a whole number from 2 to 1e8"},
         BadScene{"{distribution = \"uniform\", min = 0.5, max = 1.0}", "{distribution = \"list\", values = []}",
                  "grains.diameter.values = []: expected an array of positive numbers"},
         BadScene{"[[load]]", "[load]", "load = a table: expected tables [[load]]"},
@@ -299,17 +304,17 @@ TEST(ReadScene, WithoutAdhesionTheBuiltInCapIsAnInertialNumber) {
 TEST(ReadScene, CohesionlessScenesNeedACapThatDoesNotCountInAdhesionTimes) {
   std::string text = with("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}\n", "");
   text.replace(text.find("protocol = \"aggregation\"\nagitation = 9.5"), 40, "protocol = \"direct\"       \n");
-  EXPECT_THAT(faults(text), HasSubstr("cell.strain_rate_cap: is in units of 1/T0"));
+  EXPECT_THAT(faults(text), HasSubstr("cell.strain_rate_cap is not allowed here: its unit 1/T0"));
   text.replace(text.find("strain_rate_cap"), 15, "inertial_number_cap");
   EXPECT_EQ(faults(text), "");
-  EXPECT_THAT(faults(text, {"load.0.to=0"}), HasSubstr("nothing holds grains without adhesion together"));
+  EXPECT_THAT(faults(text, {"load.0.to=0"}), HasSubstr("without adhesion nothing holds the grains together"));
 }
 
 TEST(ReadScene, AggregationNeedsAnAdhesionWithATail) {
   EXPECT_THAT(faults(with("law = \"tail\", force = 1.0, range = 1e-3", "law = \"constant\", force = 1.0")),
-              HasSubstr("grains stick by an adhesion with a tail"));
+              HasSubstr("grains stick to each other only by an adhesion that acts across a gap"));
   EXPECT_THAT(faults(with("law = \"tail\", force", "law = \"constant\", force")),
-              HasSubstr("a constant adhesion has no range"));
+              HasSubstr("the model \"constant\" of contact.adhesion has no range"));
 }
 
 /// The scene with liquid bridges in place of its tail, compressed at once.
@@ -348,8 +353,9 @@ TEST(ReadScene, LiquidThatCannotBeIsRefusedInWords) {
   EXPECT_THAT(faults_of("0.072", "-1", "0.007"), HasSubstr("contact.adhesion.contact_angle = -1: expected"));
   EXPECT_THAT(faults_of("0.072", "10", "-1"),
               HasSubstr("contact.adhesion.water_content = -1: expected a number >= 0"));
-  EXPECT_THAT(faults(wet_scene("law = \"tail\", force = 1.0, range = 1e-3, water_content = 0.1")),
-              HasSubstr("a tail adhesion has no water_content; expected law = \"capillary\""));
+  EXPECT_THAT(
+      faults(wet_scene("law = \"tail\", force = 1.0, range = 1e-3, water_content = 0.1")),
+      HasSubstr("the model \"tail\" of contact.adhesion has no water_content; expected law = \"capillary\""));
   EXPECT_THAT(faults(wet_scene("law = \"capillary\", surface_tension = 0.072, contact_angle = 10, "
                                "water_content = 0.007, density_ratio = 2.6, form = \"linear\"")),
               HasSubstr("form = 'linear'"));
@@ -365,8 +371,9 @@ TEST(ReadScene, ZeroPressureIsRefusedWhereTheCapOnRatesVanishes) {
   const std::size_t cap = text.find("strain_rate_cap");
   text.replace(cap, text.find('=', cap) - cap, "inertial_number_cap ");
   EXPECT_EQ(faults(text), "");
-  EXPECT_THAT(faults(text, unload), HasSubstr("to = 0: cell.inertial_number_cap lets nothing move there; "
-                                              "expected cell.strain_rate_cap in its place"));
+  EXPECT_THAT(faults(text, unload),
+              HasSubstr("to = 0: at zero pressure cell.inertial_number_cap allows no motion; "
+                        "expected cell.strain_rate_cap in its place"));
 }
 
 TEST(ReadScene, ChangesOfATurnAreFlattenedHoweverTheyAreWritten) {
@@ -416,17 +423,18 @@ TEST(ReadScene, FaultyDistributionsAreNamedWithTheirLine) {
   const std::string uniform = "{distribution = \"uniform\", min = 0.5, max = 1.0}";
   const auto refused = [&](const std::string& diameter) { return faults(with(uniform, diameter)); };
   EXPECT_THAT(refused("{distribution = \"uniform_by_volume\", min = 2, max = 1}"),
-              testing::ContainsRegex("[a-z]+:[0-9]+.*grains.diameter.min = 2: expected at most max = 1"));
+              testing::ContainsRegex(
+                  "[a-z]+:[0-9]+.*grains.diameter.min = 2: expected at most grains.diameter.max = 1"));
   EXPECT_THAT(refused("{distribution = \"uniform_by_volume\", min = 0.1, max = 1, exponent = 3}"),
               HasSubstr("unknown key grains.diameter.exponent"));
   EXPECT_THAT(refused("{distribution = \"power_law\", min = 0.1, max = 1}"),
               HasSubstr("grains.diameter.exponent is missing"));
   EXPECT_THAT(refused("{distribution = \"power_law\", min = 0.1, max = 1, exponent = 300}"),
-              HasSubstr("expected a number, -100 to 100"));
+              HasSubstr("expected a number from -100 to 100"));
   EXPECT_THAT(refused("{distribution = \"lognormal\", median = 0.4, sigma = 0, min = 0.1, max = 1}"),
               HasSubstr("grains.diameter.sigma = 0"));
   EXPECT_THAT(refused("{distribution = \"lognormal\", median = 100, sigma = 0.1, min = 0.1, max = 1}"),
-              HasSubstr("grains.diameter.median = 100: 0 of this distribution lies between"));
+              HasSubstr("grains.diameter.median = 100: only the share 0 of this distribution lies between"));
 }
 
 TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
@@ -443,10 +451,11 @@ TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {
   EXPECT_EQ(read(s.text).grains.diameter.values, s.grains.diameter.values);
   std::ofstream(dir / "d.txt") << "0.5 0.75\n-1.0\n";
   EXPECT_THAT([&] { read_scene((dir / "s.toml").string()); },
-              testing::ThrowsMessage<InputError>(HasSubstr("d.txt:2: '-1.0': expected a positive number")));
+              testing::ThrowsMessage<InputError>(
+                  HasSubstr("d.txt:2: '-1.0' is not a diameter: expected a positive number")));
   std::ofstream(dir / "d.txt") << "# nothing yet\n";
   EXPECT_THAT([&] { read_scene((dir / "s.toml").string()); },
-              testing::ThrowsMessage<InputError>(HasSubstr("d.txt: holds no diameters")));
+              testing::ThrowsMessage<InputError>(HasSubstr("d.txt: the file contains no diameters")));
   std::filesystem::remove_all(dir);
 }
 
@@ -472,12 +481,13 @@ TEST(ReadScene, WhatIsNoListOfDiametersIsRefusedWithTheReason) {
   std::ofstream(dir / "empty.txt");
   std::ofstream(dir / "hexadecimal.txt") << "0x10\n0.5\n";
   for (const auto& [file, words] :
-       {std::pair{"directory", "directory: is a directory, expected a file"},
+       {std::pair{"directory", "directory: this is a directory, but a file is expected"},
         {"missing.txt", "missing.txt: No such file or directory"},
-        {"utf16.txt", "utf16.txt: is in UTF-16: save it as UTF-8"},
-        {"comma.txt", "comma.txt:1: '0,5': expected a positive number with a decimal point, not a comma"},
-        {"empty.txt", "empty.txt: holds no diameters"},
-        {"hexadecimal.txt", "hexadecimal.txt:1: '0x10': expected a positive number"}})
+        {"utf16.txt", "utf16.txt: the file is in the encoding UTF-16: save it as UTF-8"},
+        {"comma.txt",
+         "comma.txt:1: '0,5' is not a diameter: expected a positive number with a decimal point, not a comma"},
+        {"empty.txt", "empty.txt: the file contains no diameters"},
+        {"hexadecimal.txt", "hexadecimal.txt:1: '0x10' is not a diameter: expected a positive number"}})
     EXPECT_THAT(([&scene_with, name = file] { scene_with(name); }),
                 testing::ThrowsMessage<InputError>(HasSubstr(words)));
   std::filesystem::remove_all(dir);
@@ -485,7 +495,7 @@ TEST(ReadScene, WhatIsNoListOfDiametersIsRefusedWithTheReason) {
 
 TEST(ReadScene, AFileThatIsNotThereIsNamed) {
   EXPECT_THAT([] { read_scene("no-such-scene.toml"); },
-              testing::ThrowsMessage<InputError>(HasSubstr("no-such-scene.toml: cannot be read")));
+              testing::ThrowsMessage<InputError>(HasSubstr("no-such-scene.toml: there is no such file")));
 }
 
 TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {

@@ -120,16 +120,17 @@ TEST_F(SceneOfAState, NamesTheStateByItsChecksumInItsText) {
   save(saved_);
   EXPECT_THAT([&] { read({}, s.text); }, testing::ThrowsMessage<InputError>(
                                              AllOf(HasSubstr("assembly.state_sha256"), HasSubstr("saved.h5"),
-                                                   HasSubstr("expected the same state"))));
+                                                   HasSubstr("expected the file with the given SHA-256"))));
   EXPECT_THAT([&] { s.assembly.saved.read(); },
               testing::ThrowsMessage<InputError>(HasSubstr("saved.h5: has changed since the scene was read")));
 }
 
 TEST_F(SceneOfAState, SaysWhatItStartsFrom) {
-  EXPECT_THAT(read().start, AllOf(HasSubstr("saved.h5, 30 grains at phi = 0.5"),
+  EXPECT_THAT(read().start, AllOf(HasSubstr("saved.h5, 30 grains at the solid fraction 0.5"),
                                   HasSubstr("3 x 2 copies; contact law as in")));
   EXPECT_THAT(read({"contact.friction.coefficient=0.3"}).start,
-              HasSubstr("contact law of the scene, in place of normal.stiffness=100000, "));
+              HasSubstr("contact law of the scene, in place of the contact law in the state file: "
+                        "normal.stiffness=100000, "));
 }
 
 TEST_F(SceneOfAState, IsRandomOnlyWhereItIsAgitated) {
@@ -141,16 +142,19 @@ TEST_F(SceneOfAState, IsRandomOnlyWhereItIsAgitated) {
 
 TEST_F(SceneOfAState, RefusesWhatContradictsTheState) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
-      {{"grains.count=180"}, "[grains] is not allowed here: the grains come from assembly.state"},
+      {{"grains.count=180"}, "[grains] is not allowed here: the grains come from the file assembly.state"},
       {{"cell.solid_fraction=0.5"},
-       "cell.solid_fraction is not allowed here: the cell comes from assembly.state"},
-      {{"assembly.gas=equilibrated"}, "assembly.gas is not allowed here: the grains come from assembly.state"},
-      {{"scene.units=SI"}, "units = \"reduced\": expected those of the scene, \"SI\""},
-      {{"assembly.copies=[2]"}, "assembly.copies: 1 numbers, expected two"},
-      {{"assembly.copies=[2.5, 1]"}, "assembly.copies = [ 2.5, 1 ]: expected two whole numbers of copies"},
-      {{"assembly.copies=[0, 1]"}, "expected two whole numbers of copies"},
-      {{"assembly.copies=[10000, 10000]"}, "assembly.copies: 3e+09 grains, expected 2 to 1e8"},
-      {{"assembly.copies=4"}, "expected two whole numbers of copies"},
+       "cell.solid_fraction is not allowed here: the cell comes from the file assembly.state"},
+      {{"assembly.gas=equilibrated"},
+       "assembly.gas is not allowed here: the grains come from the file assembly.state"},
+      {{"scene.units=SI"}, "the units of the state are \"reduced\": expected the units of the scene, \"SI\""},
+      {{"assembly.copies=[2]"}, "assembly.copies has 1 numbers: expected two"},
+      {{"assembly.copies=[2.5, 1]"},
+       "assembly.copies = [ 2.5, 1 ]: expected the numbers of copies along the two axes, two whole numbers"},
+      {{"assembly.copies=[0, 1]"}, "expected the numbers of copies along the two axes, two whole numbers"},
+      {{"assembly.copies=[10000, 10000]"},
+       "assembly.copies: all copies together have 3e+09 grains, expected 2 to 1e8 grains"},
+      {{"assembly.copies=4"}, "expected the numbers of copies along the two axes, two whole numbers"},
       {{"assembly.state=absent.h5"}, "absent.h5: No such file"},
       {{"assembly.state=4"}, "assembly.state = 4: expected the name of a state file"},
       {{"assembly.pressure=0"}, "assembly.pressure = 0: expected a positive number"},
@@ -165,7 +169,8 @@ TEST_F(SceneOfAState, RefusesWhatContradictsTheState) {
 TEST_F(SceneOfAState, RefusesSpheresAndSkewedCells) {
   saved_.packing.cell.matrix(1, 0) = 0.1;
   save(saved_);
-  EXPECT_THAT(faults(), AllOf(HasSubstr("s.toml:15: assembly.state: "), HasSubstr("cell/matrix is skewed")));
+  EXPECT_THAT(faults(), AllOf(HasSubstr("s.toml:15: assembly.state: "),
+                              HasSubstr("the cell of the state (cell/matrix) is skewed")));
   State<3> spheres;
   spheres.packing.law = test::cohesive_law();
   spheres.packing.cell.matrix *= 3.0;
@@ -173,7 +178,7 @@ TEST_F(SceneOfAState, RefusesSpheresAndSkewedCells) {
   spheres.packing.grains.position[1].setConstant(1.5);
   spheres.packing.grains.radius = spheres.packing.grains.mass = {1.0, 1.0};
   save(spheres);
-  EXPECT_THAT(faults(), HasSubstr("dimension = 3: expected a state of disks"));
+  EXPECT_THAT(faults(), HasSubstr("the state has dimension 3: expected a state of disks"));
 }
 
 TEST_F(SceneOfAState, RefusesKeysOfAStateInOtherScenes) {
@@ -184,8 +189,10 @@ TEST_F(SceneOfAState, RefusesKeysOfAStateInOtherScenes) {
          text);
     ADD_FAILURE() << "was read";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("s.toml:15: assembly.state: expected protocol = \"state\""),
-                                    HasSubstr("s.toml:16: assembly.copies: expected protocol = \"state\"")));
+    EXPECT_THAT(
+        error.what(),
+        AllOf(HasSubstr("s.toml:15: assembly.state is not allowed here: expected protocol = \"state\""),
+              HasSubstr("s.toml:16: assembly.copies is not allowed here: expected protocol = \"state\"")));
   }
 }
 

@@ -177,7 +177,7 @@ TEST(ShapeFiles, OfManyVerticesAreTakenWithFewer) {
   const auto few = parse_shapes<3>("scan.off", text, {.vertices = 100})[0];
   EXPECT_EQ(few.shape.n_vertices(), 100);
   EXPECT_GT(few.shape.volume, 0.85 * 4.18);
-  EXPECT_THAT(few.remarks[0], HasSubstr("100 of 1000 vertices are kept"));
+  EXPECT_THAT(few.remarks[0], HasSubstr("100 of 1000 vertices of the convex hull are kept"));
   EXPECT_THAT(message_of("scan.off", text, {.vertices = 3}),
               HasSubstr("vertices = 3: expected a whole number from 4"));
 }
@@ -190,40 +190,44 @@ TEST(ShapeFiles, AreRefusedWithFileAndLine) {
     std::string text = tetrahedron;
     return message_of("t.off", text.replace(text.find(from), from.size(), to));
   };
-  EXPECT_EQ(changed("OFF", "COFF"), "t.off:1: \"COFF\": expected OFF");
+  EXPECT_EQ(changed("OFF", "COFF"), "t.off:1: the file begins with \"COFF\": expected OFF");
   EXPECT_EQ(changed("4 4 6", "4000000000 4 6"),
             "t.off:2: \"4000000000\": expected a whole number from 1 to 20000");
-  EXPECT_EQ(changed("4 4 6", "4"), "t.off:2: 1 words: expected a whole number from 0 to 80000 as word 2");
-  EXPECT_EQ(changed("1 0 0", "1 0"), "t.off:4: 2 words: expected a finite number as word 3");
+  EXPECT_EQ(changed("4 4 6", "4"),
+            "t.off:2: the line has only 1 words: expected a whole number from 0 to 80000 as word 2");
+  EXPECT_EQ(changed("1 0 0", "1 0"), "t.off:4: the line has only 2 words: expected a finite number as word 3");
   EXPECT_EQ(changed("1 0 0", "nan 0 0"), "t.off:4: \"nan\": expected a finite number");
   EXPECT_EQ(changed("1 0 0", "0,5 0 0"),
             "t.off:4: \"0,5\": expected a finite number with a decimal point, not a comma");
   EXPECT_EQ(changed("3 1 2 3", "3 1 2 4"), "t.off:10: \"4\": expected a whole number from 0 to 3");
-  EXPECT_EQ(changed("3 1 2 3\n", ""), "t.off: ends too early: expected face 4 of 4");
+  EXPECT_EQ(changed("3 1 2 3\n", ""), "t.off: the file ends too early: expected face 4 of 4");
   EXPECT_EQ(changed("3 1 2 3\n", "3 1 2 3\n3 1 2 3\n"), "t.off:11: expected the end of the file after 4 faces");
   EXPECT_THAT(changed("3 1 2 3", "3 1 3 2"), HasSubstr("two faces have vertex 2 before vertex 4"));
   EXPECT_THAT(changed("3 1 2 3", "3 0 2 1"), HasSubstr("expected a closed surface"));
   EXPECT_THAT(changed("0 0 1\n", "0 1 0\n"), HasSubstr("in one plane"));
-  EXPECT_THAT(message_of("t.ply", ""), HasSubstr("ends in .off, .obj, .stl, .csv or .shp"));
+  EXPECT_THAT(message_of("t.ply", ""),
+              HasSubstr("expected a name that ends in .off, .obj, .stl, .csv or .shp"));
   EXPECT_THAT(message_of("t.obj", "v 0 0 0\nf 1 2 3\n"),
-              HasSubstr("t.obj:2: \"2\": expected the number of a vertex before"));
-  EXPECT_THAT(message_of("t.obj", "w 0 0 0\n"), HasSubstr("t.obj:1: \"w\": expected v or f"));
-  EXPECT_THAT(message_of("t.obj", ""), HasSubstr("t.obj: has no vertex"));
+              HasSubstr("t.obj:2: \"2\": expected the number of a vertex in a line above"));
+  EXPECT_THAT(message_of("t.obj", "w 0 0 0\n"),
+              HasSubstr("t.obj:1: the line begins with \"w\": expected v (vertex) or f (face)"));
+  EXPECT_THAT(message_of("t.obj", ""), HasSubstr("t.obj: the file has no vertex"));
   EXPECT_THAT(message_of("t.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
-              HasSubstr("t.stl:4: 3 words"));
-  EXPECT_THAT(message_of("t.stl", "solid\nendsolid\n"), HasSubstr("has no triangle"));
+              HasSubstr("t.stl:4: the line has only 3 words"));
+  EXPECT_THAT(message_of("t.stl", "solid\nendsolid\n"), HasSubstr("the file has no triangle"));
   std::string cut = stl_bytes(stone());
   cut.resize(cut.size() - 1);
   cut[0] = 'b';
   EXPECT_THAT(message_of("t.stl", cut),
               testing::ContainsRegex("1?[0-9]+ bytes for [0-9]+ triangles: expected [0-9]+"));
   EXPECT_THAT(message_of("t.csv", "x,y\n0,0\n"),
-              HasSubstr("t.csv:1: the first line: expected the names of the columns x, y and z"));
-  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0,2\n"), HasSubstr("2.csv:3: 3 numbers: expected 2"));
+              HasSubstr("t.csv:1: the first line does not consist of the names of the columns x, y and z"));
+  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0,2\n"),
+              HasSubstr("2.csv:3: the line has 3 words: expected 2 numbers"));
   EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1\n0,0\n"), HasSubstr("points 1 and 4 are the same"));
-  EXPECT_THAT(message_of("t.shp", "name x\n"), HasSubstr("t.shp:1: \"name\": expected <"));
+  EXPECT_THAT(message_of("t.shp", "name x\n"), HasSubstr("t.shp:1: the line begins with \"name\": expected <"));
   EXPECT_THAT(message_of("t.shp", "<\nnv 2\n0 0 0\n1 0 0\n"),
-              HasSubstr("shape 1 \"\": expected nv with vertices, and radius"));
+              HasSubstr("shape 1 \"\" is incomplete: expected the key nv with vertices, and the key radius"));
   EXPECT_THAT(message_of("t.shp", "<\nradius 0.01\nnv 2\n0 0 0\n1 0 0\n"),
               HasSubstr("51 times as long as it is thick"));
   EXPECT_THAT(message_of("t.shp", "<\nradius 0.1\nnv 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0\nnf 1\n4 0 1 3 2\n>\n"),

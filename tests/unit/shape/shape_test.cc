@@ -261,7 +261,7 @@ TEST(Hull, MergesCoplanarTrianglesAndLeavesOutPointsOnThem) {
             (std::vector<int>{0, 2, 3, 5}));
   const auto made = shape_of_points<2>({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}}, 0.0);
   ASSERT_EQ(made.remarks.size(), 1u);
-  EXPECT_EQ(made.remarks[0], "1 of 5 points are no vertices of the convex hull, which is the shape");
+  EXPECT_EQ(made.remarks[0], "1 of 5 points are not vertices of the convex hull, which is used as the shape");
 }
 
 TEST(Hull, OfPointsOnASphereHasThemAll) {
@@ -279,7 +279,8 @@ TEST(Shape, RefusesBadPointsInWords) {
   const auto message = [](const std::vector<Vec<3>>& points) {
     return test::message_of([&] { shape_of_points<3>(points, 0.0, "p.csv"); });
   };
-  EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), HasSubstr("p.csv: 3 points: expected at least 4"));
+  EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
+              HasSubstr("p.csv: found 3 points, expected at least 4"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}), HasSubstr("in one plane"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}), HasSubstr("in one plane"));
   EXPECT_THAT(message({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}), HasSubstr("in one plane"));

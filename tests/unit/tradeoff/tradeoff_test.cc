@@ -37,7 +37,8 @@ TEST(Tradeoff, SettingsThatDoNotFitAreLeftOutByName) {
   options.budget = 1.0;
   const Tradeoff tradeoff = study_tradeoff(small_scene(400), options);
   EXPECT_EQ(tradeoff.n_grains, 40);
-  EXPECT_THAT(tradeoff.left_out.front(), HasSubstr("40 grains instead of 400: the budget does not allow more"));
+  EXPECT_THAT(tradeoff.left_out.front(),
+              HasSubstr("the samples have 40 grains in place of 400, because the budget does not allow more"));
 }
 
 TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {

@@ -7,7 +7,7 @@
 namespace floc {
 
 Command add_fit(CommandLine program) {
-  CommandLine app = program.add_subcommand("fit", "Fit a law to runs or tables");
+  CommandLine app = program.add_subcommand("fit", "Fit a law to the results of runs or to tables of data");
   app.require_one_subcommand();
   using AddFit = Command (*)(CommandLine);
   constexpr std::array<AddFit, 6> kFits = {

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-// Each adds one fit as a subcommand of `floc fit`; each fit has a file of its own.
+// Each of these functions adds one fit as a subcommand of `floc fit`. Each fit has its own source file.
 Command add_fit_consolidation(CommandLine fit);
 Command add_fit_preconsolidation(CommandLine fit);
 Command add_fit_elastic(CommandLine fit);

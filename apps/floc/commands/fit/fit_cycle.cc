@@ -26,8 +26,10 @@ int run_cycles(const CycleArguments& arguments) {
     const PathTable path = read_path(file, columns, {"P", "P_star"});
     log_notes(path);
     if (add_cycles(path, table) > 0) return int{kDone};
-    spdlog::warn("{}: no cycle: no pressure is reached both on loading and on the unloading after it",
-                 path.name);
+    spdlog::warn(
+        "{}: the path contains no cycle: there is no pressure that it reaches both on loading and on the "
+        "unloading that follows",
+        path.name);
     return int{kNotConverged};
   });
   print_table(table, printing);
@@ -38,11 +40,12 @@ int run_cycles(const CycleArguments& arguments) {
 
 Command add_fit_cycle(CommandLine fit) {
   auto arguments = std::make_shared<CycleArguments>();
-  CommandLine app =
-      fit.add_subcommand("cycle", "what pressure cycles leave behind: the change of Phi, and their work");
-  app.add_option(
-         "TABLE", arguments->inputs,
-         "tables with columns P (or P_star), phi (or void_ratio); directories of `floc run`; - is stdin")
+  CommandLine app = fit.add_subcommand("cycle",
+                                       "evaluate pressure cycles: the change of the solid fraction Phi that "
+                                       "remains after each cycle, and the work done in it");
+  app.add_option("TABLE", arguments->inputs,
+                 "tables with the columns P (pressure) or P_star (reduced pressure), and phi (solid fraction) "
+                 "or void_ratio; or directories of `floc run`; - for a table on stdin")
       .required();
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
   add_printing_options(app, arguments->printing);

@@ -35,25 +35,29 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
   return samples;
 }
 
-/// Prints on stderr which samples were fitted and the parts of the errors.
+/// Prints on stderr which samples were fitted, and the contributions to the error of each parameter.
 void log_fit(const std::string& name, const CompactionFit& fit) {
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
   if (!fit.found()) {
-    spdlog::warn("{}: no fit: {}", name, fit.failure_reason);
+    spdlog::warn("{}: the law of dynamic compaction cannot be fitted: {}", name, fit.failure_reason);
     return;
   }
-  const std::string flagged = fit.beside_plateau.empty()
-                                  ? ""
-                                  : fmt::format("; beside the plateau: rows {}", ranges(fit.beside_plateau));
-  spdlog::info("{}: fitted {} samples, rows {}{}; r.m.s. residual of e {:.3g}", name, fit.used.size(),
-               ranges(fit.used), flagged, fit.rms);
+  const std::string flagged =
+      fit.beside_plateau.empty()
+          ? ""
+          : fmt::format("; rows that are not fitted because they do not lie on the plateau: {}",
+                        ranges(fit.beside_plateau));
+  spdlog::info("{}: fitted to {} samples, rows {}{}; r.m.s. residual of the void ratio e {:.3g}", name,
+               fit.used.size(), ranges(fit.used), flagged, fit.rms);
   std::vector<std::string> budget;
   for (const CompactionErrorParts& parts : fit.error_parts)
-    budget.push_back(fmt::format("{} {:.2g}, {:.2g} and {:.2g} ({})", parts.name, parts.scatter, parts.law,
-                                 parts.plateau, limit_of(parts)));
+    budget.push_back(
+        fmt::format("{} {:.2g} from the scatter, {:.2g} from the law and {:.2g} from the choice of the samples "
+                    "(limited by the {})",
+                    parts.name, parts.scatter, parts.law, parts.plateau, limit_of(parts)));
   spdlog::info(
-      "{}: errors from {}, from the misfit of the law and from the choice of the samples beside the plateau "
-      "(and what limits each): {}",
+      "{}: standard errors of the parameters, from {}, from the misfit of the law and from the choice of the "
+      "samples that do not lie on the plateau: {}",
       name, fit.errors_from_runs ? "the scatter between repeated runs" : "the residuals",
       fmt::join(budget, "; "));
 }
@@ -81,29 +85,36 @@ int fit_tables(const DynamicCompactionArguments& arguments) {
 
 Command add_fit_dynamic_compaction(CommandLine fit) {
   auto arguments = std::make_shared<DynamicCompactionArguments>();
-  CommandLine app = fit.add_subcommand(
-      "dynamic-compaction", "void ratio of dynamically compacted samples against pressure and cohesion");
-  app.add_option(
-         "TABLE", arguments->inputs,
-         "tables with columns e (void ratio), p, sc = f_c/d^2, se = k_n/d, in one unit or with units in their "
-         "headers; - is stdin")
+  CommandLine app = fit.add_subcommand("dynamic-compaction",
+                                       "fit the law of dynamic compaction: void ratio of compacted samples as "
+                                       "a function of pressure and cohesion");
+  app.add_option("TABLE", arguments->inputs,
+                 "tables with the columns e (void ratio), p (pressure), sc (cohesion f_c/d^2) and se "
+                 "(stiffness k_n/d), where p, sc and se are in the same unit or have their units in the "
+                 "headers; - for a table on stdin")
       .required();
   CompactionReference& reference = arguments->reference;
-  app.add_option("--p-D", reference.p_D, "pressure at which the plateau is e_min + De, in the unit of p [0.01]")
+  app.add_option("--p-D", reference.p_D,
+                 "reference pressure p_D, in the unit of p; the plateau of the void ratio has the value e_min "
+                 "+ De at p_D, where e_min and De are fitted parameters [0.01]")
       .positive();
-  app.add_option("--eta-m", reference.eta_m, "eta* at which (1 - e_r)/e_r = s_m [0.045]").positive();
+  app.add_option("--eta-m", reference.eta_m,
+                 "reference value eta_m of the ratio eta* = sc/sqrt(p se); the fitted parameter s_m is the "
+                 "value of (1 - e_r)/e_r at eta_m, where e_r = (e - e_min)/(e_max - e_min) [0.045]")
+      .positive();
   app.add_option("--plateau", arguments->plateau,
-                 "pressure at which the plateau e_max is evaluated: p of the sample, or p_crit = sc^2/se, as "
-                 "the law is printed; no dense sample then has a plateau, and A and a are not identified [p]")
+                 "pressure at which the plateau e_max of the void ratio is evaluated: p (pressure of the "
+                 "sample) or p_crit = sc^2/se (as in the published law; dense samples then have no plateau, "
+                 "and the parameters A and a are not identified) [p]")
       .one_of({"p", "p_crit"});
-  app.add_option(
-         "--p-0", reference.p_0,
-         "smallest pressure at which the plateau is fitted [no limit; with --plateau p_crit that of --p-D]")
+  app.add_option("--p-0", reference.p_0,
+                 "smallest pressure at which the plateau of a sample may be evaluated; samples with a smaller "
+                 "pressure are not fitted [no limit; with --plateau p_crit the value of --p-D]")
       .positive();
   add_columns_option(app, arguments->columns, "e, p, sc, se");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {
-            // The keyword is translated here because its variable has a value only after parsing.
+            // The keyword of --plateau is converted here, because it is known only after parsing.
             arguments->reference.plateau =
                 arguments->plateau == "p" ? PlateauPressure::own : PlateauPressure::critical;
             return fit_tables(*arguments);

@@ -25,25 +25,27 @@ int fit_tables(const ElasticArguments& arguments) {
   Json array = Json::array();
   Table table = elastic_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    // The line of B is fitted against the mean stress, also in an oedometer. elastic_branches() fits M to the driven
-    // stress.
+    // The bulk modulus B is fitted against the mean stress, also for oedometer tests. The modulus M of an oedometer is
+    // fitted to the driven stress by elastic_branches().
     const PathTable path = read_path(file, columns, {"P", "P_star"}, OedometerPressure::mean);
     log_notes(path);
     const std::vector<ElasticBranch> branches = elastic_branches(path, arguments.state);
     if (branches.empty()) {
-      spdlog::warn("{}: no fit: the pressure never falls, so there is no unloading branch", path.name);
-      // The table is sound, so this is no bad input: there is nothing to fit.
+      spdlog::warn("{}: no modulus can be fitted: the pressure never falls, so there is no unloading branch",
+                   path.name);
+      // The table is valid but contains no branch to fit, so the exit code is kNotConverged and not that of bad input.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
     for (const ElasticBranch& b : branches) {
       const std::string rows = ranges(b.branch.rows);
       if (!b.fit.found()) {
-        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, b.fit.failure_reason);
+        spdlog::warn("{}: unloading branch in rows {}: no modulus can be fitted: {}", path.name, rows,
+                     b.fit.failure_reason);
         worst = worse(worst, kNotConverged);
       }
       for (const std::string& warning : b.warnings())
-        spdlog::warn("{}: rows {}: warning: {}", path.name, rows, warning);
+        spdlog::warn("{}: unloading branch in rows {}: warning: {}", path.name, rows, warning);
       array.push_back(as_json(path, b));
       add_rows(path, b, table);
     }
@@ -59,15 +61,16 @@ Command add_fit_elastic(CommandLine fit) {
   auto arguments = std::make_shared<ElasticArguments>();
   CommandLine app = fit.add_subcommand(
       "elastic",
-      "moduli from unloading branches, B against the mean stress and, of oedometers, M against the driven one, "
-      "compared with those of a saved state");
-  app.add_option(
-         "TABLE", arguments->inputs,
-         "tables with columns P (or P_star), phi (or void_ratio); directories of `floc run`; - is stdin")
+      "fit elastic moduli to unloading branches: the bulk modulus B against the mean stress and, for oedometer "
+      "tests, the uniaxial modulus M against the driven stress; compare them with the moduli of a saved state");
+  app.add_option("TABLE", arguments->inputs,
+                 "tables with the columns P (pressure) or P_star (reduced pressure), and phi (solid fraction) "
+                 "or void_ratio; or directories of `floc run`; - for a table on stdin")
       .required();
-  app.add_option("--state", arguments->state,
-                 "state whose computed modulus is printed beside the fit [the state of the branch's first row, "
-                 "or, for a curved branch, of the middle row of its straight part, if that state is there]");
+  app.add_option(
+      "--state", arguments->state,
+      "state file whose computed moduli are printed for comparison [if its file exists, the state of the first "
+      "row of the branch or, for a curved branch, of the middle row of its straight part]");
   add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};

@@ -19,7 +19,7 @@ struct ForceDistributionArguments {
   Printing printing;
 };
 
-/// Reads normal forces from a table or from the contacts of a state.
+/// Reads the normal forces of a table or of the contacts of a state file.
 std::vector<double> read_forces(const std::string& file, const ColumnNames& columns) {
   std::vector<double> forces;
   if (file.ends_with(".h5")) {
@@ -49,14 +49,15 @@ int fit_inputs(const ForceDistributionArguments& arguments) {
     for (const ForceFit& fit : fits) {
       array.push_back(as_json(name, forces, fit));
       if (!fit.found()) {
-        spdlog::warn("{}: {}: no fit: {}", name, fit.form, fit.failure_reason);
+        spdlog::warn("{}: the form {} cannot be fitted: {}", name, fit.form, fit.failure_reason);
         worst = worse(worst, kNotConverged);
         continue;
       }
-      // A form that is rejected at the 5 % level keeps its rows in the table; the warning marks it.
+      // A form that is rejected at the significance level of 5 % is nevertheless written to the table; the warning
+      // points it out.
       if (fit.p_value < 0.05)
-        spdlog::warn("{}: {}: warning: these forces do not follow this form (p = {:.3g})", name, fit.form,
-                     fit.p_value);
+        spdlog::warn("{}: form {}: warning: the forces do not follow this form (p-value {:.3g})", name,
+                     fit.form, fit.p_value);
       add_rows(name, fit, table);
     }
     return worst;
@@ -70,21 +71,23 @@ int fit_inputs(const ForceDistributionArguments& arguments) {
 Command add_fit_force_distribution(CommandLine fit) {
   auto arguments = std::make_shared<ForceDistributionArguments>();
   CommandLine app = fit.add_subcommand(
-      "force-distribution", "distributions of normal forces, by maximum likelihood, with goodness of fit");
+      "force-distribution",
+      "fit distributions to normal forces by maximum likelihood, and test the goodness of fit");
   app.add_option("INPUT", arguments->inputs,
-                 "tables with a column normal_force, or state files (.h5); - is stdin")
+                 "tables with the column normal_force, or state files (.h5); - for a table on stdin")
       .required();
-  app.add_option(
-         "--form", arguments->fit.form,
-         "tails (exponential, of both signs), power-exponential, quadratic-exponential (of the compressive "
-         "forces) or all [all]")
+  app.add_option("--form", arguments->fit.form,
+                 "form of the distribution: tails (exponential tails of the forces of each sign), "
+                 "power-exponential or quadratic-exponential (both for the compressive forces), or all [all]")
       .one_of({"all", "tails", "power-exponential", "quadratic-exponential"});
   app.add_option("--threshold", arguments->fit.threshold,
-                 "magnitude of the force at which the tails begin [the mean of the forces of that sign]")
+                 "magnitude of the force above which the exponential tails are fitted (force) [the mean of the "
+                 "forces of each sign]")
       .non_negative();
-  app.add_option("--draws", arguments->fit.fit.n_draws, "samples drawn from the fit for its p-value [200]")
+  app.add_option("--draws", arguments->fit.fit.n_draws,
+                 "number of random samples drawn from the fitted distribution to compute its p-value [200]")
       .within(ForceFitOptions::kDraws);
-  app.add_option("--seed", arguments->fit.fit.seed, "seed of these draws [1]");
+  app.add_option("--seed", arguments->fit.fit.seed, "seed of the random samples [1]");
   add_columns_option(app, arguments->columns, "normal_force");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_inputs(*arguments); }};

@@ -17,8 +17,9 @@ namespace floc {
 
 void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
   app.add_option("--columns", text,
-                 "name=column,...: columns of the table that stand for " + names +
-                     "; names and patterns without = are columns to print [all; on a terminal those that fit]")
+                 "NAME=COLUMN,...: columns of the input table to use for " + names +
+                     "; items without = are names or patterns of columns to print [all columns; on a terminal "
+                     "those that fit its width]")
       .joined(',');
 }
 
@@ -37,10 +38,11 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
     }
     if (name.empty() || trimmed(item.substr(equals + 1)).empty() ||
         std::find(names.begin(), names.end(), name) == names.end())
-      throw InputError("--columns", fmt::format("\"{}\", expected name=column with name one of {}", item,
-                                                fmt::join(names, ", ")));
+      throw InputError("--columns",
+                       fmt::format("\"{}\" is not valid: expected name=column, where the name is one of {}",
+                                   item, fmt::join(names, ", ")));
     if (!columns.emplace(name, trimmed(item.substr(equals + 1))).second)
-      throw InputError("--columns", fmt::format("{} is given twice", name));
+      throw InputError("--columns", fmt::format("{} is given twice: expected one column per name", name));
   }
   return columns;
 }

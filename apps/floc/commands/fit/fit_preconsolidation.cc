@@ -28,9 +28,11 @@ int fit_tables(const PreconsolidationArguments& arguments) {
     log_notes(path);
     const std::vector<ReloadingFit> fits = preconsolidation_fits(path);
     if (fits.empty()) {
-      spdlog::warn("{}: no fit: the pressure does not rise again after a fall, so there is no reloading branch",
-                   path.name);
-      // The table is sound, so this is no bad input: there is nothing to fit.
+      spdlog::warn(
+          "{}: no preconsolidation pressure can be fitted: the pressure does not rise again after it has "
+          "fallen, so there is no reloading branch",
+          path.name);
+      // The table is valid but contains no branch to fit, so the exit code is kNotConverged and not that of bad input.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
@@ -38,10 +40,12 @@ int fit_tables(const PreconsolidationArguments& arguments) {
       const auto& [branch, fit] = reloading;
       const std::string rows = ranges(branch.loading.rows);
       if (!fit.found()) {
-        spdlog::warn("{}: rows {}: no fit: {}", path.name, rows, fit.failure_reason);
+        spdlog::warn("{}: reloading branch in rows {}: no preconsolidation pressure can be fitted: {}",
+                     path.name, rows, fit.failure_reason);
         worst = worse(worst, kNotConverged);
       } else {
-        spdlog::info("{}: rows {}: reloading after P = {:.6g}", path.name, rows, branch.largest_before);
+        spdlog::info("{}: reloading branch in rows {}, after a largest pressure of {:.6g}", path.name, rows,
+                     branch.largest_before);
       }
       for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", path.name, warning);
       array.push_back(as_json(path, reloading));
@@ -58,10 +62,11 @@ int fit_tables(const PreconsolidationArguments& arguments) {
 Command add_fit_preconsolidation(CommandLine fit) {
   auto arguments = std::make_shared<PreconsolidationArguments>();
   CommandLine app = fit.add_subcommand(
-      "preconsolidation", "preconsolidation pressure of overconsolidated samples, from reloading branches");
+      "preconsolidation",
+      "fit the preconsolidation pressure of overconsolidated samples to their reloading branches");
   app.add_option("TABLE", arguments->inputs,
-                 "tables with columns P_star, phi (or void_ratio) and optionally branch; directories of `floc "
-                 "run`; - is stdin")
+                 "tables with the columns P_star (reduced pressure), phi (solid fraction) or void_ratio, and "
+                 "optionally branch; or directories of `floc run`; - for a table on stdin")
       .required();
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_printing_options(app, arguments->printing);

@@ -10,35 +10,42 @@
 
 namespace floc {
 
-/// Decrease of the force of a liquid bridge with the gap.
+/// Formula for the decrease of the force of a liquid bridge of volume V_b with the gap h, where R' = 2 Ri
+/// Rj/(Ri + Rj) and r >= 1 is the ratio of the radii Ri and Rj.
 enum class BridgeForm {
-  exponential,  ///< exp(-h/l), l = 0.9 sqrt(V_b/(r R')) [RTV2010]
-  rational,     ///< 1/(1 + 1.05 x + 2.5 x^2), x = h sqrt(R'/V_b) [WAJS2000]
+  /// exp(-h/l) with the gap h and the decay length l = 0.9 sqrt(V_b/(r R')), bridge volume V_b, mean radius R'
+  /// and ratio r of the radii [RTV2010].
+  exponential,
+  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b), gap h, bridge volume V_b and mean radius R' [WAJS2000].
+  rational,
 };
 
-/// Condition under which a liquid bridge forms.
+/// Condition under which a liquid bridge forms between two grains.
 enum class BridgeFormation {
-  gap,      ///< as soon as the gap is within its reach
-  contact,  ///< when the surfaces touch; it breaks when the gap is wider than its reach
+  gap,      ///< a bridge forms as soon as the gap is within its reach
+  contact,  ///< a bridge forms when the surfaces touch; it breaks when the gap is wider than its reach
 };
 
 /// Parameters of a liquid bridge between two grains; all zero without a bridge.
 template <class T = double>
 struct Bridge {
-  T strength = T(0);  ///< Gamma R, the force when the surfaces touch (force)
-  T decay = T(0);     ///< 1/l, or sqrt(R'/V_b) of the rational form (1/length)
-  T reach = T(0);     ///< hm, the widest gap that the bridge spans (length)
+  T strength = T(0);  ///< attraction of the bridge when the surfaces touch (force)
+  /// Inverse decay length (1/length): 1/l of the exponential form, sqrt(R'/V_b) of the rational form
+  /// (BridgeForm).
+  T decay = T(0);
+  T reach = T(0);  ///< widest gap hm that the bridge spans (length)
 };
 
-/// Liquid bridges between spheres: a force -Gamma R in contact, which falls with the gap up to the reach of the
-/// bridge. Gamma = 2 pi g cos th, R = sqrt(Ri Rj), reach (1 + th/2) V_b^(1/3). The history of a contact holds
-/// the volume V_b of its bridge (length^3); how the liquid of a packing is shared between the bridges is not
-/// part of the law (packing/liquid/liquid.h). In 2D disks stand for a layer of spheres.
+/// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap up to the
+/// reach of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R =
+/// sqrt(Ri Rj). The reach is (1 + th/2) V_b^(1/3) for a bridge of volume V_b. The history of a contact holds
+/// the volume of its bridge (length^3). How the liquid of a packing is distributed over the bridges is not part
+/// of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
 struct CapillaryAdhesion {
-  double surface_tension;  ///< g (force/length)
-  double contact_angle;    ///< th (degrees)
-  double water_content;    ///< w, mass of the liquid over that of the grains
-  double density_ratio;    ///< density of the grains over that of the liquid
+  double surface_tension;  ///< surface tension g of the liquid (force/length)
+  double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)
+  double water_content;    ///< w, mass of the liquid divided by the mass of the grains
+  double density_ratio;    ///< density of the grains divided by the density of the liquid
   BridgeForm form = BridgeForm::exponential;
   BridgeFormation formation = BridgeFormation::gap;
 
@@ -52,11 +59,13 @@ struct CapillaryAdhesion {
       {"surface_tension", &CapillaryAdhesion::surface_tension, Unit::stiffness, "gamma", Requirement::positive,
        "a positive number (surface tension, force per length)", "surface tension"},
       {"contact_angle", &CapillaryAdhesion::contact_angle, Unit::degrees, "theta", Requirement::acute_angle,
-       "an angle in degrees, in [0, 90]", "contact angle of the liquid, degrees"},
+       "an angle in degrees, in [0, 90]", "contact angle of the liquid (degrees)"},
       {"water_content", &CapillaryAdhesion::water_content, Unit::ratio, "w", Requirement::not_negative,
-       "a number >= 0 (mass of the liquid over that of the grains)", "mass of liquid over mass of grains"},
+       "a number >= 0 (mass of the liquid divided by the mass of the grains)",
+       "mass of the liquid divided by the mass of the grains"},
       {"density_ratio", &CapillaryAdhesion::density_ratio, Unit::ratio, "rho_s/rho_l", Requirement::positive,
-       "a positive number (density of the grains over that of the liquid)", "density of grains over liquid"}};
+       "a positive number (density of the grains divided by the density of the liquid)",
+       "density of the grains divided by the density of the liquid"}};
   static constexpr const char* kForms[] = {"exponential", "rational", nullptr};
   static constexpr const char* kFormations[] = {"gap", "contact", nullptr};
   static constexpr Choice<CapillaryAdhesion> kChoices[] = {
@@ -66,20 +75,20 @@ struct CapillaryAdhesion {
        choose<CapillaryAdhesion, &CapillaryAdhesion::formation>}};
   static constexpr History kHistory[] = {
       {"bridge_volume", HistoryKind::scalar, Unit::volume,
-       "volume of the liquid bridge, 0 without one; negative where it has broken and its liquid is not yet "
-       "shared out"}};
+       "volume of the liquid bridge of the contact; 0 without a bridge, negative if the bridge has broken and "
+       "its liquid has not been distributed to other bridges yet"}};
 
   /// Contact angle in radians.
   double angle() const { return contact_angle * std::numbers::pi / 180.0; }
-  /// Gamma R of two grains, the force that pulls them apart (force). It does not depend on the volume.
+  /// Returns the pull-off force Gamma R of two grains (force). It does not depend on the volume of the bridge.
   double strength(double radius_i, double radius_j) const {
     return 2.0 * std::numbers::pi * surface_tension * std::cos(angle()) * std::sqrt(radius_i * radius_j);
   }
-  /// hm, the widest gap that a bridge of this volume (length^3) spans (length).
+  /// Returns the widest gap hm (length) that a bridge of this volume (length^3) spans.
   double reach(double volume) const { return (1.0 + 0.5 * angle()) * std::cbrt(volume); }
-  /// Volume of the liquid for grains of this volume (length^3).
+  /// Returns the volume of the liquid (length^3) for grains of this total volume (length^3).
   double liquid_volume(double solid_volume) const { return water_content * density_ratio * solid_volume; }
-  /// Parameters of a bridge of this volume (length^3) between two grains.
+  /// Returns the parameters of a bridge of this volume (length^3) between two grains of these radii (length).
   Bridge<> bridge(double radius_i, double radius_j, double volume) const {
     if (!(volume > 0.0)) return {};
     const double mean = 2.0 * reduced(radius_i, radius_j);
@@ -89,11 +98,11 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Updates the bridge of a pair by one motion: where formation is `contact`, it breaks if the gap is wider
-  /// than its reach, and forms again if the surfaces touch.
+  /// Updates the liquid bridge of a pair by one motion. If `formation` is `contact`, the bridge breaks when the
+  /// gap is wider than its reach, and forms again when the surfaces touch.
   /// @param pair  geometry at the end of the motion
-  /// @param volume  the history, updated
-  /// @return parameters of the bridge as it acts now
+  /// @param volume  history of the contact, updated: the volume of the bridge, negative if it has broken
+  /// @return parameters of the bridge that are in effect after the motion
   template <class T>
   Bridge<T> hold(const PairGeometry<T>& pair, const Bridge<T>& bridge, T* volume) const {
     if (formation == BridgeFormation::contact) {
@@ -103,7 +112,7 @@ struct CapillaryAdhesion {
     }
     return acting(bridge, *volume);
   }
-  /// Parameters of a bridge as it acts: its strength is zero where it has broken.
+  /// Returns the parameters of a bridge that are in effect: the strength of a broken bridge is zero.
   template <class T>
   Bridge<T> acting(Bridge<T> bridge, const T& volume) const {
     bridge.strength = lanes::select(T(0) < volume, bridge.strength, T(0));
@@ -115,7 +124,8 @@ struct CapillaryAdhesion {
     const T share = share_at(lanes::max(pair.gap, T(0)) * bridge.decay);
     return lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * share));
   }
-  /// -dF/dh: negative across the gap, where parting weakens the attraction.
+  /// Returns the stiffness -dF/dh of the attraction F at the gap h (force/length). It is negative across a gap,
+  /// because the attraction weakens as the grains part.
   template <class T>
   T stiffness(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
     const T x = lanes::max(pair.gap, T(0)) * bridge.decay;
@@ -125,7 +135,8 @@ struct CapillaryAdhesion {
     const T across = lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * bridge.decay * slope));
     return lanes::select(pair.gap < T(0), T(0), across);
   }
-  /// Potential energy at a fixed volume, zero at and beyond the reach.
+  /// Returns the potential energy of a bridge of fixed volume; it is zero at and beyond the reach of the
+  /// bridge.
   template <class T>
   T energy(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
     if (!(T(0) < bridge.decay)) return T(0);
@@ -135,9 +146,9 @@ struct CapillaryAdhesion {
     return lanes::select(bridge.reach < pair.gap, T(0),
                          T(across + bridge.strength * lanes::min(pair.gap, T(0))));
   }
-  /// Zero: the reach of a bridge depends on its volume, so that the law has no range of its own.
+  /// Returns zero: the reach of a bridge depends on its volume, so that the law itself has no range.
   double range() const { return 0.0; }
-  /// Whether bridges attract: there is liquid, and its surface tension pulls.
+  /// Returns whether the bridges attract: there is liquid, and its surface tension pulls.
   bool acts() const { return surface_tension > 0.0 && water_content > 0.0 && contact_angle < 90.0; }
 
   bool operator==(const CapillaryAdhesion&) const = default;
@@ -146,13 +157,13 @@ struct CapillaryAdhesion {
   static constexpr double kDecayLength = 0.9;
   static constexpr double kLinear = 1.05, kSquare = 2.5;
 
-  /// Force over the force in contact, at x = gap times decay.
+  /// Returns the force of a bridge divided by its force in contact, at x = gap times inverse decay length.
   template <class T>
   T share_at(const T& x) const {
     if (form == BridgeForm::exponential) return lanes::exp_of_negative(T(-x));
     return T(1) / (T(1) + x * (T(kLinear) + T(kSquare) * x));
   }
-  /// Integral of share_at() from 0 to x.
+  /// Returns the integral of share_at() from 0 to x.
   template <class T>
   T integral_to(const T& x) const {
     if (form == BridgeForm::exponential) return T(1) - lanes::exp_of_negative(T(-x));

@@ -7,9 +7,10 @@
 
 namespace floc {
 
-/// Constant attraction -F0 in contact and nothing beyond it: the limit of `TailAdhesion` for D0 -> 0.
+/// Constant attraction, minus the pull-off force F0, while the surfaces overlap; zero across a gap. It is the
+/// limit of `TailAdhesion` for a range that tends to zero.
 struct ConstantAdhesion {
-  double pull_off_force;  ///< F0 (force), > 0
+  double pull_off_force;  ///< pull-off force F0 (force), > 0
 
   static constexpr const char* kKeyword = "constant";
   static constexpr Family kFamily = Family::springs;
@@ -32,7 +33,7 @@ struct ConstantAdhesion {
     return lanes::select(pair.gap < T(0), T(pull_off_force * pair.gap), T(0));
   }
   double range() const { return 0.0; }
-  /// Whether the grains attract each other: the force is not zero.
+  /// Returns whether the grains attract each other, that is, whether the force is not zero.
   bool acts() const { return pull_off_force != 0.0; }
 
   bool operator==(const ConstantAdhesion&) const = default;

@@ -7,11 +7,12 @@
 
 namespace floc {
 
-/// Constant attraction -F0 in contact, falling linearly to zero over the range D0 of the gap. It is reversible:
-/// the force depends on the gap alone, on approach and on separation. [GRC2008], Eq. 2.
+/// Attraction that is minus the pull-off force F0 in contact and falls linearly to zero while the gap grows
+/// from 0 to the range D0. It is reversible: the force depends on the gap alone, on approach and on separation.
+/// [GRC2008], Eq. 2.
 struct TailAdhesion {
-  double pull_off_force;  ///< F0 (force), > 0
-  double tail_range;      ///< D0 (length), > 0
+  double pull_off_force;  ///< pull-off force F0 (force), > 0
+  double tail_range;      ///< range D0 of the attraction (length), > 0
 
   static constexpr const char* kKeyword = "tail";
   static constexpr Family kFamily = Family::springs;
@@ -21,20 +22,23 @@ struct TailAdhesion {
        "a positive number (F0, the pull-off force); leave the table out for grains without adhesion",
        "pull-off force", Requirement::positive},
       {"range", &TailAdhesion::tail_range, Unit::length, "D0", Requirement::not_negative,
-       "a positive number (D0, length)", "range of the attraction", Requirement::positive}};
+       "a positive number (range D0 of the attraction, a length)", "range of the attraction",
+       Requirement::positive}};
 
   template <class T>
   T force(const PairGeometry<T>& pair) const {
     const T tail = lanes::min(T(0), T((pull_off_force / tail_range) * pair.gap - pull_off_force));
     return lanes::select(pair.gap < T(0), T(-pull_off_force), tail);
   }
-  /// -dF/dh: negative across the gap, where parting weakens the attraction.
+  /// Returns the stiffness -dF/dh of the attraction F at the gap h (force/length). It is negative across a gap,
+  /// because the attraction weakens as the grains part.
   template <class T>
   T stiffness(const PairGeometry<T>& pair) const {
     const T tail = lanes::select(pair.gap < T(tail_range), T(-pull_off_force / tail_range), T(0));
     return lanes::select(pair.gap < T(0), T(0), tail);
   }
-  /// Potential energy (energy): zero at and beyond the range, -F0 D0/2 at contact.
+  /// Returns the potential energy of the attraction: zero at and beyond the range D0, -F0 D0/2 at zero gap,
+  /// with the pull-off force F0.
   template <class T>
   T energy(const PairGeometry<T>& pair) const {
     const T missing = lanes::max(T(0), T(tail_range - pair.gap));
@@ -43,7 +47,7 @@ struct TailAdhesion {
                          tail);
   }
   double range() const { return tail_range; }
-  /// Whether the grains attract each other: the force is not zero.
+  /// Returns whether the grains attract each other, that is, whether the force is not zero.
   bool acts() const { return pull_off_force != 0.0; }
 
   bool operator==(const TailAdhesion&) const = default;

@@ -10,22 +10,26 @@
 
 namespace floc {
 
-/// Mass m in the critical damping of a contact. Both choices are symmetric in i and j and a fixed multiple of
-/// the effective mass, so that all pairs have the same restitution, whatever their sizes.
+/// Choice of the mass m in the critical damping of a contact. Both choices are symmetric in the grains i and j
+/// and a fixed multiple of the effective mass, so that all pairs have the same restitution, independent of
+/// their sizes.
 enum class DampingMass {
-  effective,  ///< m_i m_j/(m_i + m_j): a pair has the given restitution [GRC2008]
-  grain,      ///< 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains [SVI2024]: sqrt(2) zeta
+  effective,  ///< m_i m_j/(m_i + m_j); a pair then has the given restitution [GRC2008]
+  /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is then sqrt(2) zeta
+  /// [SVI2024].
+  grain,
 };
 
-/// Fraction of critical damping that gives a linear spring the restitution e, 0 < e <= 1:
-/// zeta = -ln e / sqrt(pi^2 + ln^2 e).
+/// Returns the fraction zeta of critical damping that gives a linear spring the restitution e, 0 < e <= 1: zeta
+/// = -ln e / sqrt(pi^2 + ln^2 e).
 inline double damping_ratio(double restitution) {
   const double l = std::log(restitution);
   return -l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-/// Viscous normal force -c dh/dt while the surfaces overlap, c = 2 zeta sqrt(m K_N). It may pull: cutting off
-/// its tension would change the restitution. It is not part of the static force.
+/// Viscous normal force -c dh/dt while the surfaces overlap, with the gap h, c = 2 zeta sqrt(m K_N), the
+/// damping ratio zeta, a mass m (DampingMass) and the normal stiffness K_N. The force may be tensile, because
+/// cutting off the tension would change the restitution. It is not part of the static force.
 struct ViscousDamping {
   double restitution;  ///< restitution e_N of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;
@@ -42,7 +46,7 @@ struct ViscousDamping {
                                                          chosen<ViscousDamping, &ViscousDamping::mass_rule>,
                                                          choose<ViscousDamping, &ViscousDamping::mass_rule>}};
 
-  /// Damping coefficient c of a pair (force * time/length).
+  /// Returns the damping coefficient c of a pair (force * time/length).
   /// @param normal  a normal law of constant stiffness
   template <class Normal>
   double coefficient(const CollisionMass& mass, const Normal& normal) const {

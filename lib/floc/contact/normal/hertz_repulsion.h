@@ -11,12 +11,12 @@
 
 namespace floc {
 
-/// Repulsion of elastic spheres, FNe = (4/3) E* sqrt(R*) d^(3/2) at an overlap d, with 1/E* = 2 (1 - nu^2)/E of
-/// two grains of one material and the reduced radius R* (docs/physics.md, "Spheres of Hertz and Mindlin").
-/// [AR2007], Eq. 1.
+/// Repulsion of elastic spheres with the force FNe = (4/3) E* sqrt(R*) d^(3/2) at an overlap d. E* is given by
+/// 1/E* = 2 (1 - nu^2)/E for two grains of one material, and R* is the reduced radius (docs/physics.md,
+/// "Spheres of Hertz and Mindlin"). [AR2007], Eq. 1.
 struct HertzRepulsion {
-  double modulus;  ///< E, Young's modulus (force/length^2)
-  double poisson;  ///< nu, in (-1, 1/2)
+  double modulus;  ///< Young's modulus E (force/length^2)
+  double poisson;  ///< Poisson's ratio nu, in (-1, 1/2)
 
   static constexpr const char* kKeyword = "hertz";
   static constexpr Family kFamily = Family::elastic_spheres;
@@ -26,11 +26,12 @@ struct HertzRepulsion {
   static constexpr bool kIsForSmallOverlaps = true;
   static constexpr Number<HertzRepulsion> kNumbers[] = {
       {"modulus", &HertzRepulsion::modulus, Unit::pressure, "E", Requirement::positive,
-       "a positive number (E, Young's modulus, force per area)", "Young's modulus"},
+       "a positive number (Young's modulus E, force per area)", "Young's modulus"},
       {"poisson", &HertzRepulsion::poisson, Unit::ratio, "nu", Requirement::poisson_ratio,
        "Poisson's ratio nu, in (-1, 0.5)", "Poisson's ratio"}};
 
-  /// E/(1 - nu^2), the modulus that reduces pressures (force/length^2).
+  /// Returns the modulus E/(1 - nu^2) by which pressures are divided to make them dimensionless
+  /// (force/length^2).
   double plane_modulus() const { return modulus / (1.0 - poisson * poisson); }
 
   template <class T>
@@ -41,29 +42,31 @@ struct HertzRepulsion {
   T stiffness(const PairGeometry<T>& pair) const {
     return contact_stiffness(pair);
   }
-  /// Mindlin's K_T = K_N (2 - 2 nu)/(2 - nu).
+  /// Returns Mindlin's tangential stiffness K_T = K_N (2 - 2 nu)/(2 - nu), with the normal stiffness K_N and
+  /// Poisson's ratio nu (force/length).
   template <class T>
   T shear_stiffness(const PairGeometry<T>& pair) const {
     return T(shear_ratio()) * contact_stiffness(pair);
   }
   double shear_ratio() const { return (2.0 - 2.0 * poisson) / (2.0 - poisson); }
 
-  /// Overlap at which the elastic force is `elastic` >= 0 (length).
+  /// Returns the overlap at which the elastic force is `elastic` >= 0 (length).
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
-  /// Largest overlap of two free grains that meet at this speed, where all their energy is elastic (length).
+  /// Returns the largest overlap (length) of two free grains that collide at this speed, if all their kinetic
+  /// energy becomes elastic energy.
   double overlap_of_impact(const PairGeometry<>& pair, double speed) const {
     return std::pow(
         15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),
         0.4);
   }
-  /// K_N at which the elastic force is `elastic` (force/length).
+  /// Returns the normal stiffness K_N of a contact whose elastic force is `elastic` (force/length).
   double stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }
   double modulus_of_packing(int, double) const { return plane_modulus(); }
-  /// Upper bound of K_N of a contact under this load (force/length).
+  /// Returns an upper bound of the normal stiffness K_N of a contact under this load (force/length).
   double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     const double deepest = std::max(
         {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});
@@ -77,7 +80,8 @@ struct HertzRepulsion {
   static T overlap(const PairGeometry<T>& pair) {
     return lanes::max(T(-pair.gap), T(0));
   }
-  /// 2 E* sqrt(R* d) of surfaces that touch, else 0: a root of zero has no derivative.
+  /// Returns the normal stiffness K_N = 2 E* sqrt(R* d) at the overlap d if the surfaces touch, else 0. The
+  /// square root is never taken of zero, where it has no derivative.
   template <class T>
   T contact_stiffness(const PairGeometry<T>& pair) const {
     using std::sqrt;

@@ -8,11 +8,12 @@
 
 namespace floc {
 
-/// Rolling resistance: an incremental spring K_R on the relative rotation, with its moment capped at mu_R FNe
-/// (elastic part only). [GRC2007], section II.
+/// Rolling resistance: an incremental spring of stiffness K_R on the relative rotation of two grains. Its
+/// moment is capped at the coefficient mu_R, a length, times the elastic part FNe of the normal force.
+/// [GRC2007], section II.
 struct RollingSpring {
-  double coefficient;        ///< mu_R, a length
-  double rolling_stiffness;  ///< K_R (force * length)
+  double coefficient;        ///< coefficient mu_R of rolling friction (length)
+  double rolling_stiffness;  ///< rolling stiffness K_R (force * length)
 
   static constexpr const char* kKeyword = "spring";
   static constexpr Family kFamily = Family::springs;
@@ -20,15 +21,16 @@ struct RollingSpring {
   static constexpr bool kIsDefault = true;
   static constexpr Number<RollingSpring> kNumbers[] = {
       {"coefficient", &RollingSpring::coefficient, Unit::length, "mu_R", Requirement::not_negative,
-       "a number >= 0 (mu_R, a length)", "rolling friction"},
+       "a number >= 0 (coefficient mu_R of rolling friction, a length)", "coefficient of rolling friction"},
       {"stiffness", &RollingSpring::rolling_stiffness, Unit::rolling_stiffness, "K_R", Requirement::positive,
-       "a positive number (K_R, force times length)", "rolling stiffness"}};
+       "a positive number (rolling stiffness K_R, force times length)", "rolling stiffness"}};
   static constexpr History kHistory[] = {
-      {"rolling_spring", HistoryKind::rotation, Unit::angle, "relative rotation of id1 against id2"}};
+      {"rolling_spring", HistoryKind::rotation, Unit::angle,
+       "rotation of the rolling spring: relative rotation of grain id1 against grain id2"}};
 
   /// Adds the relative rotation of one motion to the spring.
-  /// @param history  as declared
-  /// @return moment on j (force * length)
+  /// @param history  rotation of the spring, as declared by kHistory
+  /// @return rolling moment on grain j (force * length)
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& relative_rotation,
             T* history) const {
@@ -38,16 +40,17 @@ struct RollingSpring {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return acts() && capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, history, tolerance);
   }
-  /// Sets the history so that it carries a moment on j.
-  /// @param stiffness  K_R of the contact, > 0
+  /// Sets the history so that the spring carries a given moment on grain j.
+  /// @param stiffness  rolling stiffness of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// K_R of a contact that touches and is not mobilised (force * length); 0 if the coefficient is zero.
+  /// Returns the rolling stiffness K_R of a contact that touches and whose moment is below its cap (force *
+  /// length); 0 if the coefficient is zero.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
-  /// Whether the spring can carry a moment. One that cannot is left out, so that it does not stiffen the
-  /// network.
+  /// Returns whether the spring can carry a moment. A spring that cannot is left out, so that it does not
+  /// stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const RollingSpring&) const = default;

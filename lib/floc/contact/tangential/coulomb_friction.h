@@ -8,12 +8,13 @@
 
 namespace floc {
 
-/// Coulomb friction: an incremental tangential spring K_T capped at mu FNe. The cap depends on the ELASTIC part
-/// of the normal force, so a contact that carries no net normal force still carries up to mu F0. [GRC2008], Eq.
-/// 4 (with the factor mu that its printed sliding value lacks).
+/// Coulomb friction: an incremental tangential spring of stiffness K_T, whose force is capped at the friction
+/// coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part,
+/// so that a contact without net normal force still carries up to mu F0, where F0 is the pull-off force.
+/// [GRC2008], Eq. 4 (with the factor mu that its printed value at sliding lacks).
 struct CoulombFriction {
-  double coefficient;           ///< mu
-  double tangential_stiffness;  ///< K_T (force/length)
+  double coefficient;           ///< friction coefficient mu
+  double tangential_stiffness;  ///< tangential stiffness K_T (force/length)
 
   static constexpr const char* kKeyword = "coulomb";
   static constexpr Family kFamily = Family::springs;
@@ -21,16 +22,17 @@ struct CoulombFriction {
   static constexpr bool kIsDefault = true;
   static constexpr Number<CoulombFriction> kNumbers[] = {
       {"coefficient", &CoulombFriction::coefficient, Unit::ratio, "mu", Requirement::not_negative,
-       "a number >= 0 (mu)", "friction coefficient"},
+       "a number >= 0 (friction coefficient mu)", "friction coefficient"},
       {"stiffness", &CoulombFriction::tangential_stiffness, Unit::stiffness, "K_T", Requirement::positive,
-       "a positive number (K_T, force per length)", "tangential stiffness"}};
-  static constexpr History kHistory[] = {
-      {"shear_spring", HistoryKind::tangent, Unit::length,
-       "tangential spring; in 2D along the normal turned by +90 degrees, in 3D a vector normal to the normal"}};
+       "a positive number (tangential stiffness K_T, force per length)", "tangential stiffness"}};
+  static constexpr History kHistory[] = {{"shear_spring", HistoryKind::tangent, Unit::length,
+                                          "elongation of the tangential spring; in 2D along the normal turned "
+                                          "by +90 degrees, in 3D a vector in the "
+                                          "tangent plane"}};
 
   /// Adds the slip of one motion to the spring.
-  /// @param history  as declared
-  /// @return tangential force on i (force)
+  /// @param history  elongation of the spring, as declared by kHistory
+  /// @return tangential force on grain i (force)
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* history) const {
     return respond_capped(coefficient, tangential_stiffness, normal.elastic, slip, history);
@@ -39,16 +41,16 @@ struct CoulombFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return capped_is_mobilised<V>(coefficient, tangential_stiffness, elastic, history, tolerance);
   }
-  /// Sets the history so that it carries a force.
-  /// @param stiffness  K_T of the contact, > 0
+  /// Sets the history so that the spring carries a given force.
+  /// @param stiffness  tangential stiffness of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// K_T of a contact that touches and does not slide (force/length).
+  /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
-  /// Whether the spring can carry a force. One that cannot is left out, so that it does not stiffen the
-  /// network.
+  /// Returns whether the spring can carry a force. A spring that cannot is left out, so that it does not
+  /// stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const CoulombFriction&) const = default;

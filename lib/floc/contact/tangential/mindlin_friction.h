@@ -9,27 +9,30 @@
 
 namespace floc {
 
-/// Friction of elastic spheres: T grows by K_T times the slip, with K_T following the present normal force, and
-/// is cut back to mu FNe. Where the normal force falls, T falls with K_T; where it grows, T stays. No closed
-/// path then gains energy (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
+/// Friction of elastic spheres. The tangential force T grows by the tangential stiffness K_T times the slip,
+/// with K_T at the present normal force. It is capped at the friction coefficient mu times the elastic part FNe
+/// of the normal force. If the normal force falls, T falls in proportion to K_T; if the normal force grows, T
+/// stays. No closed path of motion then gains energy (docs/physics.md, "Spheres of Hertz and Mindlin").
+/// [AR2007], section II.
 struct MindlinFriction {
-  double coefficient;  ///< mu
+  double coefficient;  ///< friction coefficient mu
 
   static constexpr const char* kKeyword = "mindlin";
   static constexpr Family kFamily = Family::elastic_spheres;
   static constexpr int kDimension = 3;
   static constexpr bool kFollowsNormalStiffness = true;
-  static constexpr Number<MindlinFriction> kNumbers[] = {{"coefficient", &MindlinFriction::coefficient,
-                                                          Unit::ratio, "mu", Requirement::not_negative,
-                                                          "a number >= 0 (mu)", "friction coefficient"}};
+  static constexpr Number<MindlinFriction> kNumbers[] = {
+      {"coefficient", &MindlinFriction::coefficient, Unit::ratio, "mu", Requirement::not_negative,
+       "a number >= 0 (friction coefficient mu)", "friction coefficient"}};
   static constexpr History kHistory[] = {
       {"tangential_force", HistoryKind::tangent, Unit::force,
-       "tangential force on id1, a vector normal to the normal"},
-      {"last_stiffness", HistoryKind::scalar, Unit::stiffness, "K_T that the tangential force belongs to"}};
+       "tangential force on grain id1, a vector in the tangent plane"},
+      {"last_stiffness", HistoryKind::scalar, Unit::stiffness,
+       "tangential stiffness K_T at which the tangential force was last updated"}};
 
   /// Updates the tangential force by the slip of one motion.
-  /// @param history  as declared
-  /// @return tangential force on i (force)
+  /// @param history  tangential force and its stiffness, as declared by kHistory
+  /// @return tangential force on grain i (force)
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* history) const {
     Eigen::Map<V> force(history);
@@ -45,15 +48,16 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the history to a force. The next motion sets the stiffness that it belongs to.
+  /// Sets the tangential force in the history. The next motion sets the stiffness at which this force counts.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* history) const {
     Eigen::Map<V>{history} = force;
     history[V::RowsAtCompileTime] = 0.0;
   }
-  /// K_T of a contact that touches and does not slide (force/length).
+  /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
-  /// Whether friction can carry a force. If it cannot, it is left out, so that it does not stiffen the network.
+  /// Returns whether friction can carry a force. If it cannot, it is left out, so that it does not stiffen the
+  /// elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const MindlinFriction&) const = default;

@@ -9,11 +9,11 @@
 namespace floc {
 
 /// Resistance of spheres to turning against each other about the normal of their contact: an incremental spring
-/// K_tw on that rotation, with its moment capped at mu_tw FNe (elastic part only), whatever the rolling spring
-/// carries.
+/// of stiffness K_tw on this rotation. Its moment is capped at the coefficient mu_tw times the elastic part FNe
+/// of the normal force, independent of the rolling spring.
 struct TwistingSpring {
-  double coefficient;         ///< mu_tw, a length
-  double twisting_stiffness;  ///< K_tw (force * length)
+  double coefficient;         ///< coefficient mu_tw of twisting friction (length)
+  double twisting_stiffness;  ///< twisting stiffness K_tw (force * length)
 
   static constexpr const char* kKeyword = "spring";
   static constexpr Family kFamily = Family::springs;
@@ -21,15 +21,16 @@ struct TwistingSpring {
   static constexpr int kDimension = 3;
   static constexpr Number<TwistingSpring> kNumbers[] = {
       {"coefficient", &TwistingSpring::coefficient, Unit::length, "mu_tw", Requirement::not_negative,
-       "a number >= 0 (mu_tw, a length)", "twisting friction"},
+       "a number >= 0 (coefficient mu_tw of twisting friction, a length)", "coefficient of twisting friction"},
       {"stiffness", &TwistingSpring::twisting_stiffness, Unit::rolling_stiffness, "K_tw", Requirement::positive,
-       "a positive number (K_tw, force times length)", "twisting stiffness"}};
+       "a positive number (twisting stiffness K_tw, force times length)", "twisting stiffness"}};
   static constexpr History kHistory[] = {
-      {"twisting_spring", HistoryKind::twist, Unit::angle, "rotation of id1 against id2 about the normal"}};
+      {"twisting_spring", HistoryKind::twist, Unit::angle,
+       "rotation of the twisting spring: rotation of grain id1 against grain id2 about the normal"}};
 
   /// Adds the twist of one motion to the spring.
-  /// @param history  as declared
-  /// @return moment on j about the normal (force * length)
+  /// @param history  rotation of the spring, as declared by kHistory
+  /// @return twisting moment on grain j about the normal (force * length)
   template <class T>
   T respond(const NormalResponse<T>& normal, const T& twist, T* history) const {
     using One = Eigen::Matrix<T, 1, 1>;
@@ -39,13 +40,14 @@ struct TwistingSpring {
     return capped_is_mobilised<Eigen::Matrix<double, 1, 1>>(coefficient, twisting_stiffness, elastic, history,
                                                             tolerance);
   }
-  /// Sets the history so that it carries a moment on j.
-  /// @param stiffness  K_tw of the contact, > 0
+  /// Sets the history so that the spring carries a given moment on grain j.
+  /// @param stiffness  twisting stiffness of the contact, > 0
   void set_force(double moment, double stiffness, double* history) const { *history = moment / stiffness; }
-  /// K_tw of a contact that touches and is not mobilised (force * length).
+  /// Returns the twisting stiffness K_tw of a contact that touches and whose moment is below its cap (force *
+  /// length).
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
-  /// Whether the spring can carry a moment. One that cannot is left out, so that it does not stiffen the
-  /// network.
+  /// Returns whether the spring can carry a moment. A spring that cannot is left out, so that it does not
+  /// stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const TwistingSpring&) const = default;

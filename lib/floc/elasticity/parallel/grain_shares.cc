@@ -7,10 +7,11 @@
 namespace floc {
 namespace {
 
-/// Number of grains whose order no longer matters, since their data fit into a cache.
+/// Number of grains below which their order does not matter, because their data fit into a cache.
 constexpr std::size_t kLeaf = 32;
 
-/// Puts the grains that lie lowest along the longest side first. @param n_low  number of these grains
+/// Moves the grains with the lowest coordinates along the longest side to the front. @param n_low  number of these
+/// grains
 template <int Dim>
 void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::size_t n_low) {
   Vec<Dim> low = centres[grains.front()], high = low;
@@ -27,7 +28,8 @@ void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::siz
   std::nth_element(grains.begin(), grains.begin() + static_cast<std::ptrdiff_t>(n_low), grains.end(), is_lower);
 }
 
-/// Divides grains first among the processes, noting the first grain of each, then by halves until few are left.
+/// Sorts grains by recursive bisection: first among the processes, then by halves until few grains are left.
+/// @param first  receives the index of the first grain of each process
 template <int Dim>
 void divide(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::span<int> first) {
   const std::size_t n_processes = first.size();

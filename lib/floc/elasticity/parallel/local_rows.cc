@@ -7,10 +7,10 @@
 namespace floc {
 namespace {
 
-/// Relative rounding of what a spring is stretched by a unit of an unknown: see condense().
+/// Relative rounding error of the stretch of a spring per unit of an unknown, see condense().
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Shift of a diagonal of order one: below the softest motions that matter, above rounding.
+/// Shift added to the diagonal, whose entries are of order one: below the softest motions that matter, above rounding.
 constexpr double kShift = 1e-11;
 
 template <int Dim>
@@ -20,7 +20,7 @@ bool is_semidefinite(const ContactNetwork<Dim>& network, bool prestress) {
   });
 }
 
-/// Displacement of a grain by the turn of everything about an axis.
+/// Returns the displacement of a point by a rotation of everything about an axis through the origin.
 Vec<2> turned(const RotationVector<2>& axis, const Vec<2>& place) {
   return axis[0] * Vec<2>(-place[1], place[0]);
 }
@@ -45,7 +45,7 @@ LocalRows<Dim>::LocalRows(const ContactNetwork<Dim>& network, const std::vector<
   gather(process);
 }
 
-/// Finds the contacts of this process's grains, and who else takes part in them.
+/// Finds the contacts of the grains of this process, and the grains of other processes in these contacts.
 template <int Dim>
 void LocalRows<Dim>::gather(int process) {
   at_hand_.assign(shares_.grain.begin() + first_, shares_.grain.begin() + shares_.first[process + 1]);
@@ -56,8 +56,9 @@ void LocalRows<Dim>::gather(int process) {
     return block >= first_ && block < first_ + n_grains_;
   };
   of_start_.assign(n_grains_ + 1, 0);
-  // Grains of other processes that touch own ones are appended after the own grains, so that own rows come
-  // first. Contacts are then sorted by own grain (counting sort); one between two own grains is listed at both.
+  // Grains of other processes that touch a grain of this process are appended after the grains of this process, so that
+  // the rows of this process come first. Contacts are then sorted by grain of this process (counting sort); a contact
+  // between two such grains is listed at both.
   for (int k = 0; k < static_cast<int>(network_.contacts.size()); ++k) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     if (!is_own(c.i) && !is_own(c.j)) continue;
@@ -85,7 +86,7 @@ Eigen::Map<const Eigen::VectorXi> LocalRows<Dim>::contacts_of(int place) const {
   return {of_.data() + of_start_[place], of_start_[place + 1] - of_start_[place]};
 }
 
-/// Blocks of the grains that one of this process touches, and its own, ascending.
+/// Returns the block numbers of a grain of this process and of the grains that it touches, in ascending order.
 template <int Dim>
 std::vector<int> LocalRows<Dim>::columns_of(int place) const {
   std::vector<int> columns{first_ + place};
@@ -98,7 +99,8 @@ std::vector<int> LocalRows<Dim>::columns_of(int place) const {
   return columns;
 }
 
-/// Unknowns of K per unit of those solved for; 0 where they are not.
+/// Returns the factors between the unknowns of the stiffness matrix and the unknowns that are solved for; 0 for an
+/// unknown that is not solved for.
 template <int Dim>
 typename LocalRows<Dim>::Unknowns LocalRows<Dim>::scale_of(int grain) const {
   Unknowns scale;
@@ -112,7 +114,8 @@ typename LocalRows<Dim>::Unknowns LocalRows<Dim>::motion_of(int grain, const Eig
   return scale_of(grain).cwiseProduct(u.template segment<kDofs<Dim>>(kDofs<Dim> * place_[grain]));
 }
 
-/// Calls visit(rows, stiffness over the unit, rows on the boundary).
+/// Calls visit(rows, stiffness, boundary) for the springs of a contact: its ContactRows, their stiffnesses divided by
+/// the unit, and its rows on the boundary unknowns.
 template <int Dim>
 template <class Visit>
 void LocalRows<Dim>::for_each_spring(const NetworkContact<Dim>& c, const Visit& visit) const {
@@ -138,9 +141,8 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
   for (const int k : contacts_of(place)) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     for_each_spring(c, [&](const ContactRows<Dim>& rows, const RowStiffness<Dim>& stiffness, const auto&) {
-      // G^T k G of the contact, of which only the rows of this grain are kept; the other grain's rows are
-      // assembled where that grain is at home. A contact with a wall or an own image has no second grain: i =
-      // j.
+      // The contact adds G^T k G. Only the rows of this grain are kept; those of the other grain are assembled by the
+      // process of that grain. A contact with a wall or with the grain's own image has no second grain: i = j.
       const bool is_i = c.i == grain;
       const Block mine = (is_i ? rows.on_i : rows.on_j) * scale.asDiagonal();
       const Block forces = stiffness.asDiagonal() * mine;
@@ -151,7 +153,7 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
       at(shares_.block[other]) += forces.transpose() * theirs;
     });
   }
-  // Unknowns that are not solved for (scale 0) get a one on the diagonal, so that all blocks keep one size.
+  // Unknowns that are not solved for (scale 0) get a one on the diagonal, so that all blocks have the same size.
   auto own = at(first_ + place);
   for (int b = 0; b < kSize; ++b)
     if (scale[b] == 0.0)
@@ -162,7 +164,8 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
   return own.diagonal().maxCoeff();
 }
 
-/// Translations, then rotations about the middle of all grains over half their extent.
+/// Returns the rigid motions of all grains as columns: translations, then rotations about their common middle, divided
+/// by half the extent of the packing.
 template <int Dim>
 std::vector<double> LocalRows<Dim>::rigid_motions(const std::vector<Vec<Dim>>& centres) const {
   constexpr int kMotions = Dim + kRotations<Dim>;

@@ -9,42 +9,48 @@
 
 namespace floc {
 
-/// Rows of K of the grains of one process, and the contacts of these grains. The rows are divided by `unit`, in
-/// unknowns of one unit: rotations times the grain's size (see ReducedUnknowns). Unknowns that are not solved
-/// for have a one on the diagonal and zeros elsewhere, so that all blocks have one size. Where K cannot have
-/// negative eigenvalues, its diagonal is shifted by far less than any stiffness that resists a strain. The
-/// shift regularises mechanisms, which carry no load; refinement by balance() removes its effect.
+/// Rows of the stiffness matrix K that belong to the grains of one process, and the contacts of these grains. The rows
+/// are divided by `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). Unknowns that are not
+/// solved for have a one on the diagonal and zeros elsewhere, so that all blocks have the same size. If K cannot have
+/// negative eigenvalues, its diagonal is shifted by far less than any stiffness that resists a strain. The shift
+/// regularises mechanisms, which carry no load; refinement by balance() removes its effect.
 template <int Dim>
 class LocalRows {
  public:
-  /// @param network  without dead ends; it and the other references must outlive this
-  /// @param kept     unknowns of K to solve for, see FreeMotions
-  /// @param unit     (force/length)
+  /// @param network  network without dead ends; it and the other references must outlive this object
+  /// @param kept     one entry per unknown of K: whether to solve for it, see FreeMotions
+  /// @param unit     stiffness by which K is divided (force/length)
   LocalRows(const ContactNetwork<Dim>& network, const std::vector<bool>& kept, const GrainShares& shares,
             int process, double unit, const ResponseOptions& options);
 
-  /// Hands these rows to the solver, with the rigid motions, which coarse grids have to represent.
-  /// @param centres  of all grains (length)
-  /// @return the largest entry of their diagonal
+  /// Passes the rows to the solver, with the rigid motions of the grains, which its coarse grids have to represent.
+  /// @param centres  centres of all grains (length)
+  /// @return largest diagonal entry of these rows
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// Unknowns of this process, and these with the unknowns of other processes' grains that they touch: u below.
+  /// Return the number of unknowns of this process's grains, and the number that also includes the grains of other
+  /// processes that they touch (the size of u below).
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 
   struct Balance {
-    Eigen::VectorXd net;  ///< forces -(K u + the load of the boundary) on the unknowns of this process
-    double energy = 0.0;  ///< (A u + B)^T k (A u + B) of the contacts that this process counts
+    Eigen::VectorXd net;  ///< net forces -(K u + load of the boundary) on the unknowns of this process
+    double energy =
+        0.0;  ///< energy (A u + B)^T k (A u + B) of the contacts that this process counts, see SpringSystem
   };
-  /// Computes the balance of forces under a unit of one boundary unknown.
+  /// Computes the net forces on the grains for given motions and a unit of one boundary unknown.
+  /// @param u         motions of n_at_hand() unknowns
+  /// @param boundary  number of the boundary unknown
   Balance balance(const Eigen::VectorXd& u, int boundary) const;
 
   struct Energies {
-    Eigen::MatrixXd stiffness;  ///< (A u_b + B_b)^T k (A u_c + B_c), see SpringSystem
-    Eigen::MatrixXd rounding;   ///< bound on the error of `stiffness` from rounding of the contacts' geometry
+    /// energies (A u_b + B_b)^T k (A u_c + B_c) of pairs of responses b, c, see SpringSystem
+    Eigen::MatrixXd stiffness;
+    Eigen::MatrixXd
+        rounding;  ///< bound on the error of `stiffness` from the rounding of the contacts' geometry
   };
-  /// Sums the energies over the contacts that this process counts; each contact is counted by one process.
-  /// @param u  the response to a unit of each boundary unknown
+  /// Sums the energies over the contacts that this process counts; each contact is counted by exactly one process.
+  /// @param u  responses of the grains to a unit of each boundary unknown
   Energies energies(const std::vector<Eigen::VectorXd>& u) const;
 
  private:
@@ -67,13 +73,15 @@ class LocalRows {
   double unit_;
   StrainSet strains_;
   bool prestress_;
-  double shift_;                    // of the diagonal
-  int first_ = 0;                   // block of this process
-  int n_grains_ = 0;                // of this process
-  std::vector<int> at_hand_;        // grains: its own in the order of their rows, then those of others
-  std::vector<int> place_;          // there, of each grain; -1: none
-  std::vector<int> contacts_;       // that its grains take part in
-  std::vector<int> of_start_, of_;  // those of each of its grains
+  double shift_;      // value added to the diagonal
+  int first_ = 0;     // first block of this process
+  int n_grains_ = 0;  // number of grains of this process
+  // grains: first those of this process in the order of their rows, then their neighbours in other processes
+  std::vector<int> at_hand_;
+  std::vector<int> place_;     // index of each grain in `at_hand_`; -1 if it is not there
+  std::vector<int> contacts_;  // contacts of the grains of this process
+  std::vector<int> of_start_,
+      of_;  // start of the list of contacts of each of these grains in `of_`, and these lists
 };
 
 }  // namespace floc

@@ -13,25 +13,24 @@
 namespace floc {
 namespace {
 
-/// Reduction of the residual forces required of the first solution, which leaves about its square of the
-/// energy, and the strongest reduction required of a later one, as far as rounding allows.
+/// Required reduction of the residual forces in the first solution, which leaves about its square of the energy; and
+/// the strongest reduction required in a later solution, as far as rounding allows.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
-/// Largest number of solutions, each for the residual of the one before, and the share to which one has to
-/// reduce the remaining energy for another to follow.
+/// Largest number of successive solutions, each for the residual forces of the previous one; and the share to which a
+/// solution has to reduce the remaining energy for another solution to follow.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
-/// Share of the smallest Ritz value taken for the softest ratio, as for other inverses of which nothing is
-/// known.
+/// Assumed smallest eigenvalue of the preconditioned stiffness matrix, as a share of the smallest Ritz value.
 constexpr double kShareOfRitz = 0.1;
-/// Shares of the affine stiffness: the first is its relative rounding error, and a stiffness below the second
-/// cannot be told from zero.
+/// Relative rounding error of a stiffness, and the stiffness that cannot be distinguished from zero; both as shares of
+/// the affine stiffness.
 constexpr double kRounding = 1e-14;
 constexpr double kNothing = 1e-11;
-/// Relative error beyond which a stiffness is none.
+/// Relative error of a condensed stiffness above which the solution counts as failed.
 constexpr double kUseful = 1e-6;
 
-/// The grains that some contact acts on.
+/// Returns which grains have a contact.
 template <int Dim>
 std::vector<bool> in_contact(const ContactNetwork<Dim>& network) {
   std::vector<bool> taken(network.n_grains, false);
@@ -39,14 +38,14 @@ std::vector<bool> in_contact(const ContactNetwork<Dim>& network) {
   return taken;
 }
 
-/// Relaxes the grains for one boundary unknown after the other.
+/// Condensation of the stiffness matrix: relaxes the grains under a unit of each boundary unknown in turn.
 template <int Dim>
 class ParallelCondensation {
  public:
   ParallelCondensation(const LocalRows<Dim>& rows, double norm, double tolerance, ParallelSolver& solver)
       : rows_(rows), norm_(norm), tolerance_(tolerance), solver_(solver) {}
 
-  /// @return why not, in words; empty where all converged
+  /// @return reason why the relaxation failed, as a sentence; empty if all solutions converged
   std::string relax(int n_boundary) {
     for (int b = 0; b < n_boundary; ++b)
       if (std::string failure = relax_one(b); !failure.empty()) return failure;
@@ -59,13 +58,13 @@ class ParallelCondensation {
   }
 
   Eigen::MatrixXd stiffness, error;
-  double residual = 0.0;  // backward error
+  double residual = 0.0;  // largest relative backward error of the solutions
   int steps = 0;
 
  private:
   using Balance = typename LocalRows<Dim>::Balance;
 
-  /// Solves repeatedly for the remaining net forces, until the energy that they can still release is within the
+  /// Solves repeatedly for the remaining net forces, until the energy that they could still release is within the
   /// tolerance.
   std::string relax_one(int b) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(rows_.n_at_hand());
@@ -89,8 +88,9 @@ class ParallelCondensation {
       reduction = std::clamp(0.3 * std::sqrt(wanted(now, affine) / excess), kLeastReduction, 0.1);
     }
     if (!(excess <= std::max(kUseful * std::abs(now.energy), kNothing * affine)))
-      return fmt::format("rounding leaves an error of {:.1e} of a stiffness of {:.1e} (of {:.1e} unrelaxed)",
-                         excess, now.energy, affine);
+      return fmt::format(
+          "rounding leaves an error of {:.1e} in a relaxed stiffness of {:.1e} (affine stiffness: {:.1e})",
+          excess, now.energy, affine);
     steps = std::max(steps, n_steps);
     const double scale = norm_ * largest(u) + load;
     if (scale > 0.0) residual = std::max(residual, largest(now.net) / scale);
@@ -99,7 +99,7 @@ class ParallelCondensation {
     return {};
   }
 
-  /// Energy that may be left to gain.
+  /// Returns the energy that may remain unreleased within the tolerance.
   double wanted(const Balance& now, double affine) const {
     return std::max(tolerance_ * std::abs(now.energy), kRounding * affine);
   }
@@ -118,7 +118,7 @@ class ParallelCondensation {
     return {u.data(), static_cast<std::size_t>(rows_.n_own())};
   }
 
-  /// Values of grains of other processes.
+  /// Obtains the values of the unknowns of grains of other processes.
   void fetch(Eigen::VectorXd& u) {
     const auto n = static_cast<std::size_t>(rows_.n_own());
     solver_.exchange(own_part(u), {u.data() + n, static_cast<std::size_t>(u.size()) - n});
@@ -142,9 +142,10 @@ class ParallelCondensation {
   double norm_;
   double tolerance_;
   ParallelSolver& solver_;
-  double ratio_ = 1.0;               // softest ratio of K to its preconditioner met so far, or below
-  std::vector<Eigen::VectorXd> u_;   // of each boundary unknown
-  std::vector<double> excess_root_;  // root of the energy that is left to gain
+  double ratio_ =
+      1.0;  // smallest eigenvalue of the preconditioned stiffness matrix found so far, or a lower bound
+  std::vector<Eigen::VectorXd> u_;   // response of the grains to each boundary unknown
+  std::vector<double> excess_root_;  // square root of the energy that could still be released
 };
 
 }  // namespace

@@ -4,20 +4,21 @@
 
 namespace floc {
 
-/// Energy of a spring, force^2/(2 stiffness); 0 without stiffness.
+/// Returns the energy of a spring, force^2/(2 stiffness); 0 if the stiffness is zero.
 inline double spring_energy(double squared_force, double stiffness) {
   return stiffness > 0.0 ? 0.5 * squared_force / stiffness : 0.0;
 }
 
 /// Potential energy of a contact (energy).
 struct ContactEnergy {
-  /// N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R) of the elastic normal force N, the overlap h and the springs. The
-  /// first term is the integral of N over h wherever N follows a power of h: N h/2 for linear contacts, (2/5) N h for
-  /// Hertz contacts. Other laws give it as a function of the gap and the history. It is zero for a distant
-  /// attraction.
+  /// Elastic energy N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R) of the elastic normal force N at the overlap
+  /// h, the tangential force T and the moment M of the rolling spring, with the stiffnesses K_N, K_T and K_R;
+  /// the twisting spring has a similar term. The first term is the integral of N over h if N follows a power of
+  /// h: N h/2 for linear contacts, (2/5) N h for Hertz contacts. Other laws compute it from the gap and the
+  /// history. The elastic energy of a distant attraction is zero.
   double elastic = 0.0;
-  double normal = 0.0;  ///< the first term of `elastic`, included there
-  /// Energy of the adhesion, negative where it acts.
+  double normal = 0.0;  ///< energy of the normal force, the first term of `elastic`, which includes it
+  /// Energy of the adhesion, negative where the surfaces attract each other.
   double attraction = 0.0;
 
   double all() const { return elastic + attraction; }
@@ -26,12 +27,12 @@ struct ContactEnergy {
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Sum of the energies of all contacts.
+/// Returns the sum of the energies of all contacts of a packing.
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing);
 
-/// Kinetic energy of the translations of the grains over the elastic energy of all contacts; infinite where
-/// grains move and no contact is loaded, zero where nothing moves.
+/// Returns the kinetic energy of the translations of the grains divided by the elastic energy of all contacts;
+/// infinite if grains move and no contact is loaded, zero if nothing moves.
 template <int Dim>
 double kinetic_over_elastic_energy(const Packing<Dim>& packing);
 

@@ -7,32 +7,35 @@
 
 namespace floc {
 
-/// Recomputes gap, normal, static forces, stiffnesses and flags of one contact from the positions of its grains
-/// and its history, by the packing's law. Springs beyond their cap are shortened to it; springs of a contact
-/// that has parted, or of a slot that the law does not have, are set to zero. `contact.i`, `j`, `image` and the
-/// history are read, all other members are written.
+/// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact from the positions of its
+/// grains and its history, by the contact law of the packing. Springs whose forces exceed their caps are
+/// shortened; springs of a contact that has parted, or of a model that the law does not have, are set to zero.
+/// `contact.i`, `j`, `image` and the history are read, all other members are written.
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact);
 
-/// Refreshes every contact of the packing: refresh_contact() for each. Contacts out of the law's range are
-/// removed.
+/// Calls refresh_contact() for every contact of a packing and removes contacts that are out of the range of the
+/// law.
 template <int Dim>
 void refresh_contacts(Packing<Dim>& packing);
 
-/// Whether the surfaces of a contact touch, by the law of the packing at the contact's gap and history.
+/// Returns whether the surfaces of a contact touch, by the contact law of the packing at the gap and history of
+/// the contact.
 template <int Dim>
 bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Springs of a contact that are at their caps, by its elastic force and its history; none for a distant
-/// attraction.
-/// @param tolerance  relative distance below the cap that still counts as being at it
+/// Returns which springs of a contact have forces at their caps, from its elastic force and its history. The
+/// springs of a distant attraction carry no force and do not count.
+/// @param tolerance  relative distance below the cap that still counts as being at the cap
 template <int Dim>
 Mobilised mobilised(const Law& law, const Contact<Dim>& contact, double tolerance);
 
 /// Completes a contact whose forces were measured or read from a file: its elastic force, its history and any
-/// stiffness not given follow from the law. Shear force and moments are not changed, even beyond their caps.
-/// @param kn, kt  stiffnesses of the contact (force/length), those of the law where absent
-/// @pre the contact touches, or is to be taken as touching; normal_force, shear_force and moments are set
+/// stiffness that is not given follow from the contact law. Shear force and moments are not changed, even if
+/// they exceed their caps.
+/// @param kn, kt  normal and tangential stiffness of the contact (force/length); if absent, the stiffness of
+/// the law
+/// @pre the surfaces touch, or are to be treated as touching; normal_force, shear_force and moments are set
 template <int Dim>
 void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std::optional<double> kt,
                       double tolerance, Contact<Dim>& contact);

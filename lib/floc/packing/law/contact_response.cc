@@ -9,13 +9,16 @@
 namespace floc {
 namespace {
 
-/// Factor of springs for derivatives: springs that are at their cap up to rounding are then beyond it.
+/// Factor applied to springs when derivatives are computed: a spring whose force is at its cap up to rounding
+/// then exceeds it.
 constexpr double kBeyondCap = 1.0 + 2e-12;
-/// Motion of the surfaces added for derivatives, negligible beside any other motion: a spring of length zero
-/// under a cap of zero (surfaces that have parted) is then beyond its cap. Its square does not underflow.
+/// Motion of the surfaces added when derivatives are computed (length or radians). It is negligible compared
+/// with any other motion. A spring of zero length whose force has a cap of zero (surfaces that have parted)
+/// then exceeds its cap. The square of this number does not underflow.
 constexpr double kTinyMotion = 1e-150;
 
-/// Factor of each number of the history: kBeyondCap for springs, 1 for other quantities.
+/// Returns the factor of each number of the history of a contact: kBeyondCap for springs, 1 for other
+/// quantities.
 template <int Dim>
 ContactHistory<Dim> spring_factors(const Law& law) {
   ContactHistory<Dim> factor = ContactHistory<Dim>::Ones();
@@ -24,7 +27,7 @@ ContactHistory<Dim> spring_factors(const Law& law) {
   return factor;
 }
 
-/// History of a contact as dual numbers.
+/// Returns the history of a contact as dual numbers, for automatic differentiation.
 template <class Law, int Dim>
 PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_history(const ContactHistory<Dim>& all) {
   PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> history;
@@ -33,7 +36,7 @@ PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_history(co
   return history;
 }
 
-/// Pair parameters as dual numbers with zero derivatives, since no motion changes them.
+/// Returns the parameters of a pair as dual numbers with zero derivatives, because no motion changes them.
 template <class Law, class T>
 typename Law::template PairParameters<T> constant(
     [[maybe_unused]] const typename Law::template PairParameters<>& parameters) {
@@ -43,8 +46,8 @@ typename Law::template PairParameters<T> constant(
     return {};
 }
 
-/// Axes of rolling, as columns in the order of `ContactRows`: the axes of its rotations, with zero in place of
-/// the normal.
+/// Returns the rolling axes of a contact as columns, in the order of the rotations in `ContactRows`, with zero
+/// in place of the normal.
 Mat<1> rolling_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }
@@ -79,7 +82,7 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
   for (int a = 0; a < kRotations<Dim>; ++a) {
     motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kTinyMotion);
     for (int b = 0; b < kRotations<Dim>; ++b)
-      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // of i against j
+      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // rotation of i relative to j
   }
   if constexpr (Dim == 3) {
     motion.twist = T(kBeyondCap * surface.twist + kTinyMotion);

@@ -5,21 +5,23 @@
 #include "floc/packing/law/contact_response.h"
 #include "floc/packing/packing.h"
 
-/// Response of one contact by a composed law, shared by all evaluations outside the force loop.
+/// Response of one contact under a composed contact law, shared by all code except the force loop of the
+/// dynamics.
 namespace floc {
 
-/// Relative distance below its cap up to which a spring counts as mobilised; it covers rounding.
+/// Relative distance of the force of a spring below its cap at which it still counts as being at the cap; it
+/// covers rounding.
 inline constexpr double kCapTolerance = 1e-12;
 
-/// Geometry and masses of the pair at the contact's gap. A wall is flat and infinitely heavy, so that the
-/// reduced radius and mass are those of the grain.
+/// Returns the geometry and the masses of the pair of a contact, at the gap of the contact. A wall is flat and
+/// infinitely heavy, so that the reduced radius and mass are the radius and the mass of the grain.
 template <int Dim>
 PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   if (c.j >= grains.size()) return {c.gap, grains.radius[c.i], grains.mass[c.i]};
   return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
 }
 
-/// Pair parameters of a contact under the law. Contacts with walls are dry.
+/// Returns the parameters of the pair of a contact under a contact law. Contacts with walls have no liquid.
 template <class Law, int Dim>
 typename Law::template PairParameters<> pair_parameters(
     const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c,
@@ -27,7 +29,8 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], history);
 }
-/// Pair parameters of a contact as they act now.
+/// Returns the parameters of the pair of a contact at its present history: the strength of a broken liquid
+/// bridge is zero.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {
@@ -35,13 +38,14 @@ typename Law::template PairParameters<> acting_parameters(const Law& law, const 
   return law.template acting<Dim>(pair_parameters(law, grains, c, history), history);
 }
 
-/// Whether the surfaces of a contact touch, by its gap and its history.
+/// Returns whether the surfaces of a contact touch, by its gap and its history.
 template <class Law, int Dim>
 bool touches(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
   return law.template touches<Dim>(pair_geometry(grains, c), packed_history<Law, Dim>(c.history));
 }
 
-/// Sets the flags of the springs that are at their caps; none for a distant attraction.
+/// Sets the flags of a contact that tell which springs have forces at their caps. All flags are false for a
+/// distant attraction.
 template <class Law, int Dim>
 void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySize<Dim>>& history,
                    double tolerance, Contact<Dim>& c) {
@@ -52,8 +56,8 @@ void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySiz
   c.twisting_yield = m.twisting;
 }
 
-/// Updates static forces, stiffnesses, flags and history of a contact by a motion of its surfaces. The contact
-/// has the gap and the normal after the motion already.
+/// Updates the static forces, stiffnesses, flags and history of a contact by a motion of its surfaces. The gap
+/// and the normal of the contact must already be those after the motion.
 template <class Law, int Dim>
 void respond_to_motion(const Law& law, const Grains<Dim>& grains, const SurfaceMotion<Dim>& surface,
                        Contact<Dim>& c) {

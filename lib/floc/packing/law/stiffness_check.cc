@@ -13,11 +13,12 @@
 namespace floc {
 namespace {
 
-/// Whether stiffnesses follow from the elastic force alone. Under a normal law with a history they do not.
+/// Whether the stiffnesses of a contact follow from its elastic force alone. Under a normal law with a history
+/// they do not.
 template <class Law>
 inline constexpr bool kFollowsFromForce = history_size<typename Law::NormalModel>(2) == 0;
 
-/// Whether two factors are equal within the digits that files print.
+/// Returns whether two factors are equal within the digits that files print.
 bool same_factor(double a, double b) {
   return !differ(a, b, 10.0 * kForeignStiffness);
 }
@@ -70,12 +71,15 @@ std::vector<std::string> StiffnessComparison::differences(double force_exponent)
     if (kind.n == 0) continue;
     std::string text = fmt::format("{} of {} contact{} ", kStiffnessNames[k], kind.n, kind.n == 1 ? "" : "s");
     text += std::isfinite(kind.largest)
-                ? fmt::format("is {} times what the law gives", factor_text(kind.least, kind.largest))
-                : "is not zero, but the law gives none";
-    text += fmt::format(" (grains {}: {:.6g}, the law {:.6g})", kind.names, kind.found, kind.by_law);
+                ? fmt::format("is {} times the value of the contact law", factor_text(kind.least, kind.largest))
+                : "is not zero, but it is zero by the contact law";
+    text += fmt::format(" (grains {}: {:.6g}, by the law {:.6g})", kind.names, kind.found, kind.by_law);
     const double secant = 1.0 / force_exponent;
     if (k == 0 && secant != 1.0 && same_factor(kind.least, secant) && same_factor(kind.largest, secant))
-      text += fmt::format(": it is N/delta, but the stiffness of the law is {:g} N/delta", force_exponent);
+      text += fmt::format(
+          ": the value is N/delta (normal force N over overlap delta), but the stiffness of the law is {:g} "
+          "N/delta",
+          force_exponent);
     texts.push_back(std::move(text));
   }
   return texts;

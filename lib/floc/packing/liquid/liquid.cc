@@ -14,7 +14,7 @@ namespace floc {
 
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs) {
-  const double per_volume = bridges.reach(1.0);  // (1 + th/2)
+  const double per_volume = bridges.reach(1.0);  // 1 + th/2 with the contact angle th
   std::vector<double> q(pairs.size());
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const double reaching = pairs[p].gap / per_volume;
@@ -57,7 +57,7 @@ double BridgeSearch::first_reach() const {
   return radius_sum_ > 0.0 ? bridges_.reach(liquid_ * (largest_radius_ / radius_sum_)) : 0.0;
 }
 
-/// More pairs would leave less liquid for each bridge. A single bridge would have all the liquid.
+/// If more pairs had bridges, each bridge would hold less liquid. A single bridge would hold all the liquid.
 double BridgeSearch::reach_bound(const LiquidShares& shares) const {
   return bridges_.reach(liquid_ *
                         std::min(1.0, shares.n_bonds > 0 ? largest_radius_ / shares.radius_sum : 1.0));
@@ -80,7 +80,7 @@ void set_bridge_volume(double volume, Contact<Dim>& contact) {
 
 namespace {
 
-/// Radius of the larger of the grains among the bodies of a contact.
+/// Returns the radius of the larger grain of a contact.
 template <int Dim>
 double largest_radius(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return std::max(packing.grains.radius[c.i], packing.surface_radius(c.j));

@@ -7,47 +7,51 @@
 
 #include "floc/packing/packing.h"
 
-/// Liquid of a packing whose law has capillary bridges: the pairs that hold it and their volumes.
+/// Liquid of a packing whose contact law has capillary bridges: the pairs of grains that hold liquid, and its
+/// volumes.
 namespace floc {
 
-/// Bridges per grain of a dense packing, each shared by two grains. A search begins with this number, and a
-/// scene assumes it before there are any bridges.
+/// Estimated number of liquid bridges per grain of a dense packing, where each bridge is shared by two grains.
+/// A search for bridges begins with this number, and a scene assumes it before there are any bridges.
 inline constexpr double kBridgesPerGrain = 3.0;
 
-/// Pair of grains that liquid may bridge.
+/// Pair of grains that a liquid bridge may connect.
 struct BridgeablePair {
-  double gap;     ///< h (length), negative or zero where the surfaces touch
-  double radius;  ///< R' = 2 Ri Rj/(Ri + Rj) (length)
+  double gap;     ///< gap h between the surfaces (length), negative or zero if they touch
+  double radius;  ///< mean radius R' = 2 Ri Rj/(Ri + Rj) (length)
 };
 
-/// Distribution of the liquid over pairs.
+/// Distribution of the liquid of a packing over pairs of grains.
 struct LiquidShares {
-  std::vector<double> volume;  ///< V_b of each pair (length^3), 0 without a bridge
-  int n_bonds = 0;             ///< pairs with a bridge
-  double radius_sum = 0.0;     ///< sum of R' over the pairs with a bridge (length)
+  std::vector<double> volume;  ///< volume V_b of the bridge of each pair (length^3), 0 without a bridge
+  int n_bonds = 0;             ///< number of pairs with a bridge
+  double radius_sum = 0.0;     ///< sum of the mean radii R' of all pairs with a bridge (length)
 };
 
-/// Shares liquid out over pairs, V_b = V_l R'/sum R' over the bridged pairs. A pair is bridged if it touches or
-/// is within the reach of its bridge. Volumes and bridged pairs follow from these two conditions: with
+/// Distributes a volume V_l of liquid over pairs of grains in proportion to their mean radius R': V_b = V_l
+/// R'/sum R' is the volume of the bridge of a pair, with the sum over the pairs that have a bridge. A pair has
+/// a bridge if it touches or if its gap h is within the reach of its bridge. Volumes and bridges follow from
+/// these two conditions: with
 ///
-///   q = R' (1 + th/2)^3/h^3 (infinite where surfaces touch), sorted descending, S_k the running sum of R',
+///   q = R' (1 + th/2)^3/h^3 (infinite if the surfaces touch), sorted descending, S_k the running sum of R',
 ///
-/// the first k pairs are bridged, where k is the largest number with S_k <= V_l q_k (S rises and q falls). All
-/// of them are in reach at their own volumes, and this holds for no larger k. (A set that leaves out a pair of
-/// larger q may have more members where the R' differ.) Pairs of equal q keep their order. The volumes add up
-/// to V_l, up to rounding; if no pair is in reach, all volumes are zero.
+/// the first k pairs have bridges, where k is the largest number with S_k <= V_l q_k (S rises and q falls) and
+/// th is the contact angle. All of these pairs are within reach at their own volumes, and this holds for no
+/// larger k. (If the R' differ, a set that leaves out a pair of larger q may have more members.) Pairs of equal
+/// q keep their order. The volumes add up to V_l, up to rounding; if no pair is within reach, all volumes are
+/// zero.
 ///
 /// @param liquid  V_l (length^3), > 0
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs);
 
-/// Whether a pair with this gap (length) and this bridge volume (length^3) may get liquid. Where bridges form
-/// on contact alone, the pair has to touch or to have a bridge.
+/// Returns whether a pair with this gap (length) and this bridge volume (length^3) may get liquid. If bridges
+/// form only on contact, the pair has to touch or to have a bridge already.
 bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume);
 
-/// Shares liquid out over n pairs, of which some may take no part.
-/// @param pair  called with k; returns the k-th pair, or nothing if it takes no part
-/// @return shares with the volumes of all n pairs
+/// Distributes the liquid over those of n pairs that may hold liquid.
+/// @param pair  function of k that returns the k-th pair, or nothing if this pair gets no liquid
+/// @return distribution with the volumes of all n pairs
 template <class PairAt>
 LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid, int n, const PairAt& pair) {
   std::vector<BridgeablePair> taking_part;
@@ -64,69 +68,72 @@ LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid,
   return shares;
 }
 
-/// Gaps for the search of pairs that liquid may bridge: the search is widened until no pair beyond it can be in
-/// reach.
+/// Sequence of gaps for the search of pairs that liquid may bridge. The gap is widened until no pair beyond it
+/// can be within reach of a bridge.
 class BridgeSearch {
  public:
-  /// @param radius  of the grains
+  /// @param radius  radius of each grain (length)
   BridgeSearch(const CapillaryAdhesion& bridges, std::span<const double> radius);
 
-  /// V_l, volume of all liquid (length^3).
+  /// Returns the total volume of liquid (length^3).
   double liquid() const { return liquid_; }
-  /// First gap to search across (length): the reach of bridges if there were kBridgesPerGrain of them per
-  /// grain.
+  /// Returns the first gap up to which pairs are searched (length): the reach of the bridges if there were
+  /// kBridgesPerGrain bridges per grain.
   double first_reach() const;
-  /// Upper bound of the reach of a bridge with the volumes of `shares` (length).
+  /// Returns an upper bound of the reach (length) of a bridge in the distribution `shares`.
   double reach_bound(const LiquidShares& shares) const;
-  /// Next gap to search across (length), given the shares over all pairs closer than `reach`: wider than
-  /// `reach`, or `reach` itself if the shares are final.
+  /// Returns the next gap up to which pairs are searched (length), where `shares` is the distribution over all
+  /// pairs closer than `reach`. It is wider than `reach`, or equal to `reach` if the distribution is final.
   double wider(double reach, const LiquidShares& shares) const;
 
  private:
   const CapillaryAdhesion& bridges_;
   double liquid_, largest_radius_;
-  double radius_sum_;  ///< sum of R' of kBridgesPerGrain bridges per grain (length)
+  /// Sum of the mean radii R' of all bridges if there were kBridgesPerGrain of them per grain (length).
+  double radius_sum_;
 };
 
-/// Whether the law of a packing has liquid, so that the history of contacts holds bridge volumes.
+/// Returns whether the contact law of a packing has liquid, so that the history of contacts holds the volumes
+/// of bridges.
 template <int Dim>
 bool holds_liquid(const Packing<Dim>& packing) {
   return packing.law.liquid() != nullptr;
 }
 
-/// Volume of the liquid at a contact (length^3), signed as in the history: negative for a bridge that has
-/// broken. 0 under a law without liquid.
+/// Returns the volume of the liquid at a contact (length^3), with the sign that it has in the history: negative
+/// for a bridge that has broken. 0 under a law without liquid.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
 /// Sets the volume of the liquid at a contact (length^3). @pre the law has liquid
 template <int Dim>
 void set_bridge_volume(double volume, Contact<Dim>& contact);
 
-/// Whether a pair belongs to the contact list: it touches, attracts across its gap or holds liquid. @pre the
-/// flag `distant` is set
+/// Returns whether a pair belongs to the list of contacts: it touches, attracts across its gap or holds liquid.
+/// @pre the flag `distant` is set
 template <int Dim>
 bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return !contact.distant || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;
 }
 
-/// Gap beyond which a contact does not act (length): the reach of the law, or the reach of its bridge.
+/// Returns the gap (length) beyond which a contact does not act: the reach of the law, or the reach of its
+/// liquid bridge.
 template <int Dim>
 double range_of(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Largest gap at which any contact of a packing acts (length): the reach of the law or, with liquid, the
-/// largest reach of a bridge and gap of a contact that holds liquid.
+/// Returns the largest gap at which any contact of a packing acts (length): the reach of the law or, with
+/// liquid, the largest reach of a bridge and gap of a contact that holds liquid.
 template <int Dim>
 double interaction_range(const Packing<Dim>& packing);
 
-/// Pull-off force F0 of two grains of the largest radius of a packing (force); 0 without adhesion.
+/// Returns the pull-off force F0 of two grains of the largest radius of a packing (force); 0 without adhesion.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing);
 
-/// Pull-off force F0 of a contact that touches (force); 0 where no adhesion acts between its surfaces.
+/// Returns the pull-off force F0 of a contact that touches (force); 0 if no adhesion acts between its surfaces.
 template <int Dim>
 double pull_off_force(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Volume of the grains as spheres (length^3); in 2D, disks stand for a layer of spheres.
+/// Returns the total volume of the grains as spheres (length^3); in 2D, disks stand for a layer of spheres.
 double volume_of_spheres(std::span<const double> radius);
 
 }  // namespace floc

@@ -7,16 +7,16 @@
 
 namespace floc {
 
-/// Passes over the grains of a block. Like all code of the kernels it is a template on the instruction set, and
-/// calls no inline function that is not.
+/// Passes over the grains of a block. Like all kernel code it is a template on the instruction set, and it calls no
+/// inline function that is not such a template.
 template <class Isa, int Dim, LatticeShape kShape, RowKind kRows>
 struct GrainKernels {
   using Layout = RowLayout<Dim, kRows>;
   static constexpr bool kRotates = kRows != RowKind::forces;
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
-  /// Number of vectors in a sum of rows: one for forces and, in 3D, one for moments. Other numbers in the same
-  /// vectors are summed, too, and not used.
+  /// Number of vector registers that hold the sum over the rows (forces and moments) of a grain: one for forces and, in
+  /// 3D, one for moments. Other numbers that happen to lie in these registers are summed, too, but not used.
   static constexpr int kParts = Dim == 3 && kRotates ? 2 : 1;
   using Part = typename VectorOf<row_sum_size<Dim>(kRows) / kParts>::Type;
   struct Sum {
@@ -27,7 +27,7 @@ struct GrainKernels {
 
   [[gnu::flatten]] static void kick_and_drift(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick,
                                               const Drift<Dim>& drift, Rotation stands) {
-    // In a triangular lattice the drift along an axis depends on the kicked velocities along later axes.
+    // In a triangular lattice, the drift along an axis depends on the velocities along later axes, after their kick.
     if constexpr (kTriangular)
       for (int a = 0; a < Dim; ++a) accelerate(grains, begin, kick, a);
     for (int a = 0; a < Dim; ++a) {
@@ -58,7 +58,8 @@ struct GrainKernels {
                                             const Kick<Dim>& kick, Rotation to, BlockSums<Dim>& sums) {
     alignas(64) Torques torque;
     sum_forces(grains, plan, begin, torque);
-    // sum over pairs of f r = sum over grains of F x + contribution of the pairs across the boundary.
+    // The sum over pairs of force times branch equals the sum over grains of net force times position, plus a
+    // contribution of the pairs joined across the periodic boundary.
     crossing_virial(pairs, plan, cell, sums.virial);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
@@ -85,13 +86,14 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
-  /// Numbers of the block that begins at `begin`, from an array that GrainView::own_masses applies to.
+  /// Returns the entries of the block that begins at grain `begin`, in an array of which GrainView::own_masses masks
+  /// the indices.
   static const double* masses(const GrainView<Dim>& grains, const double* of_grains, int begin) {
     return of_grains + (begin & grains.own_masses);
   }
 
-  /// Kicks the grains along one axis. Axes are kicked in ascending order, since each reads the velocities along
-  /// later axes before their kick.
+  /// Kicks the grains of a block along axis a. The axes have to be kicked in ascending order, because the kick along an
+  /// axis reads the velocities along later axes before their own kick.
   static void accelerate(const GrainView<Dim>& grains, int begin, const Kick<Dim>& kick, int a) {
     double* const v = grains.v[a] + begin;
     const double* const force = grains.force[a] + begin;
@@ -111,7 +113,7 @@ struct GrainKernels {
     }
   }
 
-  /// Moves the grains along one axis.
+  /// Moves the grains of a block along axis a over a time step.
   static void move(const GrainView<Dim>& grains, int begin, const Drift<Dim>& drift, int a) {
     const double* const v = grains.v[a] + begin;
     double* const x = grains.x[a] + begin;
@@ -129,7 +131,7 @@ struct GrainKernels {
     }
   }
 
-  /// Adds the squares of the displacements along one axis since the list was built.
+  /// Adds the square of the displacement of each grain along axis a since the neighbour lists were built.
   static void add_displacement(const GrainView<Dim>& grains, int begin, const double (&list_stretch)[Dim][Dim],
                                int a, double (&moved_squared)[kGrainBlock]) {
     const double* const x = grains.x[a] + begin;
@@ -156,8 +158,9 @@ struct GrainKernels {
     }
   }
 
-  /// BlockSums::next_speed_squared by (p + q)^2 <= 1.2 p^2 + 6 q^2, with p the velocity and q the kick, which
-  /// is mostly small compared with it.
+  /// Returns an upper bound of the squared speed of any grain of a block after its next kick, with speeds in skins of
+  /// the grain (BlockSums::next_speed_squared). The bound is (p + q)^2 <= 1.2 p^2 + 6 q^2, where p is the speed of a
+  /// grain and q its change by the kick, which is usually small compared with the speed.
   static double next_speed_squared(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_mass = masses(grains, grains.inverse_mass, begin);
     P largest(0.0);
@@ -187,7 +190,8 @@ struct GrainKernels {
     return largest;
   }
 
-  /// Force on the grains j of pairs across the boundary, times their image's displacement.
+  /// Computes the contribution to the virial of the pairs joined across the periodic boundary: force on grain j times
+  /// the displacement of its periodic image.
   static void crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan, const PairCell<Dim>& cell,
                               double (&virial)[Dim][Dim]) {
     double sum[Dim][Dim] = {};
@@ -205,7 +209,7 @@ struct GrainKernels {
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
   }
 
-  /// Makes `kHalves` half kicks of the spins about one axis, with the same torques.
+  /// Kicks the spins of a block about axis a, `kHalves` times over half a step, with unchanged torques.
   template <int kHalves>
   static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step, int a,
                             const double* torque) {
@@ -219,7 +223,7 @@ struct GrainKernels {
     }
   }
 
-  /// Sets the sum I w^2 of the block and stores its torques, which the next step's first half kick reads.
+  /// Sets the sum of I w^2 over the block and stores its torques, which the first half kick of the next step reads.
   static void end_rotation(const GrainView<Dim>& grains, int begin, const Torques& torque,
                            BlockSums<Dim>& sums) {
     sums.rotation = 0.0;
@@ -230,8 +234,9 @@ struct GrainKernels {
     }
   }
 
-  /// Turns the grains by their spins over a whole step. No force depends on orientations. In 3D q <- (1, spin
-  /// dt/2) q, with the first number reduced so that |q| does not grow; the rotation is of second order.
+  /// Rotates the grains of a block by their spins over a whole step. No force depends on the orientations. In 3D, q <-
+  /// (1, spin dt/2) q, where the real part 1 is reduced so that the length of q does not grow; the rotation is accurate
+  /// to second order.
   static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
     if constexpr (Dim == 2) {
       const double time_step = 2.0 * half_step;
@@ -257,9 +262,9 @@ struct GrainKernels {
     }
   }
 
-  /// Sum of p q over a block, in eight interleaved parts. This order of additions is the same for registers of
-  /// any width, and it has no long chain of dependent additions.
-  /// @param weight  weight of each term; null: 1
+  /// Returns the sum of p q over a block, computed as eight interleaved partial sums. This order of additions does not
+  /// depend on the width of the registers and avoids a long chain of dependent additions.
+  /// @param weight  factor of each term; null stands for 1
   static double block_sum(const double* p, const double* q, const double* weight) {
     P part[8 / P::kWidth];
     for (P& pack : part) pack = P(0.0);
@@ -289,8 +294,8 @@ struct GrainKernels {
     }
   }
 
-  /// Sums the rows of each grain of the block. Rows of pairs that do not interact are zero and do not change a
-  /// sum, so that the sums do not depend on which of these pairs are listed.
+  /// Sums the rows (forces and moments) of each grain of the block. The rows of pairs that do not interact are zero and
+  /// do not change a sum, so that the result does not depend on which of these pairs are listed.
   template <Side side>
   static void sum_rows(const double* first, const SideSumsPlan& plan, Sum (&total)[kGrainBlock]) {
     const int* row = plan.row;
@@ -332,7 +337,7 @@ struct GrainKernels {
             });
       }
     } else {
-      // In 2D one vector holds the force and the moments on i and on j.
+      // In 2D one vector register holds the force, the moment on i and the moment on j.
       constexpr int kMomentI = Dim == 2 ? 2 : 0, kMomentJ = Dim == 2 ? 3 : 0;
       for (int k = 0; k < kGrainBlock; ++k) {
         const Sum &i = as_i[k], &j = as_j[k];

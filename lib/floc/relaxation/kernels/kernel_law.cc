@@ -5,7 +5,8 @@
 namespace floc {
 namespace {
 
-/// Returns the model of a kernel law that is equivalent to a model of the scene's law.
+/// Converts a model of the contact law of a scene to the model type `Completed` of the law of a compiled kernel, which
+/// has an equal effect.
 template <class Completed, class Model>
 Completed completed_model(const Model& model) {
   if constexpr (std::is_same_v<Completed, Model>)

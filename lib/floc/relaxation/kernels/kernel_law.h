@@ -9,25 +9,27 @@
 #include "floc/contact/neutral.h"
 #include "floc/relaxation/partner.h"
 
-/// Kernel laws: the laws for which pair kernels are compiled. A kernel takes long to compile, so not every
-/// composition of the law table has one. A law is completed to a *kernel law* by neutral models, whose kernel
-/// gives results identical to those of a kernel of its own. KernelLawOf decides:
-///   - Kernels have damping. A law without it has coefficients of zero, and its dashpot forces are not kept.
-///   - Constant adhesion and adhesion with a tail are one model, DryAttraction, which also represents no
-/// adhesion.
-///   - Pairs of grains without adhesion have kernels without adhesion, since an attraction of zero would take
-/// up to a tenth of the pass; if they have no friction either, they have kernels without damping, since a
-/// dashpot would take half of it.
-///   - Grains have kernels without friction, with it, and with rolling and twisting.
-///   - Walls are dry, and their kernels have damping and DryAttraction.
-/// This applies to normal laws with special kernels (kHasSpecialKernels). Other normal laws have only general
-/// kernels, which hold all models that can be combined with the normal law and are for lattices of any shape. A
-/// new normal law thus adds few kernels; give it special ones where its speed matters. History that only the
-/// kernel law has, and not the law of the scene, is not stored (PairKernel).
+/// Kernel laws: the contact laws for which kernels of the force loop over pairs are compiled. A kernel takes long to
+/// compile, so not every combination of contact models has its own. A law without its own kernel is completed to a
+/// *kernel law*: models without effect take the place of absent models, and the results are identical to those that a
+/// kernel of its own would give. KernelLawOf chooses the kernel law by these rules:
+///   - Kernels have damping. For a law without damping, the damping coefficients are zero and no dashpot forces are
+/// stored.
+///   - Constant adhesion, adhesion with a tail and no adhesion are represented by one model, DryAttraction.
+///   - For laws without adhesion, the kernels for pairs of grains have no adhesion, because computing an attraction of
+/// zero would take up to a tenth of the time of the pass over pairs. If the law has no friction and no damping either,
+/// these kernels also have no damping, because a dashpot would take half of that time.
+///   - For pairs of grains there are kernels without friction, with friction, and with friction, rolling and twisting
+/// resistance.
+///   - Contacts with walls are dry. Their kernels have damping and DryAttraction. These rules apply to laws of the
+/// normal force with special kernels (kHasSpecialKernels). Every other law of the normal force has only general
+/// kernels, which contain all models that can be combined with that law and serve lattices of any shape. A new law of
+/// the normal force thus adds few kernels; special kernels can be added if its speed matters. History variables that
+/// the kernel law has, but the law of the scene has not, are not stored (PairKernel).
 namespace floc {
 
-/// Whether a normal law has special kernels, which are faster: for laws without some models, and for
-/// rectangular lattices.
+/// Whether a law of the normal force has special kernels in addition to its general ones. Special kernels are faster,
+/// because they leave out absent models or are restricted to rectangular lattices.
 template <class Normal>
 inline constexpr bool kHasSpecialKernels = false;
 template <>
@@ -35,12 +37,12 @@ inline constexpr bool kHasSpecialKernels<LinearRepulsion> = true;
 template <>
 inline constexpr bool kHasSpecialKernels<HertzRepulsion> = true;
 
-/// Adhesion that depends on the gap alone, or none: -F0 in contact and, with a tail, linearly falling to zero
-/// across a gap.
+/// Adhesion that depends only on the gap, or no adhesion. The force is -F0 in contact; with a tail, it falls linearly
+/// to zero as the gap grows from 0 to D0.
 struct DryAttraction {
-  double in_contact = 0.0;  ///< F0 (force)
-  double slope = 0.0;       ///< F0/D0 (force/length), 0 without a tail
-  double at_touch = 0.0;    ///< F0 with a tail, else 0 (force)
+  double in_contact = 0.0;  ///< F0, pull-off force in contact (force)
+  double slope = 0.0;       ///< F0/D0, slope of the tail (force/length); 0 without a tail
+  double at_touch = 0.0;    ///< F0 with a tail, 0 without one (force)
 
   DryAttraction() = default;
   explicit DryAttraction(const NoAdhesion&) {}
@@ -55,7 +57,8 @@ struct DryAttraction {
     const T tail = lanes::min(T(0), T(slope * pair.gap - at_touch));
     return lanes::select(pair.gap < T(0), T(-in_contact), tail);
   }
-  /// Zero in contact, which is all that matters: kernels read the stiffness only for damping in contact.
+  /// Returns zero, which is the stiffness of the adhesion in contact. Kernels use the stiffness only to compute
+  /// damping, which acts only in contact.
   template <class T>
   T stiffness(const PairGeometry<T>&) const {
     return T(0);
@@ -64,7 +67,7 @@ struct DryAttraction {
 
 namespace detail {
 
-/// Model, or Neutral where Model is absent.
+/// Contact model type `Model`, or the model type `Neutral`, which has no effect, if `Model` stands for no model.
 template <class Model, class Neutral>
 using Present = std::conditional_t<kIsAbsent<Model>, Neutral, Model>;
 
@@ -80,8 +83,9 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =
       kHoldsLiquid<Adhesion> || std::is_constructible_v<DryAttraction, Adhesion>;
-  // Models are combined as in kIsCompiled: elastic spheres adhere only by liquid; neither they nor grains with
-  // liquid resist rolling; and a normal law that includes adhesion has no other adhesion.
+  // Models are combined by the rules of kIsCompiled (law_table.h). Elastic spheres have no adhesion other than liquid.
+  // Neither elastic spheres nor grains with liquid bridges resist rolling. A law of the normal force that includes
+  // adhesion has no separate adhesion model.
   using Dry = std::conditional_t<kElasticSpheres || kAdheresByItself<Normal>, NoAdhesion,
                                  std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
   using SomeAdhesion = std::conditional_t<kWet, Adhesion, Dry>;
@@ -98,7 +102,7 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
   using Type = std::conditional_t<kHasSpecialKernels<Normal>, Special, General>;
 };
 
-/// List with one more law, unless the list holds it already.
+/// The variant type `List` with one more law as its last alternative, or `List` itself if it already contains the law.
 template <class List, class Law>
 struct With;
 template <class... Laws, class Law>
@@ -107,7 +111,8 @@ struct With<std::variant<Laws...>, Law> {
       std::conditional_t<(std::is_same_v<Laws, Law> || ...), std::variant<Laws...>, std::variant<Laws..., Law>>;
 };
 
-/// Kernel laws of all laws for this dimension, each once.
+/// Variant type of the kernel laws to which all given contact laws that exist in this dimension are completed. Each
+/// kernel law is listed once.
 template <int Dim, class List, class... Laws>
 struct KernelLaws {
   using Type = List;
@@ -125,30 +130,34 @@ struct KernelLawsOf<Dim, std::variant<Laws...>> : KernelLaws<Dim, std::variant<>
 
 }  // namespace detail
 
-/// Kernel law of a law between grains, or between grains and walls.
+/// Kernel law (law with a compiled kernel) to which a contact law is completed, for pairs of grains or for pairs of a
+/// grain and a wall.
 template <class Law, int Dim, Partner partner = Partner::grain>
 using KernelLawOf = typename detail::KernelLawOf<Law, Dim, partner>::Type;
 
-/// Variant of the kernel laws of the law table in a dimension.
+/// Variant type of the kernel laws (contact laws with a compiled kernel) to which the alternatives of AnyContactLaw are
+/// completed, in 2D or in 3D.
 template <int Dim>
 using AnyKernelLaw = typename detail::KernelLawsOf<Dim, AnyContactLaw>::Type;
 
-/// Whether a kernel law has kernels for pairs of grains with walls.
+/// Whether kernels for pairs of a grain and a wall are compiled for this kernel law (contact law with a compiled
+/// kernel).
 template <class KernelLaw, int Dim>
 inline constexpr bool kServesWalls = std::is_same_v<KernelLaw, KernelLawOf<KernelLaw, Dim, Partner::wall>>;
 
-/// Completes a law to its kernel law.
-/// @pre the law is for this dimension
+/// Completes a contact law to its kernel law, for which a force kernel is compiled and in which models without effect
+/// take the place of absent models.
+/// @pre the law exists in this dimension
 template <int Dim>
 AnyKernelLaw<Dim> kernel_law(const AnyContactLaw& law, Partner partner);
 
-/// Address of the alternative that a variant of laws holds, as passed to kernels.
+/// Returns the address of the law that a variant of laws holds. Kernels receive their law by this address.
 template <class AnyLaw>
 const void* address_of_alternative(const AnyLaw& any_law) {
   return std::visit([](const auto& law) { return static_cast<const void*>(&law); }, any_law);
 }
 
-/// Whether grains rotate under the kernel law of a law.
+/// Whether the kernel law to which a contact law is completed has friction, so that grains rotate.
 bool kernel_rotates(const AnyContactLaw& law);
 
 }  // namespace floc

@@ -13,9 +13,9 @@
 
 namespace floc {
 
-/// Tags of the instruction sets, part of the type of all code that is compiled for one of them. Two translation
-/// units with different flags thus share no symbol, and none of their code can run on a processor that lacks
-/// the instructions.
+/// Tags of the instruction sets. They are template arguments of all code that is compiled for one instruction set, so
+/// that two translation units with different compiler flags share no symbol, and no processor runs code with
+/// instructions that it lacks.
 struct Portable {
   static constexpr int kWidth = 2;
 };
@@ -26,7 +26,7 @@ struct Avx512 {
   static constexpr int kWidth = 8;
 };
 
-/// Vector type of N doubles of the compiler, and the integers of the same size that comparisons return.
+/// Compiler's vector type of N doubles, and its vector type of N integers of the same size, which comparisons return.
 template <int N>
 struct VectorOf;
 template <>
@@ -45,14 +45,14 @@ struct VectorOf<8> {
   typedef long long Bits __attribute__((vector_size(64)));
 };
 
-/// Converts 32-bit numbers, floating or integer, to 64 bits, lane by lane.
+/// Converts a vector of 32-bit numbers (float or int) to 64 bits, lane by lane.
 template <class Isa, class Numbers>
 auto widened(const Numbers& numbers) {
   using Vector = VectorOf<Isa::kWidth>;
   constexpr bool kFloats = std::is_floating_point_v<std::remove_cvref_t<decltype(numbers[0])>>;
   using Wide = std::conditional_t<kFloats, typename Vector::Type, typename Vector::Bits>;
 #if defined(__x86_64__)
-  // Without intrinsics GCC converts in two halves.
+  // Without these intrinsics, GCC converts the vector in two halves.
   if constexpr (Isa::kWidth == 8 && kFloats)
     return Wide(_mm512_cvtps_pd(__m256(numbers)));
   else if constexpr (Isa::kWidth == 8)
@@ -62,8 +62,8 @@ auto widened(const Numbers& numbers) {
     return __builtin_convertvector(numbers, Wide);
 }
 
-/// Number type for the contact laws: as many doubles as a register of the instruction set holds, added and
-/// compared lane by lane.
+/// Number type for which contact laws are evaluated in kernels: as many doubles as a register of the instruction set
+/// holds. Operations and comparisons act lane by lane.
 template <class Isa>
 struct Pack {
   static constexpr int kWidth = Isa::kWidth;
@@ -77,7 +77,8 @@ struct Pack {
   Vector v;
 
   Pack() = default;
-  /// Sets every lane to one number. Implicit, since laws mix their parameters with numbers of any type.
+  /// Sets every lane to one number. The conversion is implicit, because contact laws combine their parameters with
+  /// packs.
   Pack(double value) : v(value - Vector{}) {}  // NOLINT(google-explicit-constructor)
   explicit Pack(const Vector& vector) : v(vector) {}
 
@@ -112,25 +113,26 @@ struct Pack {
     for (int l = 0; l < kWidth; ++l) root.v[l] = __builtin_sqrt(a.v[l]);
     return root;
   }
-  /// p 2^n, where `shifted` is n plus 1.5 * 2^52 (lanes::exp_of_negative()).
+  /// Returns p 2^n, where `shifted` is the number n + 1.5 * 2^52 (see lanes::exp_of_negative()).
   friend Pack times_power_of_two(const Pack& p, const Pack& shifted) {
     return Pack(Vector((Bits)p.v + ((Bits)shifted.v << 52)));
   }
 };
 
-/// Reads numbers from scattered places, and writes records: neighbouring doubles that belong to one pair. Its
-/// functions are always inlined, and not only when a kernel is flattened, so that GCC's use of registers does
-/// not depend on the number of laws that it compiles (3 to 6 % faster with spheres).
+/// Functions that read numbers from scattered places of an array, and that write records (the consecutive doubles of
+/// one pair). They are always inlined, not only into flattened kernels, so that GCC's use of registers does not depend
+/// on the number of laws that it compiles. This makes time steps of spheres 3 to 6 % faster.
 template <class Isa>
 struct Records {
   using P = Pack<Isa>;
 
-  /// base[place[l]] in lane l.
+  /// Returns base[place[l]] in lane l of a pack.
   [[gnu::always_inline]] static P gather(const double* base, const int* place) {
     P out;
 #if defined(__x86_64__)
-    // Loads lane by lane: pairs of lanes joined by shuffles took a fifth less time in total than the gather
-    // instruction (Xeon of 2023), and this takes another 4 % less (EPYC of 2023).
+    // The lanes are loaded one by one and merged by broadcasts with masks. In all, time steps took a fifth less time
+    // with single loads joined by shuffles than with the gather instruction (Xeon of 2023), and another 4 % less with
+    // broadcasts (EPYC of 2023).
     if constexpr (P::kWidth == 8) {
       const auto four = [&](int l) {
         __m256d lanes = _mm256_castpd128_pd256(_mm_load_sd(base + place[l]));
@@ -146,10 +148,10 @@ struct Records {
     return out;
   }
 
-  /// base[place[l]] in lane l, for places that ascend by less than kWindow in all: one load and a shuffle
-  /// instead of as many loads as lanes.
+  /// Returns base[place[l]] in lane l of a pack, for ascending places of which the last exceeds the first by less than
+  /// kWindow. It uses one load and a shuffle instead of one load per lane.
   [[gnu::always_inline]] static P gather_window(const double* base, const int* place) {
-#if !defined(__clang__)  // it has no shuffle by places that it does not know
+#if !defined(__clang__)  // Clang has no shuffle whose places are known only at run time.
     if constexpr (P::kWidth == kWindow) {
       typedef int Ints __attribute__((vector_size(4 * P::kWidth)));
       Ints places;
@@ -160,7 +162,8 @@ struct Records {
     return gather(base, place);
   }
 
-  /// Writes the records of the lanes one after another: row[0][l], row[1][l], ... from base[size * l] on.
+  /// Writes the record of each lane, one after another: row[0][l], row[1][l], ... go to base[size * l] and the
+  /// following places.
   template <std::size_t size>
   [[gnu::always_inline]] static void store_rows(double* base, const P (&row)[size]) {
     static_assert(size % 2 == 0);
@@ -169,8 +172,8 @@ struct Records {
     for (std::size_t k = 8 * kEights; k < size; k += 2) store_two(base + k, size, row[k], row[k + 1]);
   }
 
-  /// Calls take(l, column l of a) for 8 rows a(0), a(1), ... of 8 numbers. Pairs of numbers are sorted whole, as
-  /// moving them costs the same as moving one.
+  /// Calls take(l, column l of a) for each column of a matrix of 8 rows a(0), a(1), ... with 8 numbers each. Pairs of
+  /// neighbouring numbers are moved together, since this costs as much as moving one number.
   template <class Rows, class Take>
   [[gnu::always_inline]] static void transpose([[maybe_unused]] Rows a, [[maybe_unused]] Take take) {
     if constexpr (P::kWidth == 8) {
@@ -216,13 +219,13 @@ struct Records {
     }
   }
 
-  /// base[stride * l + k] = a[k][l] for 8 k and 8 l.
+  /// Sets base[stride * l + k] = a[k][l] for 8 values of k and 8 values of l.
   [[gnu::always_inline]] static void store_eight(double* base, std::ptrdiff_t stride, const P* a) {
     transpose([&](int k) -> const Vector& { return a[k].v; },
               [&](int l, const P& row) { row.store(base + stride * l); });
   }
 
-  /// base[stride * l] = a[l], and b[l] after it.
+  /// Sets base[stride * l] = a[l] and base[stride * l + 1] = b[l] for each lane l.
   [[gnu::always_inline]] static void store_two(double* base, std::ptrdiff_t stride, const P& a, const P& b) {
     const Vector even = low_halves(a.v, b.v);
     const Vector odd = high_halves(a.v, b.v);

@@ -13,7 +13,8 @@
 
 namespace floc {
 
-/// Kinds of the second body of a pair: a grain, with the shape of the lattice, or a wall.
+/// Types by which a kernel is compiled for the second body of its pairs: a grain, in a rectangular or a triangular
+/// lattice, or a wall.
 struct GrainsInRectangularLattice {
   static constexpr bool kWall = false, kTriangular = false;
 };
@@ -24,8 +25,9 @@ struct Walls {
   static constexpr bool kWall = true, kTriangular = false;
 };
 
-/// Pass over the pairs of a block, for a kernel law (kernel_law.h). Like all code of the kernels it is a
-/// template on the instruction set, and calls no inline function that is not.
+/// Pass over the pairs of a block of grains, which computes their forces, for one kernel law, a contact law for which
+/// kernels are compiled (kernel_law.h). Like all kernel code it is a template on the instruction set, and it calls no
+/// inline function that is not such a template.
 template <class Isa, int Dim, class Second, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
@@ -36,15 +38,15 @@ struct PairKernel {
                                        const PairView<Dim>& pairs_given, int first, int last,
                                        const PairCell<Dim>& cell_given) {
     if (first == last) return;
-    // Local copies, which the stores of the loop cannot alias.
+    // Local copies let the compiler assume that writing results in the loop does not change these values.
     const Law law = *static_cast<const Law*>(any_law);
     const GrainView<Dim> grains = grains_given;
     WithoutHistory without_history;
     const Pairs pairs(pairs_given, without_history);
     const PairCell<Dim> cell = cell_given;
-    // The geometry of the next pack is computed together with the forces of the present one. Each is a long
-    // chain of dependent operations, and the processor does not look far enough ahead to overlap them by
-    // itself.
+    // The geometry of the next pack of pairs (as many as fit a vector register) is computed together with the forces of
+    // the present pack. Each computation is a long chain of dependent operations, and the processor does not look far
+    // enough ahead to overlap the two chains by itself.
     PairKinematics now = kinematics(grains, pairs, first, cell);
     for (int p = first; p < last; p += P::kWidth) {
       const PairKinematics next = kinematics(grains, pairs, p + P::kWidth < last ? p + P::kWidth : p, cell);
@@ -54,29 +56,31 @@ struct PairKernel {
   }
 
  private:
-  /// Whether the history may hold vectors in the tangent plane, which turn with it.
+  /// Whether the history of a contact may hold vectors in its tangent plane, which have to be rotated with the plane.
   static constexpr bool kTurns = Dim == 3 && kRotates;
   struct NoTurn {};
   using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
 
-  /// Whether the law of the scene may have a smaller history than the kernel law, besides dashpot forces.
+  /// Whether the contact law of a scene may lack some history variables of `Law`, the law for which this kernel is
+  /// compiled (dashpot forces not counted).
   static constexpr bool kMayLackHistory = !kHasSpecialKernels<typename Law::NormalModel>;
   static constexpr int kHistorySize = Law::template kHistorySize<Dim>;
 
-  /// Memory for one pack of the history that the law of the scene does not have. It is zero, and the neutral
-  /// models that use it keep it zero.
+  /// Memory for the history variables of one pack of pairs that the law of this kernel has and the contact law of the
+  /// scene lacks. They are zero, and the models without effect that use them keep them zero.
   struct WithoutHistory {
     alignas(64) double viscous[P::kWidth] = {};
     alignas(64) double history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1][P::kWidth] = {};
   };
 
-  /// Type of bit masks of indices. With the other type, disks with friction and elastic spheres take a tenth
-  /// longer, by the order of instructions of GCC 12.
+  /// Integer type of the bit masks applied to indices of pairs. With the other integer type, disks with friction and
+  /// elastic spheres take a tenth longer, because GCC 12 orders the instructions differently.
   using Own = std::conditional_t<Dim == 2, std::ptrdiff_t, int>;
 
-  /// Pairs with memory for the whole history of the kernel law.
+  /// Arrays of the pairs, with memory for every history variable of the law for which this kernel is compiled.
   struct Pairs : PairView<Dim> {
-    /// Bit masks of indices: -1 if every pair has its own number; 0 if all packs share one.
+    /// Bit masks applied to the index of a pair before a history variable is read: -1 if every pair has its own value;
+    /// 0 if all packs of pairs share one pack of values.
     Own own_history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1];
     Own own_viscous = -1;
 
@@ -93,7 +97,7 @@ struct PairKernel {
       }
     }
     double* viscous_of(int p) const { return this->viscous + (p & own_viscous); }
-    /// @tparam k index in the packed history
+    /// @tparam k index of a history variable among those of the law for which this kernel is compiled
     template <int k>
     double* history_of(int p) const {
       constexpr int place = history_place<Law, Dim>(k);
@@ -102,7 +106,7 @@ struct PairKernel {
     }
   };
 
-  /// Geometry and relative motion of one pack of pairs.
+  /// Geometry and relative motion of the two bodies, for one pack of pairs (as many as fit a vector register).
   struct PairKinematics {
     V n;
     P arm_i, arm_j;
@@ -110,7 +114,8 @@ struct PairKernel {
     [[no_unique_address]] Turn turn;
   };
 
-  /// Position and velocities of the first, or the second, grain of each pair of a pack.
+  /// Positions, velocities and spins of the first grain, or of the second grain, of each pair in a pack of pairs (as
+  /// many as fit a vector register).
   struct GrainKinematics {
     V x, v;
     RotationVector<Dim, P> spin;
@@ -134,7 +139,8 @@ struct PairKernel {
                   std::make_integer_sequence<int, kRotations<Dim>>());
     return gathered;
   }
-  /// Unrolled: in a loop the gathered numbers would go through memory.
+  /// Gathers the components of a vector for the grains of a pack. The loop over axes is unrolled, because in a loop the
+  /// gathered numbers would be stored in memory and not kept in registers.
   template <class Arrays, class Gather, class Vectors, int... axis>
   static void gather_axes(const Arrays& from, const int* grain, Gather gather, Vectors& to,
                           std::integer_sequence<int, axis...>) {
@@ -158,8 +164,8 @@ struct PairKernel {
     }
     const P squared = r.squaredNorm();
     const P distance = sqrt(squared);
-    // In 3D the root and the division can overlap. In 2D they are sequential, which keeps the bits of recorded
-    // results.
+    // In 3D the square root and the division are independent and can overlap. In 2D the division follows the root: this
+    // order gives the results of earlier versions, bit for bit.
     const P inverse = Dim == 3 ? distance * (P(1.0) / squared) : P(1.0) / distance;
     const V n = r * inverse;
     const V centres = (j.v - i.v) + affine;
@@ -170,23 +176,23 @@ struct PairKernel {
       const P time(cell.slip_time), per_length = time * inverse;
       const P along = per_length * a.motion.gap_rate;
       a.turn = {n, along, V(per_length * centres - along * n), RotationVector<Dim, P>(i.spin + j.spin), time};
-      // Branch at the middle of the step, the time of these velocities, times the step.
+      // The length of the branch in the middle of the step, when the grains have these velocities, times the time step.
       const P middle = distance * (time - P(0.5 * cell.slip_time) * along);
       const P arm_i = number(pairs.share_i, pairs, p) * middle;
       a.motion.slip = a.turn.slip(distance, RotationVector<Dim, P>(arm_i * i.spin + (middle - arm_i) * j.spin));
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     } else if constexpr (kRotates) {
-      // Equal spins of the two grains move their surfaces in opposite directions at the contact, so the slips
-      // add.
+      // Equal spins of the two grains move their surfaces in opposite directions at the contact. The slips caused by
+      // the two spins therefore add up.
       add_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), cell);
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
     return a;
   }
 
-  /// Kinematics of grains and walls. The nearest point of the wall to a grain's centre moves with the wall
-  /// along the normal; in the plane of the wall its peculiar velocity is zero, the mean of the grains around
-  /// it.
+  /// Computes the kinematics of pairs of a grain and a wall. The point of the wall nearest to the centre of the grain
+  /// moves with the wall along the normal. In the plane of the wall its peculiar velocity is zero, which is the mean of
+  /// the peculiar velocities of the grains around it.
   static PairKinematics wall_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                                         const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
@@ -198,8 +204,8 @@ struct PairKernel {
     PairKinematics a = normal_kinematics(n, distance, foot, pairs, p);
     a.arm_i = distance;
     a.arm_j = P(0.0);
-    // The normal does not turn. The frame turns about it with the mean of the grain's spin and the wall's,
-    // zero.
+    // The normal of a wall does not rotate. The contact frame rotates about the normal by the mean of the spin of the
+    // grain and the spin of the wall, which is zero.
     if constexpr (kTurns) a.turn = {n, P(0.0), V(V::Zero()), i.spin, P(cell.slip_time)};
     if constexpr (kRotates) {
       add_slip(a, foot, RotationVector<Dim, P>(distance * i.spin), cell);
@@ -208,12 +214,14 @@ struct PairKernel {
     return a;
   }
 
-  /// Numbers of a pack of pairs from an array that PairView::own_numbers applies to.
+  /// Returns the numbers of a pack of pairs (as many as fit a vector register) from an array of which
+  /// PairView::own_numbers masks the indices.
   static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
     return P::load(numbers + (p & pairs.own_numbers));
   }
 
-  /// @param velocity  velocity of the centre of j relative to that of i
+  /// @param velocity  velocity of the centre of grain j (or of the nearest point of the wall) relative to the centre of
+  /// grain i
   static PairKinematics normal_kinematics(const V& n, const P& distance, const V& velocity,
                                           const PairView<Dim>& pairs, int p) {
     PairKinematics a;
@@ -226,15 +234,16 @@ struct PairKernel {
     return a;
   }
 
-  /// Sets the slip where the turning of the normal has no effect on it: in 2D and at walls.
-  /// @param surfaces  sum of arms times spins, which gives the relative velocity of the surfaces by rotation
+  /// Sets the slip of the surfaces where it does not depend on the rotation of the normal: in 2D and at walls.
+  /// @param surfaces  sum over both bodies of lever arm times spin; it gives the relative velocity of the surfaces due
+  /// to rotation
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
                        const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
   }
 
-  /// Sets rolling and twist. In 3D they are taken across and along the normal of the middle of the step, which
-  /// makes them second order.
+  /// Sets the rolling and twisting rotations of the step. In 3D they are the components of the relative rotation normal
+  /// to, and along, the contact normal in the middle of the step, which makes them accurate to second order.
   static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
                            const PairCell<Dim>& cell) {
     if constexpr (kTurns) {
@@ -260,8 +269,8 @@ struct PairKernel {
     store(history, pairs, p, std::make_integer_sequence<int, kHistorySize>());
 
     V on_j = f.normal.force() * a.n;
-    // A law without damping adds a force of zero. This may change the sign of a zero component, which has no
-    // effect on the sums of the rows.
+    // For a law without damping, the dashpot force added here is zero. The addition may change the sign of a component
+    // that is zero, which has no effect on the sums of the forces.
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous_of(p)) * a.n;
     Moments moments;
     if constexpr (kRotates) {
@@ -271,7 +280,7 @@ struct PairKernel {
       moments.of_springs = f.rolling;
       if constexpr (Law::kHasTwisting) moments.of_springs += f.twisting * a.n;
     }
-    // Pairs with walls write rows of the kind that pairs of grains write.
+    // Pairs with walls write rows of the same kind (forces and moments) as pairs of grains.
     if constexpr (Second::kWall && kTurns) {
       if (pairs.rows == RowKind::levers)
         store_row<RowKind::levers>(a, on_j, moments, pairs, p);
@@ -294,7 +303,8 @@ struct PairKernel {
     for (P& number : row) number = P(0.0);
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
     if constexpr (kKind == RowKind::levers && Second::kWall) {
-      // The moment on the wall is not summed, so that the whole moment on i is stored as that of a unit arm.
+      // The moment on the wall is not used. The whole moment on grain i is therefore stored in place of the moment of a
+      // unit arm, with an arm of 1.
       row[Layout::kArmI] = P(1.0);
       for (int b = 0; b < kRotations<Dim>; ++b)
         row[Layout::kUnitMoment + b] = a.arm_i * moments.of_unit_arm[b] - moments.of_springs[b];
@@ -312,7 +322,7 @@ struct PairKernel {
     Records<Isa>::store_rows(to, row);
   }
 
-  /// Turns the tangential history into the present tangent plane.
+  /// Rotates the tangential vectors of the history from the old tangent plane of the contact to the present one.
   template <class History, int... k>
   static void turn(const Turn& turn, History& history, std::integer_sequence<int, k...>) {
     ((turn_number<k>(turn, history)), ...);
@@ -336,9 +346,9 @@ struct PairKernel {
     (history.value[k].store(pairs.template history_of<k>(p)), ...);
   }
 
-  /// Returns the dashpot forces of this step (kDashpotShare), given their present values and those of the step
-  /// before, which are replaced. If either is zero, because the surfaces do not touch or the contact is new,
-  /// the present value is returned.
+  /// Returns the dashpot forces that act in this step: the weighted mean (kDashpotShare) of their present values and
+  /// those of the previous step, which are then replaced by the present ones. If either of the two is zero, because the
+  /// surfaces do not touch or the contact is new, the present value is returned.
   static P viscous(const P& now, double* last) {
     const P before = P::load(last);
     now.store(last);

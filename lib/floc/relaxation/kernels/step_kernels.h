@@ -6,33 +6,39 @@
 #include "floc/contact/history.h"
 #include "floc/relaxation/instruction_set.h"
 
-/// Data of the passes of a time step over all grains or pairs. They are plain arrays, since code compiled for
-/// one instruction set must not share inline functions with the rest of the program.
+/// Data of the kernels: the passes of a time step over all grains or all pairs. The data are plain arrays, because code
+/// compiled for one instruction set must not share inline functions with the rest of the program.
 namespace floc {
 
-/// Number of grains in a block. All arrays of grains are padded to whole blocks.
+/// Number of grains in a block, the unit of work of the passes over grains. All arrays of grains are padded to whole
+/// blocks.
 inline constexpr int kGrainBlock = 64;
-/// The pairs of a group of blocks are padded to a multiple of this.
+/// Divisor of the padded number of pairs: the pairs of each group of blocks of grains are padded to a multiple of this
+/// number.
 inline constexpr int kPairPadding = 8;
-/// Number of grains of a block that are summed side by side.
+/// Number of grains of a block whose forces are summed side by side, in independent chains of additions.
 inline constexpr int kSumGroup = 8;
 
-/// A dashpot acts with this share of its present force, and one minus this share of its force one step before.
-/// Its velocities are those of half a step earlier, so that the force lags by kDashpotLag steps;
-/// lagging_damping() corrects for that. In return it is stable up to a longer step: for (w dt)^2 + 2 (2 share -
-/// 1) g dt < 4, if grains vibrate at the frequency w and are damped at the rate g.
+/// Weight of the present dashpot force in the dashpot force that acts in a step; the dashpot force of the previous step
+/// has the weight 1 - kDashpotShare. The present force is computed with velocities of half a step earlier, so that the
+/// acting force lags by kDashpotLag steps; lagging_damping() corrects the damping coefficient for this lag. The mean
+/// over two steps allows a longer stable step dt, with (w dt)^2 + 2 (2 kDashpotShare - 1) g dt < 4, if grains vibrate
+/// at the frequency w and are damped at the rate g.
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
-/// Content of the row of a pair besides the force on j.
+/// Kind of the row that the force kernel writes for each pair. A row is a record of doubles with the force on grain j
+/// and, depending on the kind, the moments on both grains.
 enum class RowKind {
-  forces,  ///< no moments: grains do not rotate
-  levers,  ///< for spheres without rolling and twisting resistance: the moment of a unit arm and the lengths of
-           ///< both arms, whose products are the moments on i and on j
-  moments,  ///< the moments on i and on j
+  forces,  ///< the row of a pair holds no moments: grains do not rotate
+  /// The row of a pair of spheres without rolling and twisting resistance: it holds the moment of the tangential force
+  /// for an arm of unit length, and the lengths of the arms of i and j, by which that moment is multiplied.
+  levers,
+  moments,  ///< the row of a pair holds the moments on i and on j
 };
 
-/// Layout of the row that a pair writes. Places are in doubles from the beginning of the row.
+/// Layout of the row of a pair (force and moments): its size and the places of its components, in doubles from the
+/// beginning of the row.
 template <int Dim, RowKind kKind>
 struct RowLayout;
 template <>
@@ -66,165 +72,193 @@ constexpr int row_size(RowKind kind) {
   return kind == RowKind::forces ? RowLayout<Dim, RowKind::forces>::kSize
                                  : RowLayout<Dim, RowKind::moments>::kSize;
 }
-/// Place of the force in a row (in doubles).
+/// Returns the place of the force in the row of a pair, in doubles from the beginning of the row.
 template <int Dim>
 constexpr int force_in_row(RowKind kind) {
   return kind == RowKind::moments ? RowLayout<Dim, RowKind::moments>::kForce : 0;
 }
-/// Doubles in the sum of a grain's rows: forces and moments, padded to whole vectors.
+/// Returns the number of doubles in the sum over the rows of a grain: forces and moments, padded to whole vector
+/// registers.
 template <int Dim>
 constexpr int row_sum_size(RowKind kind) {
   return (Dim == 2 ? 2 : 4) * (kind == RowKind::forces ? 1 : 2);
 }
 
-/// Count of numbers of an orientation: an angle in 2D, a quaternion (w, x, y, z) of any length in 3D.
+/// Number of components of an orientation: one in 2D (an angle), four in 3D (a quaternion (w, x, y, z) of any length).
 template <int Dim>
 inline constexpr int kOrientationNumbers = Dim == 2 ? 1 : 4;
 
-/// Grains as kernels read them: pointers to the arrays of all grains.
+/// Grains in the form that kernels read: pointers to the arrays of all grains.
 template <int Dim>
 struct GrainView {
   double *x[Dim], *v[Dim], *force[Dim];
   double *spin[kRotations<Dim>], *torque[kRotations<Dim>];
   double* orientation[kOrientationNumbers<Dim>];
-  /// Bit mask of indices of `mass` to `inverse_inertia`: -1 if grains differ in mass or inertia; 0 if all are
-  /// equal, so that every block reads the numbers of the first.
+  /// Bit mask applied to the index of a block before `mass`, `inverse_mass`, `inertia` and `inverse_inertia` are read:
+  /// -1 if grains differ in mass or inertia; 0 if all grains are equal, so that every block reads the numbers of the
+  /// first block.
   int own_masses;
   const double *mass, *inverse_mass, *inertia, *inverse_inertia;
-  const double* x_list[Dim];  ///< positions when the list was built
-  const double*
-      inverse_skin_squared;  ///< one over the squared distance that a grain may move before the next list
+  const double* x_list[Dim];  ///< positions at which the neighbour lists were built
+  /// One over the square of the distance (skin) that each grain may move before new neighbour lists are built
+  /// (1/length^2).
+  const double* inverse_skin_squared;
 };
 
-/// Pairs of all blocks as kernels read them: pointers to the arrays of all pairs, padded with pairs that do not
-/// interact.
+/// Pairs of all blocks in the form that kernels read: pointers to the arrays of all pairs, which are padded with pairs
+/// that do not interact.
 template <int Dim>
 struct PairView {
-  /// Indices of the grains. Those of i ascend, by less than kWindow within kPairPadding pairs. For pairs with
-  /// walls, j is the index of the wall, and i may ascend by more.
+  /// Indices of the two grains. The indices i ascend, by less than kWindow within kPairPadding consecutive pairs. For
+  /// pairs with walls, j is the index of the wall, and i may ascend by more.
   const int *i, *j;
-  const float* image[Dim];  ///< image of j, in sides of the cell
-  /// Bit mask of indices of `radii` to `reduced_mass`: -1 if every pair has its own numbers; 0 if all pairs
-  /// have equal numbers, which are stored for one pack.
+  const float* image[Dim];  ///< periodic image of j, in lattice vectors (whole numbers)
+  /// Bit mask applied to the index of a pair before the arrays from `radii` to `reduced_mass` are read: -1 if every
+  /// pair has its own entries; 0 if all pairs have equal entries, which are stored for one pack of pairs (as many as
+  /// fit a vector register).
   int own_numbers;
-  const double* radii;    ///< Ri + Rj
-  const double* share_i;  ///< Ri/(Ri + Rj), lever arm of grain i over the branch
+  const double* radii;    ///< Ri + Rj, sum of the radii (length)
+  const double* share_i;  ///< Ri/(Ri + Rj), lever arm of grain i divided by the distance of the centres
   const double* damping;
-  /// Ri Rj/(Ri + Rj) and mi mj/(mi + mj), null where the law does not need them.
+  /// Reduced radius Ri Rj/(Ri + Rj) and reduced mass mi mj/(mi + mj) of each pair; null if the contact law does not
+  /// need them.
   const double *reduced_radius, *reduced_mass;
-  const double *strength, *decay,
-      *reach;       ///< parameters of liquid bridges (Bridge); null where the law has none
-  double* viscous;  ///< dashpot forces of the step before; null without damping
-  double* history[HistoryLayout<Dim>::kSize];  ///< history; null at places that the law does not use
-  double* row;                                 ///< row of the pair `with_row`, followed by those of later pairs
+  /// Parameters of the liquid bridge of each pair (struct Bridge); null if the contact law has no liquid.
+  const double *strength, *decay, *reach;
+  double* viscous;  ///< dashpot forces of the previous step (force); null without damping
+  /// History variables of the contacts; null for variables that the contact law does not use.
+  double* history[HistoryLayout<Dim>::kSize];
+  double* row;  ///< row (force and moments) of the pair `with_row`, followed by the rows of later pairs
   int with_row;
-  RowKind rows;  ///< kind of the rows of pairs of grains, also used by pairs with walls
+  /// Kind of the rows of all pairs, which follows from the law between grains; pairs with walls write rows of this
+  /// kind, too.
+  RowKind rows;
 };
 
-/// Rows that each grain of a block sums as the first, or as the second, grain of a pair. Rows are given by
-/// their places from BlockSumsPlan::rows on, for each grain in ascending order of its pairs. Grains with
-/// similar numbers of rows form groups of kSumGroup grains, which are summed side by side without branches to a
-/// depth of the group: depth x kSumGroup places, where grains with fewer rows are filled up with a row that
-/// stays zero. The rows of a grain beyond the depth of its group are summed alone.
+/// Plan of the sums over the rows (force and moments) of the pairs in which each grain of a block is the first grain,
+/// or the second grain. A row is given by its place, in doubles from BlockSumsPlan::rows on; the rows of a grain are in
+/// ascending order of its pairs. Grains with similar numbers of rows form groups of kSumGroup grains, which are summed
+/// side by side, without branches, up to a number of rows per grain called the depth of the group. A group therefore
+/// lists depth x kSumGroup places. A grain with fewer rows is filled up with a row that stays zero; the rows of a grain
+/// beyond the depth are summed afterwards, one by one.
 struct SideSumsPlan {
   static constexpr int kGroups = kGrainBlock / kSumGroup;
-  int grain[kGrainBlock];     ///< grains of the block (from its first), by falling number of rows
-  int depth[kGroups];         ///< depth of each group
-  int n_beyond[kGrainBlock];  ///< rows of the k-th of `grain` beyond the depth of its group
-  int n_deep;                 ///< number of leading entries of `grain` that may have rows beyond
-  const int* row;             ///< places of the rows group by group, then of the rows beyond grain by grain
+  /// Grains of the block (counted from its first grain), the grains with most pairs first.
+  int grain[kGrainBlock];
+  /// Depth of each group: number of pairs per grain whose forces are summed side by side.
+  int depth[kGroups];
+  /// Number of pairs of grain[k] beyond the depth of its group, whose forces are summed one by one.
+  int n_beyond[kGrainBlock];
+  int n_deep;  ///< number of leading entries of `grain` that may have pairs beyond the depth of their group
+  /// Places of the rows (forces and moments) of the pairs, group by group, followed by the places for the pairs beyond
+  /// the depth, grain by grain.
+  const int* row;
 };
 
 struct BlockSumsPlan {
   SideSumsPlan as_i, as_j;
   const double* rows;
   int n_crossing;
-  const int* crossing;  ///< pairs of the block whose branch crosses the boundary, ascending
+  /// Indices of the pairs of the block whose grains are joined across the periodic boundary, ascending.
+  const int* crossing;
 };
 
-/// Contribution of one block of grains to the sums over the packing.
+/// Contribution of one block of grains to sums over the whole packing.
 template <int Dim>
 struct alignas(64) BlockSums {
-  double virial[Dim][Dim] = {};  ///< sum of force on j times branch; a triangular lattice has its upper part,
-                                 ///< a rectangular one its diagonal
-  double momentum_flux[Dim][Dim] = {};  ///< sum m v_a v_b, at the same places
-  double rotation = 0.0;                ///< sum I w^2
-  double next_speed_squared = 0.0;  ///< bound of the largest (|v| + |F half_step/m|)^2, in skins of the grain
+  /// Sum over pairs of the force on j times the branch vector (energy); for a triangular lattice only the upper part is
+  /// set, for a rectangular lattice only the diagonal.
+  double virial[Dim][Dim] = {};
+  /// Sum over grains of m v_a v_b (energy); the components that are set for `virial` are set here, too.
+  double momentum_flux[Dim][Dim] = {};
+  double rotation = 0.0;  ///< sum over grains of I w^2, twice the energy of rotation (energy)
+  /// Upper bound of (|v| + |F half_step/m|)^2 for the grains of the block: their squared speeds after the next kick,
+  /// with each speed divided by the skin of its grain.
+  double next_speed_squared = 0.0;
 };
 
-/// Acceleration over half a step: v <- keep v + gain (half_step/m) F. The matrices here are upper triangular
-/// (row, column), and diagonal for a rectangular lattice, whose kernels read only their diagonals.
+/// Acceleration of the grains over half a time step: v <- keep v + gain (half_step/m) F. The matrices `keep` and `gain`
+/// are upper triangular (indices: row, column). For a rectangular lattice they are diagonal, and kernels for
+/// rectangular lattices read only their diagonals.
 template <int Dim>
 struct Kick {
   double half_step;
   double keep[Dim][Dim], gain[Dim][Dim];
 };
 
-/// Stage of the rotation of the grains between two steps. Unlike velocities, spins do not depend on the motion
-/// of the boundary. If no spins are needed at the end of a step, the half kick and the turn of the next step
-/// are therefore made at once, so that each torque and spin is read only once.
+/// Stage of the time integration at which the rotation of the grains is left between two steps. Unlike velocities,
+/// spins do not depend on the motion of the boundary. If no spins are needed at the end of a step, the next half kick
+/// of the spins and the next turn of the grains are therefore made at once, so that each torque and spin is read only
+/// once.
 enum class Rotation {
-  at_end,    ///< at the end of the step, like positions and forces
-  in_middle  ///< in the middle of the next step: the grains have been turned already
+  at_end,  ///< spins are those at the end of the step, like positions and forces
+  /// Spins are those in the middle of the next step: the next half kick and turn have been made already.
+  in_middle
 };
 
-/// Drift over the whole step, after the kick: x <- stretch x + drift v.
+/// Change of the positions of the grains over a whole time step, after their kick: x <- stretch x + drift v. The
+/// matrices are upper triangular, and diagonal for a rectangular lattice.
 template <int Dim>
 struct Drift {
   double stretch[Dim][Dim], drift[Dim][Dim];
 };
 
-/// Walls as the kernels of pairs read them, one array entry per wall: the plane n . x = level, with n the unit
-/// normal from the grains to the wall.
+/// Walls in the form that force kernels read, with one array entry per wall. A wall is the plane n . x = level, where n
+/// is its unit normal, which points from the grains to the wall.
 template <int Dim>
 struct WallView {
   const double* normal[Dim];
   const double *level, *level_rate;
 };
 
-/// Boundary as the kernels of pairs read it.
+/// Boundary of the packing (lattice and walls) in the form that force kernels read.
 template <int Dim>
 struct PairCell {
-  double lattice[Dim][Dim];      ///< columns are the lattice vectors
-  double strain_rate[Dim][Dim];  ///< velocity gradient
-  double slip_time;              ///< time over which the present velocities are added to the springs
-  WallView<Dim> walls;           ///< null without walls
+  double lattice[Dim][Dim];      ///< lattice matrix, whose columns are the lattice vectors (length)
+  double strain_rate[Dim][Dim];  ///< velocity gradient of the lattice (1/time)
+  double slip_time;              ///< time over which the present relative velocities stretch the springs (time)
+  WallView<Dim> walls;           ///< pointers to the arrays of the walls; null if there are none
 };
 
-/// Passes of a time step, for one kernel law (kernel_law.h) and one instruction set.
+/// Kernels (passes of a time step over grains or pairs) for one kernel law (contact law for which kernels are compiled,
+/// kernel_law.h) and one instruction set.
 template <int Dim>
 struct StepKernels {
   /// Kicks a block of grains over half a step and moves it over a step.
-  /// @param stands  stage of the rotation; at Rotation::in_middle, the grains are not turned again
+  /// @param stands  stage (Rotation) at which the previous step has left the rotation of the grains; at
+  /// Rotation::in_middle, the grains have been turned already and are not turned again
   void (*kick_and_drift)(const GrainView<Dim>&, int first_grain, const Kick<Dim>&, const Drift<Dim>&,
                          Rotation stands);
-  /// Square of the largest displacement of a block since the list was built, in skins of the grain.
-  /// @param list_stretch  deformation of the lattice since then
+  /// Returns the square of the largest displacement of a grain of a block since the neighbour lists were built, in
+  /// squared skins of the grain.
+  /// @param list_stretch  deformation gradient of the lattice since the neighbour lists were built
   double (*motion_squared)(const GrainView<Dim>&, int first_grain, const double (&list_stretch)[Dim][Dim]);
-  /// Computes rows and springs of the pairs [first, last).
-  /// @param law  the kernel law, of the type of this table entry
+  /// Computes the rows (forces and moments) of the pairs of grains [first, last) and updates their springs.
+  /// @param law  address of the contact law of this kernel, which must be of the type for which this kernel is compiled
   void (*compute_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                         const PairCell<Dim>&);
-  /// Computes rows and springs of the pairs [first, last) of grains with walls; null where the kernel law is
-  /// for pairs of grains only.
+  /// Computes the rows (forces and moments) of the pairs [first, last) of grains with walls and updates their springs;
+  /// null if the kernel law (kernel_law.h) serves pairs of grains only.
   void (*compute_wall_pairs)(const void* law, const GrainView<Dim>&, const PairView<Dim>&, int first, int last,
                              const PairCell<Dim>&);
-  /// Sums the rows of a block of grains and kicks it over half a step.
-  /// @param to  stage at which the rotation is left; at Rotation::at_end the torques are stored, too
+  /// Sums the rows (forces and moments) of the pairs of each grain of a block, and kicks the grains over half a step.
+  /// @param to  stage (Rotation) at which the rotation of the grains is left; at Rotation::at_end the torques are
+  /// stored, too
   void (*sum_and_kick)(const GrainView<Dim>&, const PairView<Dim>&, const BlockSumsPlan&, int first_grain,
                        const PairCell<Dim>&, const Kick<Dim>&, Rotation to, BlockSums<Dim>&);
 };
 
-/// Shape of the lattices that a kernel is for, chosen once per run. The general shape slows down laws without
-/// friction by a tenth.
+/// Shape of the lattice for which a kernel is compiled; the shape is chosen once per run. Kernels for the general,
+/// triangular shape are slower by a tenth for laws without friction.
 enum class LatticeShape { rectangular, triangular };
 
-/// Returns the kernels of alternative `law_index` of AnyKernelLaw.
+/// Returns the kernels for the contact law with index `law_index` in AnyKernelLaw.
 /// @pre supported(set)
 template <int Dim>
 const StepKernels<Dim>& step_kernels(InstructionSet set, LatticeShape shape, std::size_t law_index);
 
-/// Tables of step_kernels(), one per translation unit of an instruction set and dimension.
+/// Tables of kernels that step_kernels() chooses from. Each is defined in one translation unit per instruction set and
+/// dimension.
 template <int Dim>
 const StepKernels<Dim>* step_kernels_portable(LatticeShape shape);
 template <int Dim>

@@ -8,7 +8,8 @@
 
 namespace floc {
 
-/// The kernels of every kernel law, in the order of AnyKernelLaw.
+/// Table of the kernels of every kernel law (contact law for which kernels are compiled), in the order of the
+/// alternatives of AnyKernelLaw.
 template <class Isa, int Dim, LatticeShape kShape, class KernelLaws>
 struct StepKernelTable;
 template <class Isa, int Dim, LatticeShape kShape, class... Law>
@@ -16,10 +17,12 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   template <class L>
   static constexpr StepKernels<Dim> kernels_of() {
-    // The kernel for triangular lattices serves rectangular ones, too.
+    // A law of the normal force without special kernels has only the kernel for triangular lattices, which also serves
+    // rectangular ones.
     using Grains = std::conditional_t<kTriangular || !kHasSpecialKernels<typename L::NormalModel>,
                                       GrainsInTriangularLattice, GrainsInRectangularLattice>;
-    // The drift depends on whether grains rotate, but not on the kind of moments in the rows.
+    // The drift of the grains depends on whether they rotate, but not on the layout of the moments in the rows of
+    // pairs.
     using Drift = GrainKernels<Isa, Dim, kShape, L::kHasFriction ? RowKind::moments : RowKind::forces>;
     using Sums = GrainKernels<Isa, Dim, kShape, kRowKind<L, Dim>>;
     StepKernels<Dim> kernels{&Drift::kick_and_drift, &Drift::motion_squared,

@@ -315,7 +315,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
        {"c.toml:4: unknown key campaign.sead; the nearest valid key in [campaign] is se"}},
       {head + phi + "[gird]\n", {"c.toml:7: unknown key gird; the nearest valid key is grid"}},
       {head + "[grid]\ncontact.friction.coefficient = 0.3\n" + phi,
-       {"c.toml:5: grid.contact.friction.coefficient = 0.3: expected a list of values"}},
+       {"c.toml:5: grid.contact.friction.coefficient = 0.3: expected a list of one or more values"}},
       {head + "[grid]\ngrains.count = [20]\ncontact.friction.coefficient = [0.3, -1]\n" + phi,
        {"c.toml:6: case ", "contact.friction.coefficient = -1: expected"}},
       {head + "[[case]]\nset = {contact.friktion.coefficient = 1}\n" + phi,

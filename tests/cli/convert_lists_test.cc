@@ -191,7 +191,9 @@ TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuli
     const char* words;
   } const wrong[] = {{10, 10, "kn of 3 contacts is 10 times the value of the contact law (grains 0-0: "},
                      {1, 10, "kt of 3 contacts is 10 times the value of the contact law"},
-                     {2.0 / 3.0, 1, "is N/delta, but the stiffness of the law is 1.5 N/delta"}};
+                     {2.0 / 3.0, 1,
+                      "the value is N/delta (normal force N over overlap delta), but the stiffness of the law "
+                      "is 1.5 N/delta"}};
   for (const auto& [kn_factor, kt_factor, words] : wrong) {
     std::filesystem::remove(scratch_.file("s.h5"));
     const Outcome strict = convert_bead(kn_factor, kt_factor, {"--strict"});
@@ -205,7 +207,7 @@ TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuli
                 AllOf(HasSubstr("warning: "), HasSubstr(words)));
     const Outcome verified = floc_arguments({"verify", scratch_.file("s.h5")});
     EXPECT_EQ(verified.code, 5);
-    EXPECT_THAT(verified.err, HasSubstr("law does not hold: grains 0-0 by a stiffness: k"));
+    EXPECT_THAT(verified.err, HasSubstr("law does not hold: grains 0-0 by the stiffness k"));
   }
 }
 
@@ -218,7 +220,8 @@ TEST_F(ConvertLists, OfGrainsThatDoNotTouchSayHowFarTheyAreApartAndWhy) {
   };
   const std::tuple<const char*, double, const char*> rows[] = {
       {"radius", 1.0000001,
-       "no grains touch (the smallest gap is 1e-07, 1e-07 of a mean diameter, of grains 0-1): hard"},
+       "no grains touch (the smallest gap is 1e-07, 1e-07 of a mean diameter, of grains 0-1): simulations of "
+       "hard"},
       {"diameter", 0.999, "are the values read as diameters in fact radii?"},
       {"radius", 3.0, "are the radii and the cell in the same unit of length?"}};
   for (const auto& [column, spacing, words] : rows) {

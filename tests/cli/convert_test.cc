@@ -87,7 +87,7 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
          "state file of floc), .vtu",
          {jambashbulk_file(), scratch.file("s.pdb")});
   expect(4, "--to: \"pdb\" is not a format", {jambashbulk_file(), out, "--to", "pdb"});
-  expect(4, "--stress: has 1 numbers, expected 2", {jambashbulk_file(), out, "--stress", "1"});
+  expect(4, "--stress: the stress has 1 numbers, expected 2", {jambashbulk_file(), out, "--stress", "1"});
   expect(4, "leave out --law", {jambashbulk_file(), out, "--law", "normal.stiffness=2"});
   expect(1, "cannot be written", {jambashbulk_file(), scratch.file("g.csv/s.h5")});
   expect(2, "IN... OUT is required", {});

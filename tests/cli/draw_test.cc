@@ -157,7 +157,8 @@ TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
       {"draw spheres.h5 -o s.svg --slab z,0.6,0.4", "slab from 0.6 to 0.4: must be fractions of the cell"},
       {"draw spheres.h5 -o s.svg --slab x,0.98,0.99",
        "spheres.h5: this state has no grain whose centre lies in --slab"},
-      {"draw spheres.h5 -o s.svg --sphere-size 2", "sphere size = 2 times the true size: must be between 0 and 1"},
+      {"draw spheres.h5 -o s.svg --sphere-size 2",
+       "sphere size = 2 times the true size: must be between 0 and 1"},
       {"draw spheres.h5 -o s.svg --compare run/state-0004.h5",
        "run/state-0004.h5: this is a state in 2D, but spheres.h5 is in 3D"},
   };
@@ -173,7 +174,8 @@ TEST_F(Draw, RefusesInWordsWhatItCannotDraw) {
   EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --steps 1").err, HasSubstr("--steps"));
   EXPECT_THAT(floc("draw run -o a.svg --steps 99").err, HasSubstr("state-0099.h5"));
   EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --width 0.5").err, HasSubstr("width"));
-  EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --compare spheres.h5").err, HasSubstr("spheres.h5: is 3D"));
+  EXPECT_THAT(floc("draw run/state-0004.h5 -o a.svg --compare spheres.h5").err,
+              HasSubstr("spheres.h5: this is a state in 3D"));
   EXPECT_THAT(floc("draw . -o a.svg").err, HasSubstr("state-0000.h5"));
   EXPECT_EQ(floc("draw run/state-0004.h5 -o absent/a.svg").code, 1);
 }

@@ -44,7 +44,7 @@ TEST(ErrorBudgetOfModuli, WarnsOfAToleranceThatPositionsCannotHold) {
   const Outcome o = moduli_of_a_square_lattice(scratch, "0.50000000000005", "1e13");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, HasSubstr("one.h5: warning: rounding of its positions leaves net forces of "));
-  EXPECT_THAT(o.err, HasSubstr(" not below the tolerances of 1.0e-03 and 1.0e-03"));
+  EXPECT_THAT(o.err, HasSubstr(" not below the tolerances of equilibrium, 1.0e-03 and 1.0e-03"));
 }
 
 TEST(ErrorBudgetOfAFit, NamesWhatLimitsEachParameter) {

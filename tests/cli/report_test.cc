@@ -38,16 +38,16 @@ TEST_F(ReportOfSpheres, HasPicturesAndTables) {
   const Outcome o = report();
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(content_of(scratch_.file("run.html")),
-              AllOf(HasSubstr("3 spheres, 2 equilibrium states"), HasSubstr("radialGradient"), HasSubstr("F0/a²"),
-                    HasSubstr("Scattered intensity I(k) of the grains")));
+              AllOf(HasSubstr("3 spheres, 2 equilibrium states"), HasSubstr("radialGradient"),
+                    HasSubstr("F0/a²"), HasSubstr("Scattered intensity I(k) of the grains")));
 }
 
 TEST_F(ReportOfSpheres, RefusesDisksAmongThem) {
   write_state(file_of(1), state_at<2>(1));
   const Outcome o = report();
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err, HasSubstr("state-0001.h5: this state is not in 3D like run/state-0000.h5: expected the "
-                               "states of a single run"));
+  EXPECT_THAT(o.err, HasSubstr("state-0001.h5: this state is not 3D like run/state-0000.h5: expected the "
+                               "states of one run"));
 }
 
 }  // namespace

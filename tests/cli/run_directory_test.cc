@@ -56,7 +56,7 @@ TEST(RunDirectoryWithoutAName, IsRefused) {
                                     "fit consolidation ''", "convert a.csv ''", "report a -o ''"}) {
     const Outcome o = run_floc(command, scratch.path());
     EXPECT_EQ(o.code, 2) << command;
-    EXPECT_THAT(o.err, HasSubstr("it is empty")) << command;
+    EXPECT_THAT(o.err, HasSubstr("the value is empty")) << command;
   }
   EXPECT_EQ(run_floc("run small.toml -o -", scratch.path()).code, 4);
   EXPECT_FALSE(fs::exists(scratch.file("-")));

@@ -48,7 +48,8 @@ TEST_F(RunSeeds, ExitsWithTheWorstOfItsSamplesAndNamesIt) {
   EXPECT_THAT(some.err,
               AllOf(HasSubstr("seed 1: done"),
                     HasSubstr("seed 2: failed with exit code 4; its messages are in some/seed-2.log")));
-  EXPECT_THAT(content_of(file("some/seed-2.log")), HasSubstr("some/seed-2: is a file"));
+  EXPECT_THAT(content_of(file("some/seed-2.log")),
+              HasSubstr("some/seed-2: this is a file: expected a directory"));
 }
 
 TEST_F(RunSeeds, StoppedBySignalsCheckpointsEverySample) {

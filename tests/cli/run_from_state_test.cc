@@ -98,7 +98,7 @@ TEST_F(RunFromAState, SaysWhichKeyNamesAFileThatIsNoState) {
   EXPECT_FALSE(exists("none"));
   const Outcome check = floc("scene check tiled.toml");
   EXPECT_EQ(check.code, 0);
-  EXPECT_THAT(check.out, HasSubstr("N,160,grains"));
+  EXPECT_THAT(check.out, HasSubstr("N,160,number of grains"));
   EXPECT_EQ(floc("tradeoff tiled.toml").code, 4);
 }
 

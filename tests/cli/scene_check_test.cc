@@ -52,7 +52,8 @@ TEST(SceneCheck, ListsEveryFaultAndExitsWithBadInput) {
   const Outcome o = run_floc("scene check bad.toml", dir.path());
   EXPECT_EQ(o.code, 4);
   EXPECT_EQ(o.out, "");
-  EXPECT_THAT(o.err, HasSubstr("bad.toml:13: grains.count = -1: expected a whole number"));
+  EXPECT_THAT(o.err,
+              HasSubstr("bad.toml:13: grains.count = -1: expected the number of grains, a whole number"));
   EXPECT_THAT(o.err, HasSubstr("bad.toml:18: unknown key contact.normal.stifness"));
   EXPECT_THAT(o.err, HasSubstr("contact.normal.stiffness is missing"));
 }
@@ -97,7 +98,7 @@ TEST(SceneCheck, WarnsOfTimeStepsThatLeadNowhere) {
       {"spheres_demo", "contact.normal.modulus=1e14",
        "contact.normal: relative to the load the contacts are so stiff"},
       {"spheres_demo", "assembly.pressure=0.07 --set load.0.to=0.7",
-       "contact.normal: the contacts are so stiff"},
+       "contact.normal: relative to the load the contacts are so stiff"},
       {"compaction_demo", "box.mass=1e-4", "box.mass = 0.0001: walls of such a small mass"},
   };
   for (const auto& [scene, changes, warning] : scenes) {
@@ -136,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"contact.frction.coefficient=1", "unknown key contact.frction"},
         Mistake{"contact.rolling={coefficient=1}", "contact.rolling.stiffness is missing"},
-        Mistake{"grains.count=many", "grains.count = 'many': expected a whole number"},
+        Mistake{"grains.count=many", "grains.count = 'many': expected the number of grains, a whole number"},
         Mistake{"assembly.pressure=nan", "assembly.pressure = nan: expected a positive number"},
         Mistake{"contact.normal.stiffness=-1", "contact.normal.stiffness = -1: expected a positive number"},
         Mistake{"grains.diameter.min=2", "grains.diameter.min = 2: expected at most grains.diameter.max = 1"},
@@ -166,7 +167,7 @@ TEST(SceneNew, NeverOverwrites) {
   write_text(dir.file("mine.toml"), "precious");
   const Outcome o = run_floc("scene new mine", dir.path());
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err, HasSubstr("mine.toml: exists"));
+  EXPECT_THAT(o.err, HasSubstr("mine.toml: this file exists already"));
   EXPECT_EQ(content_of(dir.file("mine.toml")), "precious");
 }
 

@@ -140,7 +140,8 @@ TEST(SpheresScene, SaysOfAModelThatDoesNotFitThatAlone) {
   write_text(scratch.file("bad.toml"), exchanged(beads(), "law = \"mindlin\"", "law = \"coulomb\""));
   const Outcome check = run_floc("scene check bad.toml", scratch.path());
   EXPECT_EQ(check.code, 4);
-  EXPECT_THAT(check.err, testing::HasSubstr("its stiffness follows from Poisson's ratio"));
+  EXPECT_THAT(check.err,
+              testing::HasSubstr("the tangential stiffness of elastic spheres follows from Poisson's ratio"));
   EXPECT_EQ(std::count(check.err.begin(), check.err.end(), '\n'), 1) << check.err;
 }
 
@@ -153,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadBeads{"{critical_fraction = 0.98}", "{restitution = 0.5}",
                              "the damping of elastic spheres follows the normal stiffness"},
                     BadBeads{"law = \"mindlin\", coefficient = 0.3", "coefficient = 0.3, stiffness = 1e5",
-                             "its stiffness follows from Poisson's ratio"},
+                             "the tangential stiffness of elastic spheres follows from Poisson's ratio"},
                     BadBeads{"law = \"hertz\", modulus = 70e9, poisson = 0.3",
                              "law = \"linear\", stiffness = 1e5", "expected contact.damping = {restitution}"},
                     BadBeads{"law = \"hertz\", modulus", "law = \"hertz\", stiffness = 1.0, modulus",

@@ -69,7 +69,7 @@ TEST(UnitsOfTables, AreConvertedOrRefusedWhereTablesArePooled) {
                              {"P_star [kPa]", "P_star [turnips]"}}) {
     const Outcome o = pooled_lambda(a, 1.0, b, 1.0);
     EXPECT_EQ(o.code, 4) << a << ", " << b;
-    EXPECT_THAT(o.err, HasSubstr("b.csv: has ")) << a << ", " << b;
+    EXPECT_THAT(o.err, HasSubstr("b.csv: found ")) << a << ", " << b;
     EXPECT_THAT(o.err, HasSubstr("expected two known units of one quantity")) << a << ", " << b;
     EXPECT_EQ(json::parse(o.out).size(), 1u);
     const Outcome plot = run_floc("plot a.csv b.csv --show consolidation -o p.svg", scratch.path());
@@ -122,7 +122,7 @@ TEST(UnitsOfTables, ModuliOfAStateTakeTheUnitOfTheTable) {
                                       {"P [turnips]", "solid.h5"}}) {
     const Outcome o = fit(header, 1.0, state);
     EXPECT_EQ(o.code, 4) << header;
-    EXPECT_THAT(o.err, HasSubstr(std::string(state) + ": has ")) << header;
+    EXPECT_THAT(o.err, HasSubstr(std::string(state) + ": found ")) << header;
     EXPECT_THAT(o.err, HasSubstr("expected two known units of one quantity")) << header;
   }
 }
@@ -156,7 +156,7 @@ TEST(UnitsOfTables, OfColumnsOfOneTableAreMadeTheSame) {
   fmt::print("dynamic compaction: {} pairs of units\n", n);
   const Outcome missing = samples("sc", 1.0, "se [kPa]", 1.0);
   EXPECT_EQ(missing.code, 4);
-  EXPECT_THAT(missing.err, HasSubstr("column sc: has no unit, and column p has the unit kPa"));
+  EXPECT_THAT(missing.err, HasSubstr("column sc: found no unit here, but column p has the unit kPa"));
 }
 
 class UnitsOfRuns : public SmallRun {};

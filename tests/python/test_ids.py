@@ -21,10 +21,11 @@ TABLES = {
     "structure --map": ("structure", "{0}", "--map", "t.csv"),
     "compare --displacements": ("compare", "{1}", "{0}", "--displacements", "t.csv"),
     "compare --contacts": ("compare", "{1}", "{0}", "--contacts", "t.csv"),
+    "forces --contacts": ("forces", "{0}", "--contacts", "t.csv"),
     "export --grains": ("export", "{0}", "--grains", "t.csv"),
     "export --contacts": ("export", "{0}", "--contacts", "t.csv"),
 }
-IN_SPACE = ("structure --map",)
+IN_SPACE = ("structure --map", "forces --contacts")
 
 
 def program(*arguments):
@@ -117,7 +118,7 @@ class Ids(unittest.TestCase):
             self.assertIn(words, said.stderr)
         self.assertIn("net force of grain 301 in units of the force scale F1", program("moduli", "m.h5").stderr)
         said = program("verify", "m.h5")
-        for words in ("grain 301 with", "grain 204 with", "grains 204-103 missing", "grains 301-204 by"):
+        for words in ("grain 301 with", "grain 204 with", "grains 204-103 are missing in the contact list", "grains 301-204 by"):
             self.assertIn(words, said.stdout + said.stderr)
         with_indices = re.compile(r"grains? [0-3]\b")
         for command in ("verify", "moduli", "modes", "network"):

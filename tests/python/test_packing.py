@@ -111,7 +111,7 @@ class Refusals(unittest.TestCase):
         self.refused(r"position\[0\]: is nan", position=np.where(np.arange(18).reshape(9, 2) == 0, np.nan, position))
         self.refused(r"mass: has shape \(1,\)", mass=[1.0])
         self.refused(r"position: expected an array of numbers", position="here")
-        self.refused(r"stress: has 3 numbers, expected 2", stress=[1.0, 1.0, 1.0])
+        self.refused(r"stress: the stress has 3 numbers, expected 2", stress=[1.0, 1.0, 1.0])
         self.refused("solid fraction", radius=2 * radius)
 
     def test_name_the_law(self):

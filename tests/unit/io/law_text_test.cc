@@ -68,9 +68,9 @@ TEST(LawText, NamesWhatIsWrongAndWhatWasExpected) {
       ThrowsMessage<InputError>(HasSubstr(
           "friction.law = \"coulomb\" cannot be combined with contact.normal.law = "
           "\"hertz\", because the tangential stiffness of elastic spheres follows from Poisson's ratio")));
-  EXPECT_THAT(
-      refusal("normal.stiffness=1,normal.modulus=1"),
-      ThrowsMessage<InputError>(HasSubstr("normal.modulus: normal.law = linear has no such parameter")));
+  EXPECT_THAT(refusal("normal.stiffness=1,normal.modulus=1"),
+              ThrowsMessage<InputError>(
+                  HasSubstr("normal.modulus is given, but normal.law = linear has no such parameter")));
   EXPECT_THAT(refusal("normal.stiffness=1,adhesion.range=0.1"),
               ThrowsMessage<InputError>(HasSubstr("adhesion.force is missing")));
   EXPECT_THAT(refusal("normal.stiffness=1,damping.restitution=0.5,damping.mass=heavy"),

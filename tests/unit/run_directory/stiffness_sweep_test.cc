@@ -131,7 +131,7 @@ void sweep(const Law& law, Counts& counts) {
                                           factor)));
         const Criterion criterion = law_criterion(changed);
         EXPECT_FALSE(criterion.holds || criterion.by_value);
-        EXPECT_THAT(criterion.where, HasSubstr(fmt::format("by a stiffness: {} = ", name)));
+        EXPECT_THAT(criterion.where, HasSubstr(fmt::format("by the stiffness {} = ", name)));
         ++counts.states, ++counts.verified;
         if (k > 0) continue;
         EXPECT_THAT(said_of_list(packing, kind, factor),

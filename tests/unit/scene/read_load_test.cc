@@ -123,7 +123,7 @@ TEST(ReadLoad, FaultsSayWhatWasExpected) {
   EXPECT_THAT(faults(2, oedometer + "strain = 0.5\nstrain_step = 1e-6\n"), HasSubstr("at most 10000"));
   EXPECT_THAT(faults(2, oedometer + "to = 5\nstrain_step = 0.1\n"), HasSubstr("expected steps"));
   EXPECT_THAT(faults(2, oedometer + "strain = 0.5\nsteps = 1\nstrain_step = 0.1\n"),
-              HasSubstr("expected one of"));
+              HasSubstr("expected only one of"));
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"constant_volume\"\nto = 2\nsteps = 1\n"),
               HasSubstr("expected the key strain"));
   EXPECT_THAT(faults(2, "[[load]]\ncontrol = \"axes\"\naxes = [{stress = 1}, {stress = 1}, {stress = 1}]\n"),

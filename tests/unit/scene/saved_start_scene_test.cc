@@ -121,8 +121,9 @@ TEST_F(SceneOfAState, NamesTheStateByItsChecksumInItsText) {
   EXPECT_THAT([&] { read({}, s.text); }, testing::ThrowsMessage<InputError>(
                                              AllOf(HasSubstr("assembly.state_sha256"), HasSubstr("saved.h5"),
                                                    HasSubstr("expected the file with the given SHA-256"))));
-  EXPECT_THAT([&] { s.assembly.saved.read(); },
-              testing::ThrowsMessage<InputError>(HasSubstr("saved.h5: has changed since the scene was read")));
+  EXPECT_THAT(
+      [&] { s.assembly.saved.read(); },
+      testing::ThrowsMessage<InputError>(HasSubstr("saved.h5: the file has changed since the scene was read")));
 }
 
 TEST_F(SceneOfAState, SaysWhatItStartsFrom) {

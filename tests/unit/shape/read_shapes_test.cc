@@ -163,8 +163,8 @@ TEST(ShapeFiles, NotConvexAreTheirHullWithARemark) {
   const auto shapes = parse_shapes<3>("dent.off", off_text(dented));
   EXPECT_NEAR(shapes[0].shape.volume, 1.0, 1e-15);
   ASSERT_EQ(shapes[0].remarks.size(), 2u);
-  EXPECT_THAT(shapes[0].remarks[0], HasSubstr("1 of 9 points are no vertices"));
-  EXPECT_THAT(shapes[0].remarks[1], HasSubstr("encloses 0.9 of its hull"));
+  EXPECT_THAT(shapes[0].remarks[0], HasSubstr("1 of 9 points are not vertices"));
+  EXPECT_THAT(shapes[0].remarks[1], HasSubstr("encloses 0.9 of the volume of its convex hull"));
 }
 
 TEST(ShapeFiles, OfManyVerticesAreTakenWithFewer) {

@@ -12,6 +12,7 @@
 #include "floc/tables/chain_rows.h"
 #include "floc/tables/compare_rows.h"
 #include "floc/tables/equilibrium_warning.h"
+#include "floc/tables/forces_rows.h"
 #include "floc/tables/moduli_rows.h"
 #include "floc/tables/network_rows.h"
 #include "floc/tables/structure_columns.h"
@@ -235,6 +236,36 @@ py::tuple compare(const NamedState& before, const NamedState& after, const py::o
   return py::make_tuple(to_python(table), asked_of(further));
 }
 
+py::tuple forces(const States& states, const py::object& selection, const py::object& friction,
+                 const py::object& kn, const py::object& kt, const py::object& stress, const py::object& gap,
+                 const Names& tables, bool ranges, const py::object& range_of) {
+  require_tables(tables, {"contacts"});
+  ForcesTableOptions options;
+  if (!selection.is_none())
+    options.selection = force_selection_named(word_of("selection", selection, {"closest", "canonical"}));
+  options.friction = number_if_any("friction", friction, kNotNegativeNumber);
+  options.kn = number_if_any("kn", kn, kPositiveNumber);
+  options.kt = number_if_any("kt", kt, kPositiveNumber);
+  options.stress = numbers_of("stress", stress);
+  options.gap = number_if_any("gap", gap, kNearGap);
+  options.range_of = wholes_of("range_of", range_of, kAnyContact);
+  options.ranges = ranges || !options.range_of.empty();
+  Table contacts;
+  const std::vector<FurtherTable> further = {{"contacts", &options.contacts, &contacts}};
+  ask_for(tables, further);
+  const Table table = without_gil([&](const Remarks& remarks) {
+    std::vector<ForcesRow> rows;
+    for (const NamedState& s : states)
+      of_state(s.name, [&] {
+        std::visit(
+            [&](const auto& state) { rows.push_back(forces_row(s.name, state, options, contacts, remarks)); },
+            *s.state);
+      });
+    return to_table(forces_columns(), rows);
+  });
+  return py::make_tuple(to_python(table), asked_of(further));
+}
+
 py::tuple chain(const py::object& n, const py::object& radius, const py::object& kn, const py::object& kt,
                 const py::object& kr, const py::object& bend) {
   ChainOptions options;
@@ -256,6 +287,9 @@ void bind_analysis(py::module_& module) {
              py::arg("least_contacts"), py::arg("unit"), py::arg("bin_width"), py::arg("groups"),
              py::arg("near_zero"), py::arg("shuffles"), py::arg("pressure_bin_width"), py::arg("without"),
              py::arg("tables"));
+  module.def("forces", &forces, py::arg("states"), py::kw_only(), py::arg("selection"), py::arg("friction"),
+             py::arg("kn"), py::arg("kt"), py::arg("stress"), py::arg("gap"), py::arg("tables"),
+             py::arg("ranges"), py::arg("range_of"));
   module.def("structure", &structure, py::arg("states"), py::kw_only(), py::arg("average"),
              py::arg("fit_range"), py::arg("largest_k"), py::arg("cells_per_wave"), py::arg("reach"),
              py::arg("map_size"), py::arg("probes"), py::arg("profile_axis"), py::arg("slices"),

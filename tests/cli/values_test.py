@@ -76,6 +76,7 @@ CALLS = {
     "scene new": ({"NAME": "new-{n}"}, ""),
     "moduli": ({"STATE": "disks.h5"}, "--force"),
     "modes": ({"STATE": "disks.h5"}, ""),
+    "forces": ({"STATE": "disks.h5"}, "--contacts=out/{n}.csv"),
     "network": ({"STATE": "disks.h5"}, "--pdf=out/{n}.csv --particle-stress=out/{n}.csv --with=bonds,phases "
                 "--exponents=out/{n}.csv --pressure-pdf=out/{n}.csv --like-neighbours=out/{n}.csv --clusters=out/{n}.csv"),
     "lattice": ({"STATE": "balls.h5"}, "--matrix=0.05 --per-diameter=3 --pdf=out/{n}.csv"),

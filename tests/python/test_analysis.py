@@ -148,6 +148,21 @@ def tiled(state, copies):
                                     tolerance=1e3)
 
 
+class Forces(Same):
+    def test_are_those_of_the_command(self):
+        file = samples.last_state("beads")
+        for options, keywords in (((), {}), (("--selection", "canonical"), {"selection": "canonical"}),
+                                  (("--kn", "1", "--kt", "2"), {"kn": 1.0, "kt": 2.0}),
+                                  (("--friction", "1"), {"friction": 1.0}), (("--gap", "1e-3"), {"gap": 1e-3})):
+            self.assert_row(floc.forces(file, **keywords), samples.rows_of("forces", file, *options)[0])
+
+    def test_of_contacts_with_their_ranges(self):
+        file = samples.last_state("beads")
+        contacts = floc.forces(file, tables="contacts", range_of=[0, 2]).tables["contacts"]
+        self.assertEqual(len(contacts["contact"]), floc.read(file).n_contacts)
+        self.assertLessEqual(contacts["smallest_normal_force"][0], contacts["normal_force"][0])
+
+
 class Network(Same):
     def test_of_states(self):
         for name in ("powder", "beads"):

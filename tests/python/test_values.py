@@ -51,6 +51,7 @@ class Values(unittest.TestCase):
             "moduli": (floc.moduli, {"state": disks, "force": True}),
             "network": (floc.network, {"state": disks, "groups": ["bonds", "phases"], "tables": everything}),
             "structure": (floc.structure, {"state": disks, "tables": shapes}),
+            "forces": (floc.forces, {"state": disks, "tables": ["contacts"]}),
             "compare": (floc.compare, {"before": disks, "after": disks}),
             "chain": (floc.chain, {"n": 3, "R": 0.5, "kn": 1.0, "kt": 1.0, "kr": 1.0}),
             "run": (self.run_scene, {"scene": samples.scene_file("powder")}),

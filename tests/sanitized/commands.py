@@ -36,6 +36,8 @@ moduli {state} --method single-factor
 moduli {state} --increments increments.csv --force
 moduli {state} --rolling-stiffness 1,10
 modes {state} --count 5
+forces {state} --contacts contacts.csv --range-of 0,1
+forces {state} --selection canonical --gap 1e-3
 network {run} --columns all
 network {state} --with bonds,phases
 network {state} --without mechanics --pdf forces.csv --unit F0 --particle-stress stress.csv

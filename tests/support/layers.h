@@ -30,6 +30,7 @@ inline const LayerOrder& layer_order() {
       {"network", {"packing", "contact"}},
       {"petsc", {"base"}},
       {"elasticity", {"network", "linalg", "petsc"}},
+      {"rigid", {"neighbors", "network", "linalg"}},
       {"relaxation", {"neighbors", "elasticity"}},
       {"assembly", {"relaxation"}},
       {"loading", {"assembly", "relaxation"}},
@@ -43,7 +44,8 @@ inline const LayerOrder& layer_order() {
       {"picture", {"structure", "elasticity", "packing", "lattice"}},
       {"tradeoff", {"scene", "loading", "elasticity", "structure", "fitting"}},
       {"campaign", {"scene", "loading", "io"}},
-      {"tables", {"elasticity", "fitting", "io", "lattice", "run_directory", "structure", "verification"}},
+      {"tables",
+       {"elasticity", "fitting", "io", "lattice", "rigid", "run_directory", "structure", "verification"}},
   };
   return order;
 }

@@ -31,6 +31,7 @@ Command add_modes(CommandLine program);
 Command add_network(CommandLine program);
 Command add_structure(CommandLine program);
 Command add_compare(CommandLine program);
+Command add_forces(CommandLine program);
 Command add_run(CommandLine program);
 Command add_scene(CommandLine program);
 Command add_fit(CommandLine program);

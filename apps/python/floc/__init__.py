@@ -16,15 +16,15 @@ except ImportError as error:
 del _numpy
 
 from . import fit, plot
-from ._analysis import (Chain, Comparison, Compliance, Moduli, Network, Structure, chain, compare, moduli, network,
-                        structure)
+from ._analysis import (Chain, Comparison, Compliance, Forces, Moduli, Network, Structure, chain, compare, forces,
+                        moduli, network, structure)
 from ._core import commit, version as __version__
 from ._errors import EquilibriumError, Error, FileError, FlocWarning, InputError, NumericalError
 from ._records import Record, Records, columns
 from ._run import Progress, Run, run
 from ._state import Packing, State, read
 
-__all__ = ["Chain", "Comparison", "Compliance", "EquilibriumError", "Error", "FileError", "FlocWarning", "InputError",
-           "Moduli", "Network", "NumericalError", "Packing", "Progress", "Record", "Records", "Run", "State",
-           "Structure", "chain", "columns", "commit", "compare", "fit", "moduli", "network", "plot", "read", "run",
-           "structure"]
+__all__ = ["Chain", "Comparison", "Compliance", "EquilibriumError", "Error", "FileError", "FlocWarning", "Forces",
+           "InputError", "Moduli", "Network", "NumericalError", "Packing", "Progress", "Record", "Records", "Run",
+           "State", "Structure", "chain", "columns", "commit", "compare", "fit", "forces", "moduli", "network", "plot",
+           "read", "run", "structure"]

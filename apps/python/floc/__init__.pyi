@@ -331,6 +331,24 @@ class Structure(Record):
     void_radius_mean: float | None
     void_radius_largest: float | None
 
+class Forces(Record):
+    file: str
+    dimension: int | None
+    n_grains: int | None
+    n_contacts: int | None
+    n_carrying: int | None
+    selection: str
+    friction: float | None
+    mean_normal_force: float | None
+    mobilised: float | None
+    net_force_before: float | None
+    net_force: float | None
+    net_moment: float | None
+    stress_error: float | None
+    moved: float | None
+    force_freedom: float | None
+    n_factorizations: int | None
+
 class Comparison(Record):
     before: str
     after: str
@@ -431,6 +449,16 @@ def structure(
     tables: str | _Iterable[str] = ()) -> Records[Structure]: ...
 def compare(before: _OneState, after: _OneState, *, rigid_tolerance: float = 0.01,
             tables: str | _Iterable[str] = ()) -> Comparison: ...
+@_overload
+def forces(
+    state: _OneState, *, selection: str | None = None, friction: float | None = None, kn: float | None = None,
+    kt: float | None = None, stress: float | _Sequence[float] = (), gap: float | None = None,
+    tables: str | _Iterable[str] = (), ranges: bool = False, range_of: _Sequence[int] = ()) -> Forces: ...
+@_overload
+def forces(
+    state: _Iterable[_OneState], *, selection: str | None = None, friction: float | None = None,
+    kn: float | None = None, kt: float | None = None, stress: float | _Sequence[float] = (), gap: float | None = None,
+    tables: str | _Iterable[str] = (), ranges: bool = False, range_of: _Sequence[int] = ()) -> Records[Forces]: ...
 def chain(n: int, R: float, kn: float, kt: float, kr: float, bend: float = 0.0) -> Chain: ...
 def run(
     scene: str | _PathLike[str], directory: str | _PathLike[str], *,

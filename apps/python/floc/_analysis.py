@@ -26,6 +26,11 @@ class Comparison(Record):
     """The changes between two states: a row of ``floc compare``."""
 
 
+@with_columns("forces")
+class Forces(Record):
+    """Contact forces at rest for the geometry of a state: a row of ``floc forces``."""
+
+
 class Compliance(Record):
     """A compliance of a chain: formula (closed form), solved (of the network) and error_bound (of solved)."""
 
@@ -189,6 +194,56 @@ def compare(before, after, *, rigid_tolerance=0.01, tables=()):
     (second,), _ = states_of(after)
     table, further = _core.compare(first, second, rigid_tolerance=rigid_tolerance, tables=_names(tables))
     return records(Comparison, table, further, True)
+
+
+def forces(state, *, selection=None, friction=None, kn=None, kt=None, stress=(), gap=None, tables=(), ranges=False,
+           range_of=()):
+    """Finds contact forces at rest for the geometry of states, as ``floc forces`` prints them.
+
+    Parameters
+    ----------
+    state : State, path-like, or sequence of these
+    selection : {"closest", "canonical"}, optional
+        The balanced forces closest to those of the state, or those of least elastic energy. Without it: closest, and
+        canonical for a state without forces.
+    friction : float, optional
+        Friction coefficient of all contacts; that of the contact law without it.
+    kn, kt : float, optional
+        Stiffnesses K_N and K_T of all contacts in the elastic energy (force/length); those of each contact without
+        them.
+    stress : float or sequence of float
+        Stress that the forces transmit: the pressure, the components along the axes, or all components in the order
+        of Voigt (force/length^(d-1)). Empty: that of the forces of the state.
+    gap : float, optional
+        Largest gap across which pairs of grains may carry a force, in units of the smallest diameter.
+    tables : sequence of str
+        Further tables: "contacts" (the force of each contact).
+    ranges : bool
+        Adds to this table the smallest and the largest normal force that each contact can carry while all forces
+        balance.
+    range_of : sequence of int
+        Restricts the ranges to the contacts with these numbers.
+
+    Returns
+    -------
+    Forces, or a list of these for a sequence of states
+
+    Raises
+    ------
+    InputError
+        If the contact law resists rolling or twisting, or the state has no forces and no stress is given.
+    NumericalError
+        If no set of forces balances the load.
+
+    Notes
+    -----
+    docs/physics.md, "Forces at rest".
+    """
+    states, single = states_of(state)
+    table, further = _core.forces(
+        states, selection=selection, friction=friction, kn=kn, kt=kt, stress=stress, gap=gap,
+        tables=_names(tables), ranges=bool(ranges), range_of=range_of)
+    return records(Forces, table, further, single)
 
 
 def chain(n, R, kn, kt, kr, bend=0.0):

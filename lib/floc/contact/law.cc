@@ -104,6 +104,16 @@ bool Law::is_for_small_overlaps() const {
   return parameters().normal.visit([]<class Model>(const Model&) { return kIsForSmallOverlaps<Model>; });
 }
 
+double Law::friction_coefficient() const {
+  return parameters().friction.visit([]<class Model>(const Model& model) {
+    if constexpr (kIsAbsent<Model>) {
+      return 0.0;
+    } else {
+      return model.coefficient;
+    }
+  });
+}
+
 bool Law::friction_follows_load() const {
   return resists_sliding() &&
          parameters().friction.visit([]<class Model>(const Model&) { return kFollowsNormalStiffness<Model>; });

@@ -71,6 +71,8 @@ class Law {
 
   /// Whether friction can carry any force.
   bool resists_sliding() const;
+  /// Friction coefficient mu; 0 without friction.
+  double friction_coefficient() const;
   /// Whether the tangential stiffness depends on the normal force. Tangential forces then depend on the loading
   /// path, even where no contact slides.
   bool friction_follows_load() const;

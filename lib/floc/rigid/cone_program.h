@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "floc/base/vec.h"
+
+namespace floc {
+
+/// Convex program over second-order cones, with the dual unknowns y:
+///
+///     minimise  1/2 x' Q x + c' x    subject to    A x = b,    x_k in K for each block k,
+///
+/// where block k has Dim entries and K = {x : |(x_1, ..)| <= x_0}. Forces of rigid grains are of this form:
+/// x_k = (P, t/mu) of contact k, and A x = b is the balance of every grain and of the cell.
+///
+/// A is stored by blocks: the entries of block k in `row` and `coefficient` have the numbers first[k] to
+/// first[k + 1] - 1. The rows of the entries of one block differ from each other.
+template <int Dim>
+struct ConeProgram {
+  std::vector<int> first{0};
+  std::vector<int> row;
+  std::vector<Vec<Dim>> coefficient;  ///< of the entries of a block, in one row
+  std::vector<int> group;  ///< of each row, ascending: rows of one group (a grain) are eliminated together
+  Eigen::VectorXd load;    ///< b
+  std::vector<Vec<Dim>> compliance;  ///< diagonal of Q, >= 0
+  std::vector<Vec<Dim>> linear;      ///< c
+
+  int n_blocks() const { return static_cast<int>(first.size()) - 1; }
+  int n_rows() const { return static_cast<int>(load.size()); }
+};
+
+/// Ways in which the solution of a cone program may end.
+enum class ConeStatus {
+  kSolved,
+  /// No x satisfies the constraints. `motion` y proves it: b' y > 0, while -A' y lies in the cones.
+  kInfeasible,
+  kUnbounded,  ///< the linear objective has no lower bound
+  kFailed,     ///< rounding ended the iteration before any of the others was proved
+};
+
+template <int Dim>
+struct ConeSolution {
+  ConeStatus status = ConeStatus::kFailed;
+  std::vector<Vec<Dim>> x;
+  Eigen::VectorXd motion;  ///< y
+  double objective = 0.0;  ///< 1/2 x' Q x + c' x
+  double residual = 0.0;   ///< largest |A x - b|
+  double gap = 0.0;        ///< x' z: the objective is at most this far above the smallest one
+  int n_factorizations = 0;
+};
+
+}  // namespace floc

@@ -1,0 +1,264 @@
+#include "floc/rigid/force_balance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/network/contact_network.h"
+#include "floc/network/rigidity_matrix.h"
+
+namespace floc {
+namespace {
+
+/// Coefficients below this are rounding, in units where those of translations are one: the moment of a normal force on
+/// a round grain.
+constexpr double kNoCoefficient = 1e-12;
+
+/// Rows of the balance and their loads, before rows without coefficients are left out.
+template <int Dim>
+class BalanceRows {
+ public:
+  BalanceRows(const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options)
+      : network_(contact_network(packing)),
+        strains_(packing.walls.empty() ? StrainSet::full : StrainSet::diagonal),
+        n_boundary_(n_boundary_unknowns(network_, strains_)),
+        load_(Eigen::VectorXd::Zero(first_of_boundary() + n_boundary_)) {
+    if (options.stress)
+      for (int s = 0; s < n_boundary_; ++s)
+        load_[first_of_boundary() + s] =
+            network_.volume * options.stress->cwiseProduct(unit_strain<Dim>(s)).sum();
+  }
+
+  const ContactNetwork<Dim>& network() const { return network_; }
+  int first_of_boundary() const { return network_.n_unknowns(); }
+  int n_rows() const { return static_cast<int>(load_.size()); }
+  int n_boundary() const { return n_boundary_; }
+  Eigen::VectorXd& load() { return load_; }
+
+  /// Calls visit(row, coefficient) for the rows that a contact acts on: row = sum coefficient . (F_N, T).
+  void for_each_row(const NetworkContact<Dim>& c, const auto& visit) const {
+    const ContactRows<Dim> rows = contact_rows(c);
+    for (int a = 0; a < kDofs<Dim>; ++a) {
+      visit(first_unknown<Dim>(c.i) + a, Vec<Dim>(rows.on_i.col(a).template head<Dim>()));
+      if (c.i != c.j) visit(first_unknown<Dim>(c.j) + a, Vec<Dim>(rows.on_j.col(a).template head<Dim>()));
+    }
+    const BoundaryRows<Dim> boundary = boundary_rows(network_, c, rows, strains_);
+    for (int s = 0; s < n_boundary_; ++s)
+      visit(first_of_boundary() + s, Vec<Dim>(boundary.col(s).template head<Dim>()));
+  }
+
+  /// Factor by which a row is divided, so that its coefficients are of order one.
+  double scale(int row) const {
+    if (row >= first_of_boundary()) return boundary_scale();
+    const bool turns = row % kDofs<Dim> >= Dim;
+    return turns ? network_.grain_size[row / kDofs<Dim>] : 1.0;
+  }
+  double boundary_scale() const {
+    const double mean_branch = std::pow(network_.volume / std::max(1, network_.n_grains), 1.0 / Dim);
+    return mean_branch * std::sqrt(static_cast<double>(std::max<std::size_t>(1, network_.contacts.size())));
+  }
+
+ private:
+  ContactNetwork<Dim> network_;
+  StrainSet strains_;
+  int n_boundary_;
+  Eigen::VectorXd load_;
+};
+
+/// Returns (F_N, T) of a contact in the frame.
+template <int Dim>
+Vec<Dim> present_force(const NetworkContact<Dim>& c) {
+  Vec<Dim> f = c.frame.transpose() * c.shear_force;
+  f[0] = c.normal_force;
+  return f;
+}
+
+/// Marks the contacts that can carry no force: those that do not adhere, of grains on which no other force acts.
+/// Their grains may leave others with one contact.
+template <int Dim>
+std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
+  const int n = packing.grains.size();
+  std::vector<std::vector<int>> contacts_of(n);
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+    const Contact<Dim>& c = packing.contacts[k];
+    contacts_of[c.i].push_back(static_cast<int>(k));
+    if (!packing.is_wall(c.j)) contacts_of[c.j].push_back(static_cast<int>(k));
+  }
+  std::vector<bool> idle(packing.contacts.size(), false);
+  std::vector<int> pending(n);
+  for (int i = 0; i < n; ++i) pending[i] = i;
+  while (!pending.empty()) {
+    const int grain = pending.back();
+    pending.pop_back();
+    int only = -1, count = 0;
+    for (const int k : contacts_of[grain])
+      if (!idle[k]) only = k, ++count;
+    if (count != 1) continue;
+    const Contact<Dim>& c = packing.contacts[only];
+    if (c.distant || c.elastic_force > c.normal_force) continue;
+    idle[only] = true;
+    for (const int body : {c.i, c.j})
+      if (body != grain && !packing.is_wall(body)) pending.push_back(body);
+  }
+  return idle;
+}
+
+/// Returns the mean of the stiffnesses that are positive, 1 if none is.
+template <int Dim>
+double mean_stiffness(const std::vector<NetworkContact<Dim>>& contacts,
+                      double NetworkContact<Dim>::*stiffness) {
+  double sum = 0.0;
+  int n = 0;
+  for (const NetworkContact<Dim>& c : contacts)
+    if (c.*stiffness > 0.0) sum += c.*stiffness, ++n;
+  return n == 0 ? 1.0 : sum / n;
+}
+
+template <int Dim>
+std::vector<UnknownForce<Dim>> unknown_forces(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,
+                                              const ForceBalanceOptions<Dim>& options) {
+  const std::vector<bool> idle = idle_contacts(packing);
+  const double mean_kn = mean_stiffness(network.contacts, &NetworkContact<Dim>::kn);
+  const double mean_kt = mean_stiffness(network.contacts, &NetworkContact<Dim>::kt);
+  // Contacts without a stiffness, as spheres of Hertz that just touch, have the mean.
+  const auto stiffness = [](const std::optional<double>& given, double own, double mean) {
+    return given ? *given : own > 0.0 ? own : mean;
+  };
+  std::vector<UnknownForce<Dim>> out;
+  for (const NetworkContact<Dim>& c : network.contacts) {
+    const Contact<Dim>& contact = packing.contacts[c.source];
+    if (c.distant || idle[c.source]) continue;
+    UnknownForce<Dim>& u = out.emplace_back();
+    u.contact = c.source;
+    const Law& law = c.on_wall() ? packing.wall_law : packing.law;
+    u.friction = options.friction.value_or(law.friction_coefficient());
+    u.adhesion = std::max(0.0, contact.elastic_force - contact.normal_force);
+    u.present = present_force(c);
+    u.present[0] += u.adhesion;
+    u.kn = stiffness(options.kn, c.kn, mean_kn);
+    u.kt = stiffness(options.kt, c.kt, mean_kt);
+    u.frame = c.frame;
+  }
+  return out;
+}
+
+template <int Dim>
+void require_balance(const std::string& place, const Packing<Dim>& packing,
+                     const ForceBalanceOptions<Dim>& options) {
+  for (const std::string& fault : options.validate()) throw InputError(place, fault);
+  for (const Law* law : {&packing.law, &packing.wall_law})
+    if (law->has_rolling() || law->has_twisting())
+      throw InputError(place,
+                       "its contact law resists rolling or twisting; forces at rest are computed for contacts "
+                       "without moments only");
+  if (options.stress && !packing.walls.empty())
+    throw InputError(place,
+                     "a stress cannot be given for a packing between walls: its forces balance the forces "
+                     "that the walls carry in the file");
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
+  std::vector<std::string> faults;
+  if (friction && !(*friction >= 0.0 && std::isfinite(*friction)))
+    faults.push_back(fmt::format("friction = {}: expected a number >= 0", *friction));
+  for (const auto& [name, value] : {std::pair{"kn", kn}, {"kt", kt}})
+    if (value && !(*value > 0.0 && std::isfinite(*value)))
+      faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
+  if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
+  return faults;
+}
+
+template <int Dim>
+Eigen::VectorXd ForceBalance<Dim>::residual(const std::vector<Vec<Dim>>& x) const {
+  Eigen::VectorXd out = -program.load;
+  for (int k = 0; k < program.n_blocks(); ++k)
+    for (int e = program.first[k]; e < program.first[k + 1]; ++e)
+      out[program.row[e]] += program.coefficient[e].dot(x[k]);
+  return out;
+}
+
+template <int Dim>
+ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& packing,
+                                const ForceBalanceOptions<Dim>& options) {
+  require_balance(place, packing, options);
+  BalanceRows<Dim> rows(packing, options);
+  const std::vector<NetworkContact<Dim>>& contacts = rows.network().contacts;
+  ForceBalance<Dim> out;
+  out.unknowns = unknown_forces(packing, rows.network(), options);
+  if (out.unknowns.empty())
+    throw InputError(place, "no contact can carry a force: there is nothing to balance");
+
+  // Load of the boundary: that of all present forces, unless a stress is given.
+  Eigen::VectorXd& load = rows.load();
+  const auto add = [&](const NetworkContact<Dim>& c, const Vec<Dim>& force, double sign, int from) {
+    rows.for_each_row(c, [&](int row, const Vec<Dim>& coefficient) {
+      if (row >= from) load[row] += sign * coefficient.dot(force);
+    });
+  };
+  if (!options.stress)
+    for (const NetworkContact<Dim>& c : contacts) add(c, present_force(c), 1.0, rows.first_of_boundary());
+  for (const NetworkContact<Dim>& c : contacts)
+    if (c.distant) add(c, present_force(c), -1.0, 0);
+  double sum = 0.0;
+  for (const UnknownForce<Dim>& u : out.unknowns) {
+    add(contacts[u.contact], u.adhesion * Vec<Dim>::Unit(0), 1.0, 0);
+    sum += std::abs(u.present[0]);
+  }
+  // The mean stress times the volume is the sum of normal forces times branches.
+  const double boundary = load.segment(rows.first_of_boundary(), Dim).sum();
+  const double n = static_cast<double>(out.unknowns.size());
+  const double branch = rows.boundary_scale() / std::sqrt(static_cast<double>(contacts.size()));
+  out.unit = std::max(sum, std::abs(boundary) / branch) / n;
+  if (!(out.unit > 0.0))
+    throw InputError(place, "its contacts carry no force: give the stress that their forces have to transmit");
+
+  // Rows that some contact acts on get numbers.
+  std::vector<int> number(rows.n_rows(), -1);
+  for (const UnknownForce<Dim>& u : out.unknowns)
+    rows.for_each_row(contacts[u.contact], [&](int row, Vec<Dim> coefficient) {
+      coefficient.template tail<Dim - 1>() *= u.friction;
+      if (coefficient.template lpNorm<Eigen::Infinity>() / rows.scale(row) > kNoCoefficient) number[row] = 0;
+    });
+  std::vector<double> scaled_load;
+  int last_group = -1;
+  for (int row = 0; row < rows.n_rows(); ++row) {
+    const bool inside = row < rows.first_of_boundary();
+    const int grain = inside ? row / kDofs<Dim> : -1;
+    // A load in a row that no contact acts on cannot be balanced; without one the row says nothing.
+    if (number[row] < 0 && std::abs(load[row]) <= kNoCoefficient * rows.scale(row) * out.unit) continue;
+    number[row] = static_cast<int>(scaled_load.size());
+    scaled_load.push_back(load[row] / (rows.scale(row) * out.unit));
+    if (!inside || out.row_grain.empty() || grain != out.row_grain.back()) ++last_group;
+    out.program.group.push_back(last_group);
+    out.row_grain.push_back(grain);
+    out.row_is_moment.push_back(inside && row % kDofs<Dim> >= Dim);
+  }
+  out.program.load = Eigen::Map<const Eigen::VectorXd>(scaled_load.data(), scaled_load.size());
+  out.unit_of_boundary = n * branch / (Dim * rows.boundary_scale());
+  for (const UnknownForce<Dim>& u : out.unknowns) {
+    rows.for_each_row(contacts[u.contact], [&](int row, Vec<Dim> coefficient) {
+      if (number[row] < 0) return;
+      coefficient.template tail<Dim - 1>() *= u.friction;
+      out.program.row.push_back(number[row]);
+      out.program.coefficient.push_back(coefficient / rows.scale(row));
+    });
+    out.program.first.push_back(static_cast<int>(out.program.row.size()));
+  }
+  out.program.compliance.assign(out.unknowns.size(), Vec<Dim>::Zero());
+  out.program.linear = out.program.compliance;
+  return out;
+}
+
+template struct ForceBalanceOptions<2>;
+template struct ForceBalanceOptions<3>;
+template struct ForceBalance<2>;
+template struct ForceBalance<3>;
+template ForceBalance<2> force_balance(const std::string&, const Packing<2>&, const ForceBalanceOptions<2>&);
+template ForceBalance<3> force_balance(const std::string&, const Packing<3>&, const ForceBalanceOptions<3>&);
+
+}  // namespace floc

@@ -1,0 +1,421 @@
+#include "floc/rigid/interior_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/base/interruption.h"
+#include "floc/rigid/second_order_cone.h"
+
+namespace floc {
+namespace {
+
+constexpr int kMostIterations = 100;
+/// Part of the longest step that is taken.
+constexpr double kStepShare = 0.99;
+/// Compliance of the constraints: A x may differ from b by this times y, at the cost of an energy. Without it, a load
+/// that is out of balance by rounding alone would have no solution, and motions that no contact resists would have no
+/// limit.
+constexpr double kSoftness = 1e-13;
+/// Relative residual and gap at which the iteration ends: close to rounding.
+constexpr double kGoal = 1e-13;
+/// Largest error of a proof that there is no bound, in units of what it proves.
+constexpr double kProof = 1e-8;
+/// Number of successive iterations without progress after which the iteration ends.
+constexpr int kPatience = 10;
+
+template <int Dim>
+using Blocks = std::vector<Vec<Dim>>;
+
+template <int Dim>
+double dot(const Blocks<Dim>& a, const Blocks<Dim>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k].dot(b[k]);
+  return sum;
+}
+
+/// Returns a' Q b.
+template <int Dim>
+double dot(const Blocks<Dim>& a, const Blocks<Dim>& diagonal, const Blocks<Dim>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k].cwiseProduct(diagonal[k]).dot(b[k]);
+  return sum;
+}
+
+template <int Dim>
+double largest(const Blocks<Dim>& a) {
+  double most = 0.0;
+  for (const Vec<Dim>& v : a) most = std::max(most, v.template lpNorm<Eigen::Infinity>());
+  return most;
+}
+
+double largest(const Eigen::VectorXd& a) {
+  return a.size() == 0 ? 0.0 : a.lpNorm<Eigen::Infinity>();
+}
+
+/// Returns A x.
+template <int Dim>
+Eigen::VectorXd balance(const ConeProgram<Dim>& program, const Blocks<Dim>& x) {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(program.n_rows());
+  for (int k = 0; k < program.n_blocks(); ++k)
+    for (int e = program.first[k]; e < program.first[k + 1]; ++e)
+      out[program.row[e]] += program.coefficient[e].dot(x[k]);
+  return out;
+}
+
+/// Returns A' y.
+template <int Dim>
+Blocks<Dim> relative_motion(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
+  Blocks<Dim> out(program.n_blocks(), Vec<Dim>::Zero());
+  for (int k = 0; k < program.n_blocks(); ++k)
+    for (int e = program.first[k]; e < program.first[k + 1]; ++e)
+      out[k] += program.coefficient[e] * y[program.row[e]];
+  return out;
+}
+
+/// Returns the largest violation of K by the blocks, 0 if all are in K.
+template <int Dim>
+double violation(const Blocks<Dim>& x) {
+  double most = 0.0;
+  for (const Vec<Dim>& v : x) most = std::max(most, -cone::margin<Dim>(v));
+  return most;
+}
+
+/// A point or a direction of the homogeneous embedding.
+template <int Dim>
+struct Point {
+  Blocks<Dim> x, z;
+  Eigen::VectorXd y;
+  double tau = 1.0, kappa = 1.0;
+
+  void add(const Point& direction, double step) {
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      x[k] += step * direction.x[k];
+      z[k] += step * direction.z[k];
+    }
+    y += step * direction.y;
+    tau += step * direction.tau;
+    kappa += step * direction.kappa;
+  }
+  bool is_finite() const {
+    return std::isfinite(dot(x, x) + dot(z, z) + y.squaredNorm() + tau * tau + kappa * kappa);
+  }
+  /// Complementarity, which falls to zero along the central path.
+  double mu() const { return (dot(x, z) + tau * kappa) / (static_cast<double>(x.size()) + 1.0); }
+};
+
+/// Returns x' Q x + s y' y, with the softness s.
+template <int Dim>
+double twice_energy(const ConeProgram<Dim>& program, const Point<Dim>& at) {
+  return dot(at.x, program.compliance, at.x) + kSoftness * at.y.squaredNorm();
+}
+
+/// Residuals of the homogeneous embedding at a point.
+template <int Dim>
+struct Residuals {
+  Blocks<Dim> dual;        // Q x + c tau - A' y - z
+  Eigen::VectorXd primal;  // A x + s y - b tau, with the softness s
+  double gap;              // -(x' Q x + s y' y)/tau - c' x + b' y - kappa
+};
+
+template <int Dim>
+Residuals<Dim> residuals(const ConeProgram<Dim>& program, const Point<Dim>& at) {
+  Residuals<Dim> out{relative_motion(program, at.y),
+                     balance(program, at.x) + kSoftness * at.y - at.tau * program.load, 0.0};
+  for (std::size_t k = 0; k < at.x.size(); ++k)
+    out.dual[k] =
+        program.compliance[k].cwiseProduct(at.x[k]) + program.linear[k] * at.tau - out.dual[k] - at.z[k];
+  out.gap = -twice_energy(program, at) / at.tau - dot(program.linear, at.x) + program.load.dot(at.y) - at.kappa;
+  return out;
+}
+
+/// Returns the longest step that keeps a point in the cones, at most 1.
+template <int Dim>
+double longest_step(const Point<Dim>& from, const Point<Dim>& direction) {
+  double step = 1.0;
+  for (std::size_t k = 0; k < from.x.size(); ++k)
+    step = std::min({step, cone::longest_step<Dim>(from.x[k], direction.x[k]),
+                     cone::longest_step<Dim>(from.z[k], direction.z[k])});
+  if (direction.tau < 0.0) step = std::min(step, -from.tau / direction.tau);
+  if (direction.kappa < 0.0) step = std::min(step, -from.kappa / direction.kappa);
+  return step;
+}
+
+/// Returns the solution that a point of the embedding stands for.
+template <int Dim>
+ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>& at) {
+  ConeSolution<Dim> out;
+  out.x = at.x;
+  for (Vec<Dim>& x : out.x) x /= at.tau;
+  out.motion = at.y / at.tau;
+  out.objective = 0.5 * dot(out.x, program.compliance, out.x) + dot(program.linear, out.x);
+  out.residual = largest(Eigen::VectorXd(balance(program, out.x) - program.load));
+  out.gap = dot(at.x, at.z) / (at.tau * at.tau);
+  return out;
+}
+
+/// Returns a lower bound of the largest |A x - b| over all x in the cones with entries of order one, which y proves:
+/// b' y <= |A x - b|_max |y|_1 + x' A' y, and -A' y lies in the cones but for a violation. Negative if y proves nothing.
+template <int Dim>
+double proved_residual(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
+  const double outside = violation(relative_motion(program, Eigen::VectorXd(-y)));
+  return (program.load.dot(y) - outside * program.n_blocks()) / y.lpNorm<1>();
+}
+
+/// Returns the error of the proof that c' x has no bound: the largest of A x, for c' x = -1. Infinity if c' x does not
+/// fall.
+template <int Dim>
+double error_of_unboundedness(const Blocks<Dim>& linear, const Eigen::VectorXd& balance, const Blocks<Dim>& x) {
+  const double fall = -dot(linear, x);
+  // A direction that the objective hardly falls in is rounding: x and c are of order one.
+  return fall > kProof ? largest(balance) / fall : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+/// One iteration: the scaling at a point and the directions that start there.
+template <int Dim>
+struct InteriorPoint<Dim>::Iteration {
+  InteriorPoint& method;
+  const ConeProgram<Dim>& program;
+  const Point<Dim>& at;
+  Residuals<Dim> residual;
+  std::vector<cone::Scaling<Dim>> scaling;
+  Blocks<Dim> scaled;                 // lambda = W z
+  std::vector<Mat<Dim>> flexibility;  // G = (Q + W^-2)^-1
+  bool factorized = false;
+  Blocks<Dim> constant_x;  // the part of a direction that goes with d tau
+  Eigen::VectorXd constant_y;
+
+  Iteration(InteriorPoint& owner, const ConeProgram<Dim>& what, const Point<Dim>& start)
+      : method(owner), program(what), at(start), residual(residuals(what, start)) {
+    const int n = program.n_blocks();
+    scaling.reserve(n);
+    for (int k = 0; k < n; ++k) {
+      const cone::Scaling<Dim>& s = scaling.emplace_back(at.x[k], at.z[k]);
+      scaled.push_back(s.scaled(at.z[k]));
+      flexibility.push_back(s.flexibility(program.compliance[k]));
+    }
+    factorized = method.factorize(program, flexibility);
+    if (!factorized) return;
+    Blocks<Dim> minus_linear = program.linear;
+    for (Vec<Dim>& c : minus_linear) c = -c;
+    solve(minus_linear, program.load, constant_x, constant_y);
+  }
+
+  /// Solves G^-1 x - A' y = u, A x + s y = v, with the softness s.
+  void solve(const Blocks<Dim>& u, const Eigen::VectorXd& v, Blocks<Dim>& x, Eigen::VectorXd& y) const {
+    constexpr int kMostRefinements = 10;
+    const double enough = 1e-15 * largest(v);
+    y = Eigen::VectorXd::Zero(program.n_rows());
+    double before = std::numeric_limits<double>::infinity();
+    for (int pass = 0;; ++pass) {
+      x = relative_motion(program, y);
+      for (std::size_t k = 0; k < x.size(); ++k) x[k] = flexibility[k] * (u[k] + x[k]);
+      const Eigen::VectorXd rest = v - balance(program, x) - kSoftness * y;
+      const double error = largest(rest);
+      if (error <= enough || error > 0.5 * before || pass == kMostRefinements) break;
+      before = error;
+      y += method.factor_.solve(rest, 1).col(0);
+    }
+  }
+
+  /// Returns the direction that reduces the residuals by a factor and changes the products of complementary
+  /// variables by given amounts.
+  /// @param products  quotient by lambda of the change of (W^-1 x) o (W z)
+  /// @param tau_kappa change of tau kappa
+  Point<Dim> direction(double reduction, const Blocks<Dim>& products, double tau_kappa) const {
+    Point<Dim> d;
+    Blocks<Dim> u(at.x.size());
+    for (std::size_t k = 0; k < u.size(); ++k)
+      u[k] = -reduction * residual.dual[k] + scaling[k].unscaled(products[k]);
+    solve(u, -reduction * residual.primal, d.x, d.y);
+    const auto gap_of = [&](const Blocks<Dim>& x, const Eigen::VectorXd& y) {
+      return 2.0 / at.tau * (dot(at.x, program.compliance, x) + kSoftness * at.y.dot(y)) +
+             dot(program.linear, x) - program.load.dot(y);
+    };
+    const double curvature = twice_energy(program, at) / (at.tau * at.tau);
+    d.tau = (-reduction * residual.gap + tau_kappa / at.tau + gap_of(d.x, d.y)) /
+            (curvature + at.kappa / at.tau - gap_of(constant_x, constant_y));
+    d.kappa = (tau_kappa - at.kappa * d.tau) / at.tau;
+    for (std::size_t k = 0; k < u.size(); ++k) d.x[k] += d.tau * constant_x[k];
+    d.y += d.tau * constant_y;
+    // From the dual equation, which then holds to rounding.
+    d.z = relative_motion(program, d.y);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      d.z[k] = program.compliance[k].cwiseProduct(d.x[k]) + program.linear[k] * d.tau - d.z[k] +
+               reduction * residual.dual[k];
+    return d;
+  }
+
+  /// Returns the direction of Mehrotra's corrector, whose centring follows from the step of the predictor.
+  Point<Dim> direction() const {
+    Blocks<Dim> products = scaled;
+    for (Vec<Dim>& v : products) v = -v;
+    const Point<Dim> predictor = direction(1.0, products, -at.tau * at.kappa);
+    const double step = longest_step(at, predictor);
+    const double centring = std::pow(1.0 - step, 3);
+    const double target = centring * at.mu();
+    for (std::size_t k = 0; k < products.size(); ++k) {
+      const Vec<Dim> dx = scaling[k].unscaled(predictor.x[k]), dz = scaling[k].scaled(predictor.z[k]);
+      const Vec<Dim> change =
+          target * Vec<Dim>::Unit(0) - cone::product<Dim>(scaled[k], scaled[k]) - cone::product<Dim>(dx, dz);
+      products[k] = cone::quotient<Dim>(scaled[k], change);
+    }
+    return direction(1.0 - centring, products, target - at.tau * at.kappa - predictor.tau * predictor.kappa);
+  }
+};
+
+template <int Dim>
+InteriorPoint<Dim>::InteriorPoint(const ConeProgram<Dim>& pattern) {
+  // Pairs of entries of one block share a place of the matrix; all places are found once.
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto for_each_pair = [&](const auto& visit) {
+    for (int k = 0; k < pattern.n_blocks(); ++k)
+      for (int e = pattern.first[k]; e < pattern.first[k + 1]; ++e)
+        for (int f = pattern.first[k]; f <= e; ++f)
+          visit(std::max(pattern.row[e], pattern.row[f]), std::min(pattern.row[e], pattern.row[f]));
+  };
+  for_each_pair([&](int row, int column) { entries.emplace_back(row, column, 0.0); });
+  for (int r = 0; r < pattern.n_rows(); ++r) entries.emplace_back(r, r, 0.0);
+  matrix_.resize(pattern.n_rows(), pattern.n_rows());
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+  place_.reserve(entries.size() - pattern.n_rows());
+  for_each_pair([&](int row, int column) {
+    const int* const begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+    const int* const end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+    place_.push_back(static_cast<int>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr()));
+  });
+}
+
+template <int Dim>
+bool InteriorPoint<Dim>::factorize(const ConeProgram<Dim>& program, const std::vector<Mat<Dim>>& flexibility) {
+  double* const value = matrix_.valuePtr();
+  std::fill(value, value + matrix_.nonZeros(), 0.0);
+  const int* place = place_.data();
+  for (int k = 0; k < program.n_blocks(); ++k)
+    for (int e = program.first[k]; e < program.first[k + 1]; ++e) {
+      const Vec<Dim> force = flexibility[k] * program.coefficient[e];
+      for (int f = program.first[k]; f <= e; ++f) value[*place++] += program.coefficient[f].dot(force);
+    }
+  double most = 0.0;
+  for (int r = 0; r < program.n_rows(); ++r) most = std::max(most, matrix_.coeff(r, r));
+  if (!std::isfinite(most)) return false;
+  factor_.set_matrix(matrix_, program.group);
+  // Rounding may make the matrix indefinite: refinement corrects for a larger shift.
+  for (double shift = kSoftness; shift < 1e-6 * most; shift = std::max(1e-15 * most, 100.0 * shift))
+    if (factor_.factorize_positive(shift)) return true;
+  return false;
+}
+
+template <int Dim>
+ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, double tolerance) {
+  Point<Dim> at;
+  at.x.assign(program.n_blocks(), Vec<Dim>::Unit(0));
+  at.z = at.x;
+  at.y = Eigen::VectorXd::Zero(program.n_rows());
+  const double size_of_load = std::max(1.0, largest(program.load));
+  ConeSolution<Dim> best;
+  double best_error = std::numeric_limits<double>::infinity(), least_mu = best_error;
+  int n_factorizations = 0;
+  for (int iteration = 0, idle = 0; iteration < kMostIterations && idle < kPatience; ++iteration) {
+    check_interruption();
+    const ConeSolution<Dim> now = solution_at(program, at);
+    // A load that rounding leaves out of balance is made up by the softness: its residual counts at the end only.
+    const double residual =
+        largest(Eigen::VectorXd(balance(program, now.x) + kSoftness * now.motion - program.load));
+    const double error = std::max(residual / size_of_load, now.gap / (1.0 + std::abs(now.objective)));
+    // Towards a proof that there is no solution, mu falls while the error does not.
+    ++idle;
+    if (at.mu() < 0.9 * least_mu) {
+      least_mu = at.mu();
+      idle = 0;
+    }
+    if (error < best_error) {
+      best = now;
+      best_error = error;
+      idle = 0;
+    }
+    if (error < kGoal) break;
+    // The iterates of a program without solution grow without bound in the direction that proves it.
+    if (at.kappa > at.tau && proved_residual(program, at.y) > tolerance) {
+      ConeSolution<Dim> proof = now;
+      proof.status = ConeStatus::kInfeasible;
+      proof.n_factorizations = n_factorizations;
+      return proof;
+    }
+    const Iteration step(*this, program, at);
+    ++n_factorizations;
+    if (!step.factorized) break;
+    const Point<Dim> direction = step.direction();
+    if (!direction.is_finite()) break;
+    at.add(direction, kStepShare * longest_step(at, direction));
+    // The embedding is homogeneous: only ratios matter, and they stay within range.
+    const double size = std::max(at.tau, at.kappa);
+    for (Vec<Dim>& x : at.x) x /= size;
+    for (Vec<Dim>& z : at.z) z /= size;
+    at.y /= size;
+    at.tau /= size;
+    at.kappa /= size;
+  }
+  best.n_factorizations = n_factorizations;
+  if (std::max(best_error, best.residual / size_of_load) < tolerance) best.status = ConeStatus::kSolved;
+  return best;
+}
+
+template <int Dim>
+bool InteriorPoint<Dim>::falls_without_bound(ConeProgram<Dim> program) {
+  // The direction d of the steepest fall among those with A d = 0: the minimum of c' d + d' d/2 over the cones.
+  program.load.setZero();
+  program.compliance.assign(program.n_blocks(), Vec<Dim>::Ones());
+  const ConeSolution<Dim> fall = solve(program);
+  return fall.status == ConeStatus::kSolved &&
+         error_of_unboundedness(program.linear, balance(program, fall.x), fall.x) < kProof;
+}
+
+template <int Dim>
+ConeSolution<Dim> InteriorPoint<Dim>::minimise_linear(ConeProgram<Dim> program, double bound) {
+  constexpr double kFirstWeight = 1e-2, kLeastWeight = 1e-6, kMostWeight = 10.0;
+  constexpr int kMostPoints = 60;
+  constexpr double kPrecision = 1e-10;
+  const std::vector<Vec<Dim>> objective = program.linear;
+  ConeSolution<Dim> best;
+  best.x.assign(program.n_blocks(), Vec<Dim>::Zero());
+  double weight = kFirstWeight, least = kLeastWeight, before = std::numeric_limits<double>::infinity();
+  int n_factorizations = 0;
+  for (int n = 0; n < kMostPoints; ++n) {
+    for (int k = 0; k < program.n_blocks(); ++k) {
+      program.compliance[k].setConstant(weight);
+      program.linear[k] = objective[k] - weight * best.x[k];
+    }
+    ConeSolution<Dim> found = solve(program);
+    n_factorizations += found.n_factorizations;
+    found.n_factorizations = n_factorizations;
+    if (found.status == ConeStatus::kFailed && weight < kMostWeight) {
+      // Too little compliance for this program: go on with more of it.
+      least = weight = 10.0 * weight;
+      continue;
+    }
+    if (found.status != ConeStatus::kSolved) return found;
+    found.objective = dot(objective, found.x);
+    const double change = before - found.objective, size = std::max(1.0, std::abs(found.objective));
+    before = found.objective;
+    best = std::move(found);
+    if (before - bound < kPrecision * size || std::abs(change) < kPrecision * size) break;
+    if (n > 1 && change > size / 2) {
+      ConeProgram<Dim> linear = program;
+      linear.linear = objective;
+      if (falls_without_bound(std::move(linear))) {
+        best.status = ConeStatus::kUnbounded;
+        break;
+      }
+    }
+    weight = std::max(least, 0.1 * weight);
+  }
+  return best;
+}
+
+template class InteriorPoint<2>;
+template class InteriorPoint<3>;
+
+}  // namespace floc

@@ -1,0 +1,162 @@
+#include "floc/rigid/static_forces.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+/// Returns the blocks of the present forces, (P, T/mu) in units of the balance. Tangential forces without friction
+/// do not enter.
+template <int Dim>
+std::vector<Vec<Dim>> present_blocks(const ForceBalance<Dim>& balance) {
+  std::vector<Vec<Dim>> out;
+  for (const UnknownForce<Dim>& u : balance.unknowns) {
+    Vec<Dim> x = u.present / balance.unit;
+    x.template tail<Dim - 1>() *= u.friction > 0.0 ? 1.0 / u.friction : 0.0;
+    out.push_back(x);
+  }
+  return out;
+}
+
+}  // namespace
+
+template <int Dim>
+StaticForces<Dim>::StaticForces(std::string place, const Packing<Dim>& packing,
+                                const ForceBalanceOptions<Dim>& options)
+    : place_(std::move(place)),
+      packing_(packing),
+      balance_(force_balance(place_, packing, options)),
+      program_(balance_.program),
+      method_(program_) {}
+
+template <int Dim>
+ContactForces<Dim> StaticForces<Dim>::closest() {
+  return solved(present_blocks(balance_));
+}
+
+template <int Dim>
+ContactForces<Dim> StaticForces<Dim>::canonical() {
+  return solved(std::vector<Vec<Dim>>(balance_.unknowns.size(), Vec<Dim>::Zero()));
+}
+
+template <int Dim>
+ContactForces<Dim> StaticForces<Dim>::present() const {
+  return forces(present_blocks(balance_), 0);
+}
+
+template <int Dim>
+ContactForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& preferred) {
+  // The energy in units in which the mean normal compliance is one.
+  double mean = 0.0;
+  for (const UnknownForce<Dim>& u : balance_.unknowns) mean += 1.0 / u.kn;
+  mean /= static_cast<double>(balance_.unknowns.size());
+  for (int k = 0; k < program_.n_blocks(); ++k) {
+    const UnknownForce<Dim>& u = balance_.unknowns[k];
+    program_.compliance[k].setConstant(u.friction * u.friction / (u.kt * mean));
+    program_.compliance[k][0] = 1.0 / (u.kn * mean);
+    program_.linear[k] = -program_.compliance[k].cwiseProduct(preferred[k]);
+  }
+  const ConeSolution<Dim> solution = method_.solve(program_);
+  if (solution.status != ConeStatus::kSolved) fail(solution);
+  return forces(solution.x, solution.n_factorizations);
+}
+
+template <int Dim>
+double StaticForces<Dim>::extreme(int block, double sign) {
+  program_.linear.assign(program_.n_blocks(), Vec<Dim>::Zero());
+  program_.linear[block][0] = -sign;
+  // The smallest normal force is that without a repulsive part, if such forces balance.
+  const double bound = sign < 0.0 ? 0.0 : -std::numeric_limits<double>::infinity();
+  const ConeSolution<Dim> solution = method_.minimise_linear(program_, bound);
+  if (solution.status == ConeStatus::kUnbounded) return std::numeric_limits<double>::infinity();
+  if (solution.status != ConeStatus::kSolved) fail(solution);
+  return solution.x[block][0] * balance_.unit - balance_.unknowns[block].adhesion;
+}
+
+template <int Dim>
+ForceRange StaticForces<Dim>::range(int contact) {
+  const auto found = std::ranges::find(balance_.unknowns, contact, &UnknownForce<Dim>::contact);
+  if (found == balance_.unknowns.end()) {
+    const Contact<Dim>& c = packing_.contacts[contact];
+    const double known = c.distant ? c.normal_force : 0.0;
+    return {known, known};
+  }
+  const int block = static_cast<int>(found - balance_.unknowns.begin());
+  return {extreme(block, -1.0), extreme(block, 1.0)};
+}
+
+template <int Dim>
+ContactForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const {
+  ContactForces<Dim> out;
+  out.n_factorizations = n_factorizations;
+  for (const Contact<Dim>& c : packing_.contacts) {
+    out.normal_force.push_back(c.distant ? c.normal_force : 0.0);
+    out.shear_force.push_back(c.distant ? c.shear_force : Vec<Dim>(Vec<Dim>::Zero()));
+  }
+  double mean = 0.0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const UnknownForce<Dim>& u = balance_.unknowns[k];
+    out.normal_force[u.contact] = x[k][0] * balance_.unit - u.adhesion;
+    Vec<Dim> shear = u.friction * balance_.unit * x[k];
+    shear[0] = 0.0;
+    out.shear_force[u.contact] = u.frame * shear;
+    mean += std::abs(x[k][0]) / static_cast<double>(x.size());
+  }
+  const Eigen::VectorXd residual = balance_.residual(x);
+  for (int row = 0; row < residual.size(); ++row) {
+    const double size = std::abs(residual[row]);
+    if (balance_.row_grain[row] < 0)
+      out.error.stress = std::max(out.error.stress, size / balance_.unit_of_boundary);
+    else if (balance_.row_is_moment[row])
+      out.error.moment = std::max(out.error.moment, size / mean);
+    else
+      out.error.force = std::max(out.error.force, size / mean);
+  }
+  return out;
+}
+
+template <int Dim>
+void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
+  if (solution.status != ConeStatus::kInfeasible)
+    throw NoResult(
+        fmt::format("{}: rounding ended the search for static forces at a residual of {:.1e} of the mean "
+                    "force and a gap of {:.1e}, after {} factorizations; there may be no answer",
+                    place_, solution.residual, solution.gap, solution.n_factorizations));
+  // The proof is the motion that the load drives: it does work, and no contact resists it.
+  int worst = -1;
+  double most = 0.0;
+  for (int row = 0; row < solution.motion.size(); ++row)
+    if (balance_.row_grain[row] >= 0 && !balance_.row_is_moment[row] && std::abs(solution.motion[row]) > most) {
+      most = std::abs(solution.motion[row]);
+      worst = balance_.row_grain[row];
+    }
+  throw NoResult(fmt::format(
+      "{}: no set of forces in its contacts balances the load: this is no equilibrium of rigid "
+      "grains{}",
+      place_,
+      worst < 0 ? std::string() : fmt::format("; the load moves grain {} most", packing_.grains.name(worst))));
+}
+
+template <int Dim>
+double force_distance(const ContactForces<Dim>& f, const ContactForces<Dim>& g) {
+  double difference = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < f.normal_force.size(); ++k) {
+    difference += std::pow(f.normal_force[k] - g.normal_force[k], 2) +
+                  (f.shear_force[k] - g.shear_force[k]).squaredNorm();
+    size += f.normal_force[k] * f.normal_force[k] + f.shear_force[k].squaredNorm();
+  }
+  return size > 0.0 ? std::sqrt(difference / size) : 0.0;
+}
+
+template class StaticForces<2>;
+template class StaticForces<3>;
+template double force_distance(const ContactForces<2>&, const ContactForces<2>&);
+template double force_distance(const ContactForces<3>&, const ContactForces<3>&);
+
+}  // namespace floc

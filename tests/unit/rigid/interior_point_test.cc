@@ -1,0 +1,190 @@
+#include "floc/rigid/interior_point.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "floc/rigid/second_order_cone.h"
+
+namespace floc::test {
+namespace {
+
+/// Disk of radius 1 in a groove whose sides rise at an angle b, under a load (0, -W): blocks (P, T/mu) of its two
+/// contacts, rows of force along x and y and of moment.
+struct Groove {
+  double angle = std::numbers::pi / 3.0;
+  double friction = 0.3;
+  double load = 1.0;
+  double kn = 1.0, kt = 1.0;
+
+  ConeProgram<2> program() const {
+    ConeProgram<2> out;
+    for (const double side : {1.0, -1.0}) {
+      const Vec<2> normal(side * std::sin(angle), std::cos(angle)), tangent(-normal[1], normal[0]);
+      for (int a = 0; a < 2; ++a) {
+        out.row.push_back(a);
+        out.coefficient.emplace_back(normal[a], friction * tangent[a]);
+      }
+      out.row.push_back(2);
+      out.coefficient.emplace_back(0.0, -friction);
+      out.first.push_back(static_cast<int>(out.row.size()));
+      out.compliance.emplace_back(1.0 / kn, friction * friction / kt);
+      out.linear.emplace_back(0.0, 0.0);
+    }
+    out.group = {0, 0, 0};
+    out.load = Eigen::Vector3d(0.0, load, 0.0);
+    return out;
+  }
+  /// Normal force of either contact with friction fully mobilised upwards (+1) or downwards (-1).
+  double mobilised_force(double direction) const {
+    return load / (2.0 * (std::cos(angle) + direction * friction * std::sin(angle)));
+  }
+};
+
+ConeSolution<2> extreme_force(const Groove& groove, double sign) {
+  ConeProgram<2> program = groove.program();
+  program.linear[0][0] = -sign;
+  return InteriorPoint<2>(program).minimise_linear(program, -1e9);
+}
+
+TEST(InteriorPoint, FindsTheRangeOfForcesInAGroove) {
+  const Groove groove;
+  const ConeSolution<2> smallest = extreme_force(groove, -1.0), largest = extreme_force(groove, 1.0);
+  ASSERT_EQ(smallest.status, ConeStatus::kSolved);
+  ASSERT_EQ(largest.status, ConeStatus::kSolved);
+  EXPECT_NEAR(smallest.x[0][0], 0.65806131, 1e-8);
+  EXPECT_NEAR(smallest.x[0][0], groove.mobilised_force(1.0), 1e-9);
+  EXPECT_NEAR(largest.x[0][0], 2.08166472, 1e-8);
+  EXPECT_NEAR(largest.x[0][0], groove.mobilised_force(-1.0), 1e-9);
+}
+
+TEST(InteriorPoint, ProvesThatADiskCanBeWedgedWithoutBound) {
+  const ConeSolution<2> largest = extreme_force({.friction = 1.0}, 1.0);
+  EXPECT_EQ(largest.status, ConeStatus::kUnbounded);
+}
+
+TEST(InteriorPoint, LeastEnergyInAGrooveIsThatOfSprings) {
+  // Springs that follow a vertical displacement: T/P = (K_T/K_N) tan b.
+  const Groove groove{.friction = 1.0, .kn = 2.0, .kt = 1.0};
+  const ConeProgram<2> program = groove.program();
+  const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
+  ASSERT_EQ(found.status, ConeStatus::kSolved);
+  for (const Vec<2>& x : found.x)
+    EXPECT_NEAR(std::abs(groove.friction * x[1]) / x[0], 0.5 * std::tan(groove.angle), 1e-10);
+}
+
+TEST(InteriorPoint, ProvesThatNoForceHoldsADiskThatIsPulledOut) {
+  const ConeProgram<2> program = Groove{.load = -1.0}.program();
+  const ConeSolution<2> found = InteriorPoint<2>(program).solve(program);
+  ASSERT_EQ(found.status, ConeStatus::kInfeasible);
+  // The motion does work under the load, and the contacts open.
+  EXPECT_GT(program.load.dot(found.motion), 0.0);
+  for (int k = 0; k < program.n_blocks(); ++k) {
+    Vec<2> opening = Vec<2>::Zero();
+    for (int e = program.first[k]; e < program.first[k + 1]; ++e)
+      opening -= program.coefficient[e] * found.motion[program.row[e]];
+    EXPECT_GT(cone::margin<2>(opening), -1e-8 * found.motion.norm());
+  }
+}
+
+/// Program with random coefficients, which is feasible because its load is A x of some x in the cones.
+template <int Dim>
+ConeProgram<Dim> random_program(unsigned seed) {
+  constexpr int kBlocks = 12, kRows = 8;
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  ConeProgram<Dim> out;
+  out.load = Eigen::VectorXd::Zero(kRows);
+  for (int r = 0; r < kRows; ++r) out.group.push_back(r);
+  for (int k = 0; k < kBlocks; ++k) {
+    // Every third block of x is zero, and every third lies on the surface of the cone.
+    Vec<Dim> x = Vec<Dim>::NullaryExpr([&] { return uniform(engine); });
+    x[0] = x.template tail<Dim - 1>().norm() + (k % 3 == 0 ? 1.0 : 0.0);
+    if (k % 3 == 1) x.setZero();
+    for (int r = 0; r < kRows; ++r) {
+      out.row.push_back(r);
+      out.coefficient.push_back(Vec<Dim>::NullaryExpr([&] { return uniform(engine); }));
+      out.load[r] += out.coefficient.back().dot(x);
+    }
+    out.first.push_back(static_cast<int>(out.row.size()));
+    out.compliance.push_back(Vec<Dim>::Constant(1.0 + 0.5 * uniform(engine)));
+    // Inside the cone, so that the objective has a bound.
+    out.linear.push_back(Vec<Dim>::NullaryExpr([&] { return 0.3 * uniform(engine); }) + Vec<Dim>::Unit(0));
+  }
+  return out;
+}
+
+/// Optimality: A x = b, x and z = Q x + c - A' y in the cones, x' z = 0.
+template <int Dim>
+void expect_optimal(const ConeProgram<Dim>& program, const ConeSolution<Dim>& found, double tolerance) {
+  ASSERT_EQ(found.status, ConeStatus::kSolved);
+  Eigen::VectorXd balance = -program.load;
+  for (int k = 0; k < program.n_blocks(); ++k) {
+    Vec<Dim> z = program.compliance[k].cwiseProduct(found.x[k]) + program.linear[k];
+    for (int e = program.first[k]; e < program.first[k + 1]; ++e) {
+      z -= program.coefficient[e] * found.motion[program.row[e]];
+      balance[program.row[e]] += program.coefficient[e].dot(found.x[k]);
+    }
+    EXPECT_GT(cone::margin<Dim>(found.x[k]), -tolerance);
+    EXPECT_GT(cone::margin<Dim>(z), -tolerance);
+    EXPECT_NEAR(found.x[k].dot(z), 0.0, tolerance);
+  }
+  EXPECT_LT(balance.cwiseAbs().maxCoeff(), tolerance);
+}
+
+TEST(InteriorPoint, SolutionsSatisfyTheConditionsOfOptimality) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const ConeProgram<2> disks = random_program<2>(seed);
+    expect_optimal<2>(disks, InteriorPoint<2>(disks).solve(disks), 1e-10);
+    const ConeProgram<3> spheres = random_program<3>(seed);
+    expect_optimal<3>(spheres, InteriorPoint<3>(spheres).solve(spheres), 1e-10);
+  }
+}
+
+TEST(InteriorPoint, NoFeasibleDirectionLowersALinearMinimum) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const ConeProgram<2> program = random_program<2>(seed);
+    const ConeSolution<2> minimum = InteriorPoint<2>(program).minimise_linear(program, -1e9);
+    ASSERT_EQ(minimum.status, ConeStatus::kSolved);
+    // The multipliers of the last proximal point are those of the linear program: the moved origin costs nothing.
+    ConeProgram<2> linear = program;
+    linear.compliance.assign(program.n_blocks(), Vec<2>::Zero());
+    expect_optimal<2>(linear, minimum, 1e-6);
+  }
+}
+
+TEST(SecondOrderCone, ScalingMapsThePairToOnePoint) {
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const double margin : {1.0, 1e-4, 1e-8}) {
+    const auto inside = [&] {
+      Vec<3> x(0.0, uniform(engine), uniform(engine));
+      x[0] = x.norm() + margin;
+      return x;
+    };
+    const Vec<3> x = inside(), z = inside();
+    const cone::Scaling<3> scaling(x, z);
+    // Rounding of x and z alone moves W by eps/margin.
+    EXPECT_LT((scaling.scaled(z) - scaling.unscaled(x)).norm(), 1e-14 / margin);
+    EXPECT_LT((scaling.unscaled(scaling.scaled(z)) - z).norm(), 1e-14 / margin);
+  }
+}
+
+TEST(SecondOrderCone, QuotientUndoesTheProduct) {
+  const Vec<3> a(2.0, 0.5, -1.0), b(0.3, -0.7, 0.2);
+  EXPECT_LT((cone::quotient<3>(a, cone::product<3>(a, b)) - b).norm(), 1e-15);
+}
+
+TEST(SecondOrderCone, LongestStepEndsOnTheSurface) {
+  const Vec<3> x(2.0, 0.5, -1.0), dx(-1.0, 2.0, 0.3);
+  const double step = cone::longest_step<3>(x, dx);
+  EXPECT_NEAR(cone::margin<3>(x + step * dx), 0.0, 1e-15);
+  EXPECT_TRUE(std::isinf(cone::longest_step<3>(x, Vec<3>(1.0, 0.5, 0.5))));
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -189,9 +189,10 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option(
       "--from", arguments.from,
       "format of the file IN: " + keywords(import_formats()) + " [recognised from the name and content of IN]");
-  app.add_option("--law", arguments.law,
-                 "contact law, given by keys of the table contact of a scene and their values, separated by commas: "
-                 "normal.stiffness=1e5,friction.coefficient=0.5");
+  app.add_option(
+      "--law", arguments.law,
+      "contact law, given by keys of the table contact of a scene and their values, separated by commas: "
+      "normal.stiffness=1e5,friction.coefficient=0.5");
   app.add_option(
       "--cell", arguments.cell,
       "lattice vectors of the periodic cell, separated by semicolons, e.g. \"9.5,0;0.06,9.57\" (length)");

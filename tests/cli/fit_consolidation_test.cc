@@ -47,8 +47,8 @@ TEST(FitConsolidation, RecoversTheLawBehindATableAndSaysWhichRowsItUsed) {
   EXPECT_EQ(fit["rows_used"].size(), fit["n_points"]);
   // Row 26 is the last of the loading; the unloading is not fitted.
   EXPECT_EQ(fit["rows_used"].back(), 26);
-  EXPECT_THAT(o.err,
-              HasSubstr("rows that are not fitted: 1 row(s) at P* = 0 (row numbers 0), 2 row(s) of unloading (row numbers 27-28)"));
+  EXPECT_THAT(o.err, HasSubstr("rows that are not fitted: 1 row(s) at P* = 0 (row numbers 0), 2 row(s) of "
+                               "unloading (row numbers 27-28)"));
   EXPECT_THAT(o.err, HasSubstr("plateau of regime I"));
   EXPECT_THAT(o.err, HasSubstr("r.m.s. residual of 1/Phi"));
 }

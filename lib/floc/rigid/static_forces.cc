@@ -27,11 +27,10 @@ std::vector<Vec<Dim>> present_blocks(const ForceBalance<Dim>& balance) {
 }  // namespace
 
 template <int Dim>
-StaticForces<Dim>::StaticForces(std::string place, const Packing<Dim>& packing,
+StaticForces<Dim>::StaticForces(const std::string& place, const Packing<Dim>& packing,
                                 const ForceBalanceOptions<Dim>& options)
-    : place_(std::move(place)),
-      packing_(packing),
-      balance_(force_balance(place_, packing, options)),
+    : packing_(packing),
+      balance_(force_balance(place, packing, options)),
       program_(balance_.program),
       method_(program_) {}
 
@@ -125,9 +124,9 @@ template <int Dim>
 void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
   if (solution.status != ConeStatus::kInfeasible)
     throw NoResult(
-        fmt::format("{}: rounding ended the search for static forces at a residual of {:.1e} of the mean "
-                    "force and a gap of {:.1e}, after {} factorizations; there may be no answer",
-                    place_, solution.residual, solution.gap, solution.n_factorizations));
+        fmt::format("rounding ended the search for static forces at a residual of {:.1e} of the mean force "
+                    "and a gap of {:.1e}, after {} factorizations; there may be no answer",
+                    solution.residual, solution.gap, solution.n_factorizations));
   // The proof is the motion that the load drives: it does work, and no contact resists it.
   int worst = -1;
   double most = 0.0;
@@ -136,11 +135,10 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
       most = std::abs(solution.motion[row]);
       worst = balance_.row_grain[row];
     }
-  throw NoResult(fmt::format(
-      "{}: no set of forces in its contacts balances the load: this is no equilibrium of rigid "
-      "grains{}",
-      place_,
-      worst < 0 ? std::string() : fmt::format("; the load moves grain {} most", packing_.grains.name(worst))));
+  const std::string grain =
+      worst < 0 ? std::string() : fmt::format("; the load moves grain {} most", packing_.grains.name(worst));
+  throw NoResult("no set of forces in its contacts balances the load: this is no equilibrium of rigid grains" +
+                 grain);
 }
 
 template <int Dim>

@@ -33,7 +33,7 @@ class StaticForces {
  public:
   /// @param place  file, for messages
   /// @throws InputError as force_balance()
-  StaticForces(std::string place, const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options);
+  StaticForces(const std::string& place, const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options);
 
   /// Returns the balanced forces closest to the present ones, in the norm of the elastic energy.
   /// @throws NoResult if no set of forces balances the load, with the grain that the load moves most, or if rounding
@@ -58,7 +58,6 @@ class StaticForces {
   double extreme(int block, double sign);
   [[noreturn]] void fail(const ConeSolution<Dim>& solution) const;
 
-  std::string place_;
   const Packing<Dim>& packing_;
   ForceBalance<Dim> balance_;
   ConeProgram<Dim> program_;  ///< that of the balance, with the objective of the last call

@@ -75,6 +75,7 @@ std::map<int, std::string> numbered_states(const std::string& directory) {
 void require_one_run(const std::string& directory) {
   const std::map<int, std::string> states = numbered_states(directory);
   std::optional<Origin> first;
+  std::string first_file;
   int expected = 0;
   for (const auto& [step, file] : states) {
     if (step != expected)
@@ -92,10 +93,13 @@ void require_one_run(const std::string& directory) {
       throw InputError(file,
                        fmt::format("this file contains state {} of its run, but its name is that of state {}",
                                    origin->step, step));
-    if (!first) first = origin;
+    if (!first) {
+      first = origin;
+      first_file = file;
+    }
     if (origin->dimension != first->dimension)
       throw InputError(file, fmt::format("this state is not {}D like {}: expected the states of one run",
-                                         first->dimension, states.begin()->second));
+                                         first->dimension, first_file));
     require_same_scene(*origin, *first, file, "the states before it in the directory");
     if (origin->seed != first->seed)
       throw InputError(file, fmt::format("this state was made with seed {}, but the states before it with seed "

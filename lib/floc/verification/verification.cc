@@ -349,8 +349,8 @@ class Record {
   /// @param rounding  uncertainty of the value that results from rounding of the positions
   void compare(const char* name, double recorded, double found, double rounding) {
     constexpr double kRelative = 1e-6;  // sums computed by another compiler are rounded differently
-    if (recorded == found || std::abs(recorded - found) <= kRelative * std::max(recorded, found) + rounding)
-      return;
+    const double size = std::max(std::abs(recorded), std::abs(found));
+    if (recorded == found || std::abs(recorded - found) <= kRelative * size + rounding) return;
     wrong(fmt::format("{} is recorded as {:.3g}, but its value is {:.3g}", name, recorded, found));
   }
   void wrong(std::string what) { found_.add(0.0, std::move(what)), ++n_; }

@@ -1,7 +1,7 @@
 // Benchmark of the time stepping of disks: contact updates per second for each contact law, number of grains and
-// instruction set. Times are processor times. Compare results of one call only, because the figures depend on the
-// machine.
-// FLOC_BENCH_GRAINS=1000000 adds a number of grains; FLOC_BENCH_STATE=state.h5 adds a packing from a state file.
+// instruction set. Times are processor times. Compare only results of the same call, because they depend on the state
+// of the machine. FLOC_BENCH_GRAINS=1000000 adds a number of grains; FLOC_BENCH_STATE=state.h5 adds a packing from a
+// state file.
 
 #include <benchmark/benchmark.h>
 
@@ -36,7 +36,7 @@ constexpr int kUnit = 1400;  ///< number of grains of the packing whose periodic
 enum Physics { kFrictionless, kFriction, kFrictionAndRolling };
 
 /// Returns the contact law of [GRC2008] in units F0 = a = m = 1 (pull-off force, largest diameter, mass), with the
-/// chosen components.
+/// chosen kind of friction, and with adhesion if `adhesive` is true.
 LawParameters law_of(int physics, bool adhesive) {
   LawParameters law;
   law.normal = LinearRepulsion{1e5};
@@ -68,8 +68,8 @@ Packing<2> relaxed_from_gas(int n, const LawParameters& law, double cell_mass) {
   return relaxer.packing();
 }
 
-/// Returns a packing in equilibrium under a contact law, made of periodic copies if it has more than kUnit grains, with
-/// at least n grains. Each packing is made only once.
+/// Returns a packing of at least n grains in equilibrium under a contact law. A packing with more than kUnit grains
+/// consists of periodic copies of a smaller one. Each packing is made only once.
 const Packing<2>& dense(int n, int physics, bool adhesive) {
   static std::map<std::tuple<int, int, bool>, Packing<2>> made;
   const auto [entry, is_new] = made.try_emplace({n, physics, adhesive});
@@ -86,8 +86,8 @@ void force_loop(benchmark::State& state) {
        relaxation().time_step, static_cast<int>(state.range(3)), static_cast<InstructionSet>(state.range(4)));
 }
 
-/// Measures the processor times of the three passes of a time step, as fractions of the step, and the time to make a
-/// new list of pairs, in units of the step. The grains do not move.
+/// Measures the processor times of the three passes of which a time step consists, as fractions of their sum, and the
+/// time to make a new list of pairs, in units of this sum. The grains do not move.
 void passes(benchmark::State& state) {
   const Packing<2>& packing = dense(static_cast<int>(state.range(0)), kFriction, false);
   const AnyContactLaw law = compose_law(packing.law);
@@ -107,8 +107,8 @@ void passes(benchmark::State& state) {
   const AlignedVector<double> inverse_skin_squared(grains.x[0].size(), 0.0);
   const GrainView<2> g = grains.view(x_list, inverse_skin_squared);
   const int n_blocks = (grains.size() + kGrainBlock - 1) / kGrainBlock;
-  // All blocks of grains form one group, so that the forces of all pairs are in the array of this group, and each pass
-  // covers all pairs.
+  // All grains form a single group, so that each pass covers all pairs: a pass over one of several groups would cover
+  // only the pairs of that group.
   const auto rows_of = [&](const PairArrays<2>& list) {
     return RowSums<2>({&list}, row_kind<2>(law), grains.size(), SweepPlan(list, n_blocks, 1, n_blocks));
   };
@@ -176,8 +176,8 @@ void steps_of_state(benchmark::State& state, const char* file) {
 }();
 
 /// Measures the time to relax a gas to equilibrium with friction, under a pressure of 1e-4 times the normal stiffness,
-/// to the default tolerance, for several masses of the cell. A cell as heavy as all its grains oscillates four times as
-/// long as a cell with a tenth of this mass.
+/// to the default tolerance, for several masses of the cell. A cell as heavy as all grains together oscillates four
+/// times as long as a cell with a tenth of this mass.
 void gas_to_equilibrium(benchmark::State& state) {
   const double cell_mass = 0.01 * static_cast<double>(state.range(0));
   for (auto _ : state) benchmark::DoNotOptimize(relaxed_from_gas(kUnit, law_of(kFriction, false), cell_mass));

@@ -1,16 +1,17 @@
-// Compares the response of packings of spheres to a change of pressure with their elastic moduli.
+// Compares, for packings of spheres, the response to a change of pressure with the elastic moduli.
 //
-// For the moduli, every contact is two springs with its present stiffnesses. The contact law differs from this: if the
-// normal force decreases, the tangential force of Mindlin's law is reduced with the stiffness, and contacts with fully
-// mobilised friction slide. The response therefore depends on the sign of the change (docs/physics.md, "Moduli and the
-// response"). Each state is first brought to equilibrium up to rounding errors. Its pressure is then raised and lowered
-// by a small fraction, and Newton steps with the contact law find the new equilibrium.
+// The moduli are those of a network in which every contact is two springs, with the present normal and tangential
+// stiffness of the contact. The contact law differs from this network: if the normal force decreases, the tangential
+// force of Mindlin's law is reduced with the stiffness, and contacts with fully mobilised friction slide. The response
+// therefore depends on the sign of the change (docs/physics.md, "Moduli and the response"). Each state is first brought
+// to equilibrium up to rounding errors. Its pressure is then raised or lowered by the fraction SHARE, and Newton steps
+// with the contact law find the new equilibrium.
 //
 //   floc_pressure_response [--step SHARE] STATE...
 //
-// Prints one row per state and sign of the change: the bulk modulus of the network with prestress, 1/(sum of its
-// compliances); the measured -dP/d(ln V), with the volume V; the number of contacts with fully mobilised friction
-// before the change; and the number of contacts that open or close.
+// Prints one row per state and sign of the change of pressure P: the bulk modulus of the network with prestress; the
+// bulk modulus -dP/d(ln V) from the change of the volume V; the number of contacts with fully mobilised friction before
+// the change; and the number of contacts that open or close in it.
 
 #include <fmt/format.h>
 
@@ -61,7 +62,8 @@ std::size_t count_changed(const Packing<3>& from, const Packing<3>& to) {
   return changed.size();
 }
 
-/// Returns the bulk modulus of the contact network, with prestress, for an isotropic increment of stress.
+/// Returns the bulk modulus of the contact network, with prestress, for an isotropic increment of stress: the inverse
+/// of the sum of all compliances between normal stresses and normal strains.
 double bulk_modulus(const Packing<3>& packing) {
   ModuliOptions options;
   options.prestress = true;
@@ -114,7 +116,7 @@ int main(int argc, char** argv) {
     if (const auto* state = std::get_if<floc::State<3>>(&any))
       floc::print_response(file, *state, step);
     else
-      fmt::print("{:<32}  is not a state of spheres\n", file);
+      fmt::print("{:<32}  this file is not a state of spheres\n", file);
   }
   return 0;
 }

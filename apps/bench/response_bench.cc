@@ -26,7 +26,7 @@
 namespace floc {
 namespace {
 
-/// Returns the processor time of a function (s), which other programs on the machine do not affect.
+/// Returns the processor time that a function takes (s). Unlike wall time, it does not depend on other programs.
 double seconds_of(const auto& work) {
   const std::clock_t start = std::clock();
   work();
@@ -110,8 +110,8 @@ ContactNetwork<2> disks(int n) {
   return contact_network(packing);
 }
 
-/// Returns the contact network of about n spheres: copies of the packing that FLOC_BENCH_SPHERES names or, without it,
-/// the lattice with bonds removed.
+/// Returns the contact network of about n spheres: copies of the packing that FLOC_BENCH_SPHERES names or, without this
+/// variable, an fcc lattice with bonds removed.
 ContactNetwork<3> spheres(int n) {
   const char* file = std::getenv("FLOC_BENCH_SPHERES");
   const Packing<3> unit = file == nullptr ? lattice<3>() : std::get<State<3>>(read_state(file)).packing;
@@ -127,8 +127,8 @@ ContactNetwork<3> spheres(int n) {
   return contact_network(packing);
 }
 
-/// Measures the time of the assembly, ordering and factorization of the stiffness matrix and of two solutions. A shift
-/// of the diagonal replaces pinned grains.
+/// Measures the times to assemble, order and factorize the stiffness matrix and to solve for two right-hand sides. The
+/// diagonal is shifted, which makes the matrix definite without a pinned grain.
 template <int Dim>
 void solve_stages(benchmark::State& state, const ContactNetwork<Dim>& network) {
   double unit = 0.0;

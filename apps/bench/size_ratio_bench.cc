@@ -3,7 +3,7 @@
 // Disks with size ratios 1:2 and 1:30, under a pressure of 1e-4 times the normal stiffness, with friction: contact
 // updates per second of the time stepping, including new lists of pairs. Diameters d have a uniform distribution, as in
 // scenes, or one that is uniform by area, P(d) ~ d^-2 (Voivret et al., Phys. Rev. Lett. 102, 178001), in which most
-// grains are small and touch no other grain. Compare results of one call and one distribution only.
+// grains are small and touch no other grain. Compare only results of the same call and the same distribution.
 // FLOC_BENCH_RATIO=100 adds a size ratio.
 //
 // Spheres of one size, and with a size ratio 1:20 and a distribution uniform by volume, P(d) ~ d^-3: pairs found per
@@ -28,7 +28,7 @@ namespace floc {
 namespace {
 
 constexpr int kGrains = 5000;
-constexpr double kPressure = 10.0;  ///< pressure, in units in which the normal stiffness is 1e5
+constexpr double kPressure = 10.0;  ///< pressure; the normal stiffness in the same units is 1e5
 
 enum Load {
   kIsotropic,  ///< isotropic pressure: the packing comes to rest
@@ -74,8 +74,8 @@ DynamicsSettings settings_of(const Packing<Dim>& packing) {
   return {time_step_of(packing, RelaxationOptions().time_step), 0.01};
 }
 
-/// Returns a packing under load: a gas is compressed for 1.5 times the time after which it is dense, and then loaded.
-/// Each packing is made only once.
+/// Returns a packing under load. A gas is compressed isotropically for 1.5 times the time after which it is dense; for
+/// a biaxial load, the resulting packing is then loaded biaxially. Each packing is made only once.
 const Packing<2>& dense(double ratio, Sizes sizes, Load load) {
   static std::map<std::tuple<double, Sizes, Load>, Packing<2>> made;
   const auto [entry, is_new] = made.try_emplace({ratio, sizes, load});
@@ -106,7 +106,8 @@ void size_ratio(benchmark::State& state) {
   const Packing<2>& start = dense(static_cast<double>(state.range(0)), sizes, load);
   const Vec<2> stress = load == kBiaxial ? Vec<2>(kPressure * Vec<2>(0.5, 1.5)) : Vec<2>::Constant(kPressure);
   DynamicsSettings settings = settings_of(start);
-  // Ten chunks of time steps without timing adapt the skin (the margin) of the lists of pairs.
+  // Ten chunks of time steps are made before the time is measured, so that the skin (the margin of the lists of pairs)
+  // adapts.
   Packing<2> packing = moved_for(start, stress, 10 * kStepsPerChunk * settings.time_step, settings);
   std::int64_t updates = 0;
   for (auto _ : state) {

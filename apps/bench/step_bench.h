@@ -25,8 +25,8 @@ inline double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Benchmarks time steps of a packing under its present stress. The items that the benchmark counts are contact
-/// updates.
+/// Benchmarks time steps of a packing under its present stress. The benchmark counts contact updates: time steps times
+/// contacts.
 /// @param time_step  time step in units of sqrt(m/K_N), with the smallest mass m and the normal stiffness K_N
 template <int Dim>
 void step(benchmark::State& state, const Packing<Dim>& packing, double time_step, int threads,

@@ -24,7 +24,8 @@ namespace {
 using States = std::vector<NamedState>;
 using Names = std::vector<std::string>;
 
-/// @throws EquilibriumError if the state is not an equilibrium, unless `force` is set; then a warning is issued instead
+/// Checks that a state is in equilibrium. @throws EquilibriumError if it is not, unless `force` is true; then a warning
+/// is issued instead
 void require_equilibrium(const NamedState& s, bool force, const Remarks& remarks) {
   if (force)
     return std::visit([&](const auto& state) { warn_unless_in_equilibrium(s.name, state, remarks); }, *s.state);
@@ -40,7 +41,8 @@ struct ModuliCall {
   bool force = false;
 };
 
-/// Computes the moduli of one state and adds their rows.
+/// Computes the moduli of one state and adds them to `rows`. @throws NumericalError if they are less accurate than the
+/// caller requested
 void add_moduli(const NamedState& s, const ModuliCall& call, ModuliRows& computation, Table& increments,
                 std::vector<ModuliRow>& rows, const Remarks& remarks) {
   require_equilibrium(s, call.force, remarks);
@@ -88,7 +90,8 @@ py::tuple moduli(const States& states, const py::object& strains, bool prestress
   return py::make_tuple(to_python(table), further);
 }
 
-/// A table in addition to the main table of a function: its name in Python, and the flag that requests it.
+/// A table that a function returns only if the caller requests it: its name in Python, the flag that requests it, and
+/// the table.
 struct FurtherTable {
   const char* name;
   bool* asked;
@@ -160,8 +163,8 @@ std::vector<double> fit_range_of(const py::object& given) {
 std::vector<int> map_size_of(const py::object& given) {
   std::vector<int> size = wholes_of("map_size", given, kMapSide);
   if (size.size() != 2)
-    throw InputError("",
-                     "map_size = " + py::repr(given).cast<std::string>() + ": expected two numbers of cells");
+    throw InputError("", "map_size = " + py::repr(given).cast<std::string>() +
+                             ": expected two whole numbers, the numbers of cells along both sides of the map");
   return size;
 }
 
@@ -225,8 +228,8 @@ py::tuple compare(const NamedState& before, const NamedState& after, const py::o
           if constexpr (Old != New)
             throw InputError(
                 after.name,
-                fmt::format("is a {}D state, but {} is a {}D state: expected states of equal dimension", New,
-                            before.name, Old));
+                fmt::format("this is a {}D state, but {} is a {}D state: expected states of equal dimension",
+                            New, before.name, Old));
           else
             rows.push_back(compare_row(before.name, p, after.name, q, options, side));
         },

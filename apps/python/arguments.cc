@@ -14,14 +14,15 @@ namespace {
                    fmt::format("{} = {}: expected {}", name, py::repr(given).cast<std::string>(), expected));
 }
 
-/// Returns any object that can be used as an index as a Python int; null for other objects.
+/// Converts an object that Python accepts as an index to a Python int; returns null for other objects.
 py::object index_of(const py::handle& given) {
   auto index = py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr()));
   if (!index) PyErr_Clear();
   return index;
 }
 
-/// Returns the values of a sequence of Python, each converted by `read`.
+/// Returns the values of a Python sequence, each converted by `read`.
+/// @param name  name of the argument, for messages
 template <class Value, class Read>
 std::vector<Value> each_of(const char* name, const py::handle& given, const Read& read) {
   if (!py::isinstance<py::iterable>(given) || py::isinstance<py::str>(given))

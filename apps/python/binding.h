@@ -20,19 +20,19 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/remarks.h"
 
-/// Functions for all sources of the Python module. The module calls the functions of the library that the floc commands
-/// call, and returns tables; the files floc/*.py make Python objects of these tables.
+/// Functions for all sources of the compiled Python module. This module calls those functions of the library that the
+/// floc commands call, and returns tables; the files floc/*.py make Python objects of these tables.
 namespace floc::python {
 
 namespace py = pybind11;
 
-/// A state that Python holds, which never changes, and the name of the state in messages.
+/// A state that Python holds, and the name of this state in messages. The state never changes.
 struct NamedState {
   std::shared_ptr<const AnyState> state;
   std::string name;
 };
 
-/// Error of a computation that has no result; the message is the reason.
+/// Error of a computation that has no result; the message gives the reason.
 class NumericalError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -48,8 +48,8 @@ class EquilibriumError : public NumericalError {
 using Warnings = std::vector<std::string>;
 void issue(const Warnings& warnings);
 
-/// Throws the exception of a pending signal, such as KeyboardInterrupt after Ctrl-C. Python delivers signals only to
-/// its main thread.
+/// If a signal is pending, such as that of Ctrl-C, throws the Python exception for it (KeyboardInterrupt). Python
+/// delivers signals only to its main thread.
 void check_signals();
 
 /// Runs a long computation without the global interpreter lock (GIL), so that other Python threads continue. If `work`

@@ -6,8 +6,8 @@ namespace floc::python {
 /// numpy may use the same library.
 void prepare_shared_blas();
 
-/// Restricts the BLAS library to one thread as long as an object of this class exists, as the floc program does,
-/// because the last bits of results depend on the number of threads. The destructor of the last object restores the
+/// Restricts the BLAS library to one thread as long as an object of this class exists. The last bits of results depend
+/// on the number of threads, and the floc program uses one thread. The destructor of the last object restores the
 /// number of threads from before the first object.
 class SingleBlasThread {
  public:

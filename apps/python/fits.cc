@@ -12,7 +12,7 @@
 namespace floc::python {
 namespace {
 
-/// Samples to fit: names of files and directories, as in the commands, and paths given as arrays.
+/// Samples to fit: names of files and directories, which the commands accept too, and load paths given as arrays.
 struct Inputs {
   std::vector<std::string> files;
   std::vector<PathArrays> arrays;
@@ -30,8 +30,9 @@ std::vector<PathTable> tables_of(const Inputs& inputs, const std::vector<std::st
   return paths;
 }
 
-/// @param samples  each entry is the name of a file, or a tuple (name, pressures, densities, whether the densities are
-/// void ratios, branches)
+/// Sorts the samples of a Python list into files and arrays.
+/// @param samples  list whose entries are names of files or tuples (name, pressures, densities, whether the densities
+/// are void ratios, branches)
 Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   Inputs inputs;
   inputs.columns = columns;
@@ -48,13 +49,14 @@ Inputs inputs_of(const py::list& samples, const ColumnNames& columns) {
   return inputs;
 }
 
-/// Converts the argument bootstrap to the number of resampled fits; 0: no resampling.
+/// Converts the argument `bootstrap`, the number of resampled fits; 0 means no resampling.
 int bootstrap_of(const py::object& given) {
   constexpr WholeRange kWithNone{.least = 0, .most = ConsolidationOptions::kBootstrap.most};
   const int n = whole_of("bootstrap", given, kWithNone);
   if (n != 0 && !ConsolidationOptions::kBootstrap.holds(n))
-    throw InputError("bootstrap",
-                     fmt::format("is {}: expected 2 or more resampled fits, or 0 for no resampling", n));
+    throw InputError(
+        "bootstrap",
+        fmt::format("this argument is {}: expected 2 or more resampled fits, or 0 for no resampling", n));
   return n;
 }
 
@@ -77,7 +79,8 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   arguments.window = window_of(window);
   arguments.P0 = number_if_any("P0", P0, kPositiveNumber).value_or(0.0);
   if (!P0.is_none() && !window.is_none())
-    throw InputError("P0", "cannot be combined with the argument window: expected only one of them");
+    throw InputError("P0",
+                     "this argument cannot be combined with the argument window: expected only one of them");
   arguments.loading = word_of("loading", loading, {"first", "virgin"});
   arguments.weights = word_of("weights", weights, {"", "uniform", "relative", "scatter"});
   arguments.loss = word_of("loss", loss, {"squared", "huber", "cauchy"});
@@ -138,8 +141,9 @@ py::object dynamic_compaction(const std::vector<double>& e, const std::vector<do
                               const py::object& p_0) {
   for (const auto& [name, array] : {std::pair{"p", &p}, {"sc", &sc}, {"se", &se}})
     if (array->size() != e.size())
-      throw InputError(name, fmt::format("has {} values, but e has {}: expected arrays of equal length",
-                                         array->size(), e.size()));
+      throw InputError(
+          name, fmt::format("this array has {} values, but the array e has {}: expected arrays of equal length",
+                            array->size(), e.size()));
   CompactionReference reference;
   if (const auto given = number_if_any("p_D", p_D, kPositiveNumber)) reference.p_D = *given;
   if (const auto given = number_if_any("eta_m", eta_m, kPositiveNumber)) reference.eta_m = *given;

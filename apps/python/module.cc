@@ -8,7 +8,8 @@
 namespace floc::python {
 namespace {
 
-/// Returns the class of floc/_errors.py with this name. Exceptions of the library are translated to these classes.
+/// Returns the exception class called `name` in floc/_errors.py. Exceptions of the library are translated to these
+/// classes.
 py::object error_class(const char* name) {
   return py::module_::import("floc._errors").attr(name);
 }

@@ -15,7 +15,7 @@ namespace {
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
-/// Name of a packing from arrays in messages, as long as the user has given it no other name.
+/// Name, in messages, of a packing that is made from arrays.
 constexpr const char* kName = "packing";
 
 std::string shape_of(const py::array& array) {
@@ -25,20 +25,23 @@ std::string shape_of(const py::array& array) {
   return "(" + text + (array.ndim() == 1 ? ",)" : ")");
 }
 
+/// Checks the shape of an array.
 /// @param columns  number of columns that are required; -1 for a one-dimensional array
 void require_shape(const std::string& name, const py::array& array, py::ssize_t rows, py::ssize_t columns) {
   const bool right = columns < 0 ? array.ndim() == 1 && array.shape(0) == rows
                                  : array.ndim() == 2 && array.shape(0) == rows && array.shape(1) == columns;
   if (right) return;
   throw InputError(
-      name, fmt::format("has shape {}, expected {}", shape_of(array),
+      name, fmt::format("this array has shape {}, expected {}", shape_of(array),
                         columns < 0 ? fmt::format("({},)", rows) : fmt::format("({}, {})", rows, columns)));
 }
 
-/// @throws InputError naming the array, the index i, the value and the expectation, unless `right`
+/// Checks one number of an array. @throws InputError naming the array, the index i, the value and the expectation,
+/// unless `right` is true
 void require(bool right, const std::string& name, py::ssize_t i, double value, const char* expected) {
   if (!right)
-    throw InputError(fmt::format("{}[{}]", name, i), fmt::format("is {}, expected {}", value, expected));
+    throw InputError(fmt::format("{}[{}]", name, i),
+                     fmt::format("this number is {}, expected {}", value, expected));
 }
 
 double finite(const std::string& name, py::ssize_t i, double value) {
@@ -64,10 +67,11 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
   if (position.ndim() != 2 || position.shape(1) != dimension)
     throw InputError(
         "position",
-        fmt::format("has shape {}, expected (n, {}): as many columns as the cell has lattice vectors",
-                    shape_of(position), dimension));
+        fmt::format(
+            "this array has shape {}, expected (n, {}): as many columns as the cell has lattice vectors",
+            shape_of(position), dimension));
   const py::ssize_t n = position.shape(0);
-  if (n == 0) throw InputError("position", "has no rows: expected one row per grain");
+  if (n == 0) throw InputError("position", "this array has no rows: expected one row per grain");
   require_shape("radius", radius, n, -1);
   if (mass) require_shape("mass", *mass, n, -1);
   if (ids) require_shape("ids", *ids, n, -1);
@@ -119,7 +123,7 @@ class ContactArrays {
  private:
   Integers required(const char* name) const {
     if (!arrays_.contains(name))
-      throw InputError("contacts", fmt::format("have no array {}, which is required", name));
+      throw InputError("contacts", fmt::format("the array {} is missing, which is required", name));
     return arrays_[name].cast<Integers>();
   }
 
@@ -134,8 +138,8 @@ class ContactArrays {
     }
   }
 
-  /// Returns an array of contacts with a given name, after a check of its shape; absent if the user has not given this
-  /// array.
+  /// Checks the shape of one of the arrays that describe contacts and returns it; absent if the user has not given an
+  /// array of this name.
   std::optional<Numbers> array(const std::string& name, std::size_t n, int columns) const {
     if (!arrays_.contains(name.c_str())) return std::nullopt;
     auto found = arrays_[name.c_str()].cast<Numbers>();
@@ -199,7 +203,7 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
                        const py::object& stress, const py::object& tolerance, const py::object& units,
                        bool drop_tensile) {
   if (cell.ndim() != 2 || cell.shape(0) != cell.shape(1) || (cell.shape(0) != 2 && cell.shape(0) != 3))
-    throw InputError("cell", fmt::format("has shape {}, expected (2, 2) or (3, 3)", shape_of(cell)));
+    throw InputError("cell", fmt::format("this array has shape {}, expected (2, 2) or (3, 3)", shape_of(cell)));
   const auto dimension = static_cast<int>(cell.shape(0));
   ListedPacking listed;
   listed.place = kName;

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kBetweenSignals{50};
 
-/// Reports the progress of a run to Python and tests whether the run should stop. If the Python callback raises an
+/// Reports the progress of a run to a Python callback and tells the run when to stop. If the callback raises an
 /// exception, the run stops at a checkpoint.
 class Watch {
  public:
@@ -80,7 +80,7 @@ class Watch {
 };
 
 /// Runs a scene to its end.
-/// @return reason why the run is not complete; empty if it is complete or Python has stopped it
+/// @return reason why the run is not complete; empty if the run is complete, or if Python has stopped it
 template <int Dim>
 std::string drive_scene(const Scene& scene, const SceneRunOptions& asked, Watch& watch) {
   SceneRun<Dim> scene_run(scene, asked);
@@ -99,7 +99,8 @@ void run(const std::string& scene_file, const std::string& directory, const std:
          const py::object& track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
          const py::object& told, const py::object& interval) {
   if (resume && overwrite)
-    throw InputError("resume", "cannot be combined with the argument overwrite: expected only one of them");
+    throw InputError("resume",
+                     "this argument cannot be combined with the argument overwrite: expected only one of them");
   SceneRunOptions asked;
   asked.directory = directory;
   if (!seed.is_none()) asked.seed = seed_of("seed", seed);

@@ -14,7 +14,7 @@
 namespace floc::python {
 namespace {
 
-/// A member of Contact that Python sees as a field of a structured array.
+/// A member of the C++ class Contact that Python sees as a field of a structured array.
 struct ContactField {
   std::string name;
   const char* type;  ///< numpy type of one component
@@ -24,7 +24,8 @@ struct ContactField {
 
 template <int Dim>
 std::vector<ContactField> contact_fields(const Law& law) {
-  // Each member is described by its offset in a contact, so that numpy reads the contacts of a state without a copy.
+  // Each field is described by the offset of its member in a contact, so that numpy can read the contacts in the memory
+  // of the state.
   const Contact<Dim> c;
   const auto offset = [&c](const void* member) {
     return static_cast<const char*>(member) - reinterpret_cast<const char*>(&c);
@@ -66,7 +67,8 @@ py::dtype contact_type(const Law& law) {
   return {names, formats, offsets, sizeof(Contact<Dim>)};
 }
 
-/// Returns a part of the memory of a state as a read-only array. The array keeps the state alive.
+/// Returns a part of the memory of a state as a read-only array. The array keeps `owner`, the Python object of the
+/// state, alive.
 py::array view(const py::object& owner, const py::dtype& type, const std::vector<py::ssize_t>& shape,
                const std::vector<py::ssize_t>& strides, const void* data) {
   py::array array(type, shape, strides, data, owner);
@@ -94,7 +96,7 @@ const AnyState& state_in(const py::object& self) {
   return *self.cast<const NamedState&>().state;
 }
 
-/// Makes a Python property of a function `get(self, state)`, for 2D and 3D states.
+/// Makes a Python property from a function `get(self, state)`, whose argument `state` is a 2D or a 3D state.
 template <class Get>
 auto property(Get get) {
   return [get](const py::object& self) {
@@ -138,8 +140,8 @@ py::dict provenance_of(const State<Dim>& state) {
   return words;
 }
 
-/// Binds the arrays of a state. They are views of its memory, not copies. Only the identifiers of grains are computed,
-/// if the packing was not imported with identifiers.
+/// Binds the arrays of a state. They are views of its memory, not copies. The identifiers of grains are the only
+/// exception: if the packing was imported without identifiers, they are computed.
 void bind_arrays(py::class_<NamedState>& bound) {
   bound
       .def_property_readonly("position", property([](const py::object& self, const auto& s) -> py::object {
@@ -165,8 +167,8 @@ void bind_arrays(py::class_<NamedState>& bound) {
                                constexpr py::ssize_t kItem = sizeof(std::int64_t);
                                if (!id.empty())
                                  return view(self, py::dtype::of<std::int64_t>(), {n}, {kItem}, id.data());
-                               // Without imported identifiers, the identifiers are the indices of the grains. This
-                               // array is read-only, as are the views of the memory of the state.
+                               // Without imported identifiers, the indices of the grains are returned. This array
+                               // is made read-only, because the views of the memory of the state are so too.
                                py::array_t<std::int64_t> indices(n);
                                std::iota(indices.mutable_data(), indices.mutable_data() + n, std::int64_t{0});
                                py::detail::array_proxy(indices.ptr())->flags &=
@@ -198,7 +200,7 @@ void bind_arrays(py::class_<NamedState>& bound) {
                              }));
 }
 
-/// Returns the mean of the diagonal components of the stress of the contacts.
+/// Returns the pressure of a state: the mean of the diagonal components of the stress of its contacts.
 template <int Dim>
 double pressure_of(const State<Dim>& state) {
   return static_stress(state.packing).trace() / Dim;
@@ -258,8 +260,8 @@ NamedState read(const std::string& path) {
   });
 }
 
-/// Reads the state of a pickle and gives it the name that it had. No warnings are issued, because they were issued when
-/// the state was first read.
+/// Reads the state in a Python pickle and gives it the name that it had when it was pickled. No warnings are issued,
+/// because they were issued when the state was first read.
 NamedState restore(const std::string& path, const std::string& name) {
   const py::gil_scoped_release released;
   return NamedState{std::make_shared<const AnyState>(read_state(path)), name};

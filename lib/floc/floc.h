@@ -8,8 +8,8 @@
 /// names are in namespace floc. Quantities are in the units of the files, which are reduced units or SI: see
 /// State::units.
 ///
-/// A program makes its calls in this order. Each is documented where it is declared, with its pre- and postconditions,
-/// units and errors.
+/// A program calls the functions of floc in the order below. Each function is documented where it is declared, with its
+/// pre- and postconditions, units and errors.
 ///
 /// 1. Get a state. floc::read_state() reads a state file. For a file of another program, floc::find_import_format()
 ///    returns its format, which reads the file, and floc::complete_import() completes the packing. floc::run_scene()
@@ -23,10 +23,10 @@
 ///    floc::fit_consolidation() for points in memory.
 /// 5. Write results: floc::write_table() writes tables, floc::write_state() writes states.
 ///
-/// Errors are exceptions: floc::InputError for errors that a user can correct, naming file, place, value and
-/// expectation; floc::IoError if the operating system fails; floc::NoResult if a quantity does not exist for the state.
-/// The library prints nothing: warnings and notes of computations go to a floc::Remarks object, if the caller passes
-/// one.
+/// Errors are exceptions: floc::InputError for errors that a user can correct, whose message names the file, the place
+/// in it, the value and what was expected; floc::IoError if the operating system fails; floc::NoResult if a quantity
+/// does not exist for the state. The library prints nothing: warnings and notes of computations go to a floc::Remarks
+/// object, if the caller passes one.
 
 #include "floc/base/error.h"
 #include "floc/base/version.h"

@@ -42,7 +42,7 @@ TEST_F(Report, HoldsEverythingInOneFile) {
 }
 
 TEST_F(Report, RefusesWhatIsNoRun) {
-  EXPECT_THAT(floc("report small.toml -o r.html").err, HasSubstr("is not a directory"));
+  EXPECT_THAT(floc("report small.toml -o r.html").err, HasSubstr("this is not a directory"));
   const Outcome ensemble = floc("report " + source_directory() + "/data/tables/demo -o r.html");
   EXPECT_EQ(ensemble.code, 4);
   EXPECT_THAT(ensemble.err, HasSubstr("holds 8 samples"));

@@ -310,7 +310,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
       {"[campaign]\nscene = \"small.toml\"\nseeds = [1, -2]\n" + phi,
        {"c.toml:3: campaign.seeds", "whole numbers >= 0"}},
       {"[campaign]\nscene = \"small.toml\"\nseeds = [1, 1]\n" + phi, {"c.toml:3: campaign.seeds has 1 twice"}},
-      {head, {"c.toml: collects no results: expected a [[collect]] or a [[fit]]"}},
+      {head, {"c.toml: this campaign collects no results: expected a [[collect]] or a [[fit]]"}},
       {head + "sead = 1\n" + phi,
        {"c.toml:4: unknown key campaign.sead; the nearest valid key in [campaign] is se"}},
       {head + phi + "[gird]\n", {"c.toml:7: unknown key gird; the nearest valid key is grid"}},
@@ -331,7 +331,8 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
        {"c.toml:7: P_star = 0.3: expected one of the pressures that case base reaches: 0, 0.01, 0.02154, "}},
       {head + phi + "states = {branch = \"laod\", P_star = 0.1}\n",
        {"c.toml:7: branch = laod: case base has no state"}},
-      {head + phi + "states = {step = [0, 9]}\n", {"c.toml:7: step = 9: case base has states 0 to 8"}},
+      {head + phi + "states = {step = [0, 9]}\n",
+       {"c.toml:7: step = 9: the states of case base have the numbers 0 to 8"}},
       {head + phi + "states = \"first\"\n",
        {"c.toml:7: collect.0.states = ", "expected \"all\", \"last\", {step = "}},
       {head + "[[collect]]\ntable = \"compare\"\ncolumns = [\"n_kept\"]\n",
@@ -348,7 +349,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"last\"\nvalue = 1\nerror = -1\nsource = \"x\"\n",
        {"c.toml:11: reference.0.error = -1: expected a number >= 0"}},
       {head + phi + "[[reference]]\nof = \"phi\"\nstate = \"all\"\nvalue = 1\nsource = \"x\"\n",
-       {"c.toml:9: state: expected a choice of one state"}},
+       {"c.toml:9: state: several states are selected: expected the one state whose value is compared"}},
       {head + phi +
            "[[reference]]\nof = \"phi\"\nwhen = {grains.count = 3}\nstate = \"last\"\nvalue = 1\nsource = "
            "\"\"\n",
@@ -366,7 +367,7 @@ TEST_F(Campaigns, OfBadFilesAreRefusedWithLineKeyAndWhatIsExpected) {
   }
   EXPECT_EQ(floc("campaign check absent.toml").code, 4);
   EXPECT_EQ(floc("campaign check .").code, 4);
-  EXPECT_THAT(floc("campaign collect . ").err, HasSubstr("holds no campaign"));
+  EXPECT_THAT(floc("campaign collect . ").err, HasSubstr("this directory holds no campaign"));
   EXPECT_THAT(floc("campaign run small.toml --seed 1 -o r --table moduli").err,
               HasSubstr("expected FILE: COMMAND"));
   EXPECT_FALSE(fs::exists(file("r")));

@@ -99,9 +99,9 @@ TEST_F(ConvertLists, ThatPullNeedAdhesionInTheLaw) {
   const std::string list = "id1,id2,normal_force\n1,2,-0.1\n3,4,-0.1\n1,3,2.5\n2,4,2.5\n";
   const Outcome refused = convert(list, "normal.stiffness=50", {}, "1.999");
   EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.err,
-              AllOf(HasSubstr("c.csv:2: the contact of grains 1 and 2 pulls with 0.1, as 2 of the 4 listed do"),
-                    HasSubstr("adhesion.force"), HasSubstr("--drop-tensile")));
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("c.csv:2: the contact of grains 1 and 2 pulls with the force 0.1, "
+                                           "as 2 of the 4 listed contacts do"),
+                                 HasSubstr("adhesion.force"), HasSubstr("--drop-tensile")));
   EXPECT_FALSE(written());
   const Outcome hertz = convert(list, "normal.modulus=50,normal.poisson=0.2", {"--dimension", "2"}, "1.999");
   EXPECT_THAT(hertz.err,

@@ -83,7 +83,8 @@ TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   expect(4, "has no column \"x\"",
          {scratch.file("g.csv"), out, "--law", "normal.stiffness=1", "--cell", "4,0;0,4"});
   expect(4,
-         "s.pdb: the format is not known from the extension: expected a name that ends in one of .h5 (state: "
+         "s.pdb: the extension of this file name does not determine a format: expected a name that ends in one "
+         "of .h5 (state: "
          "state file of floc), .vtu",
          {jambashbulk_file(), scratch.file("s.pdb")});
   expect(4, "--to: \"pdb\" is not a format", {jambashbulk_file(), out, "--to", "pdb"});

@@ -224,8 +224,8 @@ TEST(FitDynamicCompaction, TheBudgetAndTheFlaggedRowsAreSaid) {
   EXPECT_EQ(fit["errors_from"], "residuals");
   EXPECT_TRUE(fit["error_budget"]["C"]["law"].is_null());
   EXPECT_GT(fit["error_budget"]["C"]["scatter"], 0.0);
-  EXPECT_THAT(o.err, HasSubstr("1 of the 17 samples miss the law by more than four standard deviations, above "
-                               "its plateau or at eta* > 1"));
+  EXPECT_THAT(o.err, HasSubstr("1 of the 17 samples lie above the plateau of the law or at eta* > 1, and miss "
+                               "the law by more than four standard deviations"));
   EXPECT_THAT(o.err, HasSubstr("rows that are not fitted because they do not lie on the plateau: 16"));
 }
 

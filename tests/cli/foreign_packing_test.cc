@@ -81,8 +81,10 @@ TEST_F(ForeignPacking, WithNotANumberIsRefused) {
 }
 
 TEST_F(ForeignPacking, WithAContactOfHalfTheCellAndNoImageIsRefused) {
-  expect_refusal(kGrains, "id1,id2,normal_force\n1,2,1\n",
-                 "c.csv:2: the contact is 0.9 long, not below half the cell (0.9)", "1.8,0;0,4");
+  expect_refusal(
+      kGrains, "id1,id2,normal_force\n1,2,1\n",
+      "c.csv:2: the centres of the grains are 0.9 apart, not less than half the width of the cell (0.9)",
+      "1.8,0;0,4");
 }
 
 TEST_F(ForeignPacking, OfADumpWithoutRadiiIsRefused) {

@@ -149,7 +149,7 @@ TEST_F(Petsc, IsNotForOtherMethodsNorForIncrements) {
   EXPECT_EQ(shell("\"$0\" moduli disks.h5 --solver petsc - <disks.h5 --force").code, 0);
   const Outcome two = together(2, "--solver petsc - --force <disks.h5");
   EXPECT_EQ(two.code, 4);
-  EXPECT_THAT(two.err, HasSubstr("means stdin, which only one process can read"));
+  EXPECT_THAT(two.err, HasSubstr("this name means stdin, which only one process can read"));
 }
 
 TEST_F(Petsc, OnAFullDiskIsAFailureWithItsReason) {

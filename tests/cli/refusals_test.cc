@@ -93,7 +93,7 @@ const Refusal kOfPackings[] = {
     {"stiffness_without_force",
      {{"g.csv", kGrains}, {"c.csv", "id1,id2,kn\n0,1,100\n"}},
      {kConvert + " --contacts c.csv"},
-     "c.csv:2: a stiffness is listed, but the normal force of the contact is not"},
+     "c.csv:2: a stiffness is listed for the contact, but no normal force"},
     {"no_law",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r --cell '5,0;0,5' "},
@@ -130,7 +130,8 @@ const Refusal kOfPackings[] = {
     {"slanted_beyond_images",
      {{"g.csv", "x,y,r\n0,0,0.5005\n"}},
      {"convert g.csv p.h5 --columns radius=r --cell '1,0;1e10,1' " + kLaw},
-     "cell: lattice vectors are so oblique that neighbouring grains are more than 1e9 lattice vectors apart"},
+     "cell: the lattice vectors are so oblique that neighbouring grains are more than 1e9 lattice vectors "
+     "apart"},
     {"state_with_a_law",
      {{"g.csv", kGrains}},
      {kConvert, "convert p.h5 q.h5 " + kLaw},
@@ -216,11 +217,11 @@ const Refusal kOfFormats[] = {
     {"vtu_type",
      {{"g.vtu", replaced(kVtu, "Float64\" Name", "String\" Name")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "array PointData/radius: type = \"String\", expected numbers"},
+     "array PointData/radius: type = \"String\", expected a type of numbers such as Float64"},
     {"vtu_offset",
      {{"g.vtu", replaced(kVtu, "Name=\"radius\">0.5", "Name=\"radius\" format=\"appended\" offset=\"99\">")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "array PointData/radius: offset = 99 lies beyond the data"},
+     "array PointData/radius: offset = 99 lies beyond the end of the appended data"},
     {"vtu_appended",
      {{"g.vtu", replaced(kVtu, "</UnstructuredGrid>", "</UnstructuredGrid><AppendedData encoding=\"raw\">")}},
      {"convert g.vtu p.h5 " + kLaw},
@@ -231,7 +232,7 @@ const Refusal kOfFormats[] = {
                          "type=\"Int64\" Name=\"offsets\">1</DataArray><DataArray type=\"UInt8\" "
                          "Name=\"types\">1</DataArray></Cells></Piece>")}},
      {"convert g.vtu p.h5 " + kLaw},
-     "array Cells/connectivity: cell 0 is a vertex, but its point does not exist"},
+     "array Cells/connectivity: cell 0 of the grid is a vertex at a point that does not exist"},
     {"vtu_cell",
      {{"g.vtu",
        replaced(kVtu, "<Piece",
@@ -245,7 +246,7 @@ const Refusal kOfFormats[] = {
     {"yade_interactions_without_a_law",
      {{"g.txt", kYade}, {"i.txt", "# id1 id2\n0 1\n"}},
      {"convert g.txt p.h5 --cell '5,0;0,5' --contacts i.txt"},
-     "i.txt: the interactions do not have all of the columns kn, ks and tan_phi: give --law"},
+     "i.txt: the list of interactions does not have all of the columns kn, ks and tan_phi: give --law"},
     {"yade_contact_columns",
      {{"g.txt", kYade}},
      {"convert g.txt p.h5 " + kLaw + " --contact-columns id1=a"},
@@ -262,13 +263,14 @@ const Refusal kOfCommands[] = {
     {"compare_others",
      {{"g.csv", kGrains}, {"h.csv", kGrains + "3,3,0.5\n"}},
      {kConvert, "convert h.csv q.h5 --columns radius=r --cell '5,0;0,5' " + kLaw, "compare p.h5 q.h5"},
-     "q.h5: against p.h5: 2 grains in one state, 3 in the other: both must be states of the same grains"},
+     "q.h5: against p.h5: there are 2 grains in one state, but 3 in the other: both must be states of the same "
+     "grains"},
     {"draw_others",
      {{"g.csv", kGrains}, {"h.csv", kGrains + "3,3,0.5\n"}},
      {kConvert, "convert h.csv q.h5 --columns radius=r --cell '5,0;0,5' " + kLaw,
       "draw p.h5 -o p.svg --compare q.h5"},
-     "q.h5: cannot be compared with p.h5: 2 grains in one state, 3 in the other: both must be states of the "
-     "same grains"},
+     "q.h5: this state cannot be compared with p.h5: there are 2 grains in one state, but 3 in the other: both "
+     "must be states of the same grains"},
     {"draw_spheres",
      {{"h.csv", "x,y,z,r\n0,0,0,0.5\n"}},
      {"convert h.csv q.h5 --columns radius=r --cell '5,0,0;0,5,0;0,0,5' " + kLaw,
@@ -283,15 +285,15 @@ const Refusal kOfCommands[] = {
     {"draw_steps_of_files",
      {{"g.csv", kGrains}},
      {kConvert, "draw p.h5 -o p.svg --steps 1"},
-     "--steps: chooses states of a directory that floc run wrote, but only files are given"},
+     "--steps: this option chooses states of a directory that floc run wrote, but only files are given"},
     {"draw_no_run",
      {{"d/x", ""}},
      {"draw d -o p.svg"},
-     "d: holds no state-0000.h5: expected state files or a directory that floc run wrote"},
+     "d: this directory holds no state-0000.h5: expected state files or a directory that floc run wrote"},
     {"report_of_an_ensemble",
      {{"d/seed-1/path.csv", "P_star,phi\n1,0.5\n"}, {"d/seed-2/path.csv", "P_star,phi\n1,0.5\n"}},
      {"report d -o r.html"},
-     "d: holds 2 samples of a scene: expected the directory of one sample, such as d/seed-1"},
+     "d: this directory holds 2 samples of a scene: expected the directory of one sample, such as d/seed-1"},
     {"fit_no_table",
      {{"d/x", ""}},
      {"fit consolidation d"},
@@ -299,7 +301,8 @@ const Refusal kOfCommands[] = {
     {"plot_no_forces",
      {{"g.csv", "x,y,r\n0,0,0.1\n2,2,0.1\n"}},
      {kConvert, "plot p.h5 -o p.svg --show forces"},
-     "p.h5: has no normal contact forces, or their unit in this plot is zero: expected a state with both"},
+     "p.h5: this state has no normal contact forces, or their unit in this plot is zero: expected a state with "
+     "such forces, in which this unit is not zero"},
     {"structure_range",
      {{"g.csv", kGrains}},
      {kConvert, "structure p.h5 --fit-range 2,1"},
@@ -395,13 +398,12 @@ TEST(RefusedRun, FindsWhatIsNotItsOwn) {
           "of the state is 1): a run can only be continued with the scene, settings and seed with which it "
           "began"));
   write_text(scratch.file("d/contacts.csv"), "step,colour\n");
-  EXPECT_THAT(refusal("--track-contacts 10"), HasSubstr("d/contacts.csv:1: the columns of this table differ "
-                                                        "from those of this version of floc: step,colour"));
+  EXPECT_THAT(refusal("--track-contacts 10"),
+              HasSubstr("d/contacts.csv:1: the columns of this table differ "
+                        "from those that this version of floc writes: step,colour"));
   write_text(scratch.file("d/path.csv"), "step,colour\n");
-  EXPECT_THAT(
-      refusal(""),
-      HasSubstr(
-          "d/path.csv:1: the columns of this table differ from those of this version of floc: step,colour"));
+  EXPECT_THAT(refusal(""), HasSubstr("d/path.csv:1: the columns of this table differ from those that this "
+                                     "version of floc writes: step,colour"));
 }
 
 TEST(RefusedRun, GoesOnFromNoCheckpointOfAnotherVersion) {
@@ -448,8 +450,8 @@ pressure = 0.01
                                    "the scene, or omit --seeds"));
   const Outcome study = run_floc("tradeoff s.toml", scratch.path());
   EXPECT_EQ(study.code, 4);
-  EXPECT_THAT(study.err, HasSubstr("a study needs samples made from a gas, whose number of grains it can "
-                                   "choose: expected \"direct\" or \"aggregation\""));
+  EXPECT_THAT(study.err, HasSubstr("the study makes samples with different numbers of grains, which requires a "
+                                   "gas in place of a saved state: expected \"direct\" or \"aggregation\""));
 }
 
 }  // namespace

@@ -46,8 +46,10 @@ TEST_F(ReportOfSpheres, RefusesDisksAmongThem) {
   write_state(file_of(1), state_at<2>(1));
   const Outcome o = report();
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err, HasSubstr("state-0001.h5: this state is not 3D like run/state-0000.h5: expected the "
-                               "states of one run"));
+  EXPECT_THAT(
+      o.err,
+      HasSubstr("state-0001.h5: the dimension of this state is not 3, as in run/state-0000.h5: expected the "
+                "states of one run"));
 }
 
 }  // namespace

@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadBeads{"law = \"hertz\", modulus", "law = \"hertz\", stiffness = 1.0, modulus",
                              "the model \"hertz\" of contact.normal has no stiffness"},
                     BadBeads{"to = 10e6", "to = 10e9",
-                             "expected at least 30: with a smaller one spheres overlap too far"},
+                             "expected at least 30, because softer spheres overlap too far"},
                     BadBeads{"solid_fraction = 0.45", "solid_fraction = 0.55",
                              "the solid fraction of the gas in (0, 0.49]"},
                     BadBeads{"friction = 0.02", "friction = -1",

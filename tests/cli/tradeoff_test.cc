@@ -80,7 +80,7 @@ TEST(AccuracyOfARun, IsSaidAndKeptWithTheStates) {
   const Outcome check = run_floc("scene check " + scene);
   ASSERT_EQ(check.code, 0) << check.err;
   EXPECT_THAT(check.err, HasSubstr("settings chosen for the required accuracy: "));
-  EXPECT_THAT(check.err, HasSubstr("of the time of the strictest settings. Measured errors: phi "));
+  EXPECT_THAT(check.err, HasSubstr("of the processor time of the strictest settings. Measured errors: phi "));
   const Outcome run = run_floc("run " + scene + "-o out --until 0", scratch.path());
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("settings chosen for the required accuracy: "));

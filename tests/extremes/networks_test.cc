@@ -212,7 +212,7 @@ TEST(Packing, OfTwoGrainsAtOnePlaceIsRefused) {
     find_contacts(packing);
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_STREQ(e.what(), "grains 0 and 1: have the same centre: their contact has no direction");
+    EXPECT_STREQ(e.what(), "grains 0 and 1: the grains have the same centre: their contact has no direction");
   }
 }
 

@@ -208,7 +208,7 @@ const Refusal kRefusals[] = {
      {"assembly.pressure=1e-6"},
      4,
      "assembly.pressure = 1e-06: this pressure is not larger than the accepted error of a stress, "
-     "equilibrium.stress * F0/a = 1e-05; "
+     "equilibrium.stress * F0/a = 1e-05 (pull-off force F0, largest diameter a); "
      "expected a higher pressure or a smaller equilibrium.stress"},
     {"load_below_the_tolerance",
      {"load.0.to=1e-6"},
@@ -219,18 +219,20 @@ const Refusal kRefusals[] = {
      {"contact.normal.stiffness=1e12"},
      4,
      "contact.normal.stiffness = 1000000000000: the contacts are so stiff that rounding errors cause stresses "
-     "of 4.4e-04 F1/a^(d-1), where F1 is the larger of the pull-off force and P a^(d-1); expected errors below "
-     "equilibrium.stress = 1.0e-05"},
+     "of 4.4e-04 F1/a^(d-1), where F1 is the larger of the pull-off force and P a^(d-1) (first pressure P, "
+     "largest diameter a, dimension d); expected errors below equilibrium.stress = 1.0e-05"},
     {"motion_that_cannot_resolve_its_tolerance",
      {"contact.normal.stiffness=1e9", "grains.count=1400", "equilibrium.finish=dynamic"},
      4,
      "equilibrium.finish = \"dynamic\": rounding errors of the positions cause net forces of 2.6e-05 F1 on "
-     "grains, where F1 is the larger of the pull-off force and P a^(d-1), but equilibrium.force = 1.0e-05"},
+     "grains, where F1 is the larger of the pull-off force and P a^(d-1) (first pressure P, largest diameter "
+     "a, "
+     "dimension d), but equilibrium.force = 1.0e-05"},
     {"too_little_time", {"equilibrium.max_time=1"}, 3, "did not converge: "},
     {"spheres_pressed_too_far",
      {"load.0.to=1e-2"},
      4,
-     "kappa = (E~/P)^(2/3) is 21.5, expected at least 30",
+     "kappa = (E~/P)^(2/3), with E~ = E/(1 - nu^2), is 21.5; expected at least 30",
      kSpheres},
     {"spheres_damped_beyond_critical",
      {"contact.damping.critical_fraction=5"},
@@ -250,12 +252,12 @@ const Refusal kRefusals[] = {
     {"walls_lighter_than_steps_can_follow",
      {"box.mass=0.01"},
      3,
-     "the motion diverged: run.time_step is too large, or box.mass too small for it",
+     "the motion diverged: run.time_step is too large, or box.mass is too small for this time step",
      box_scene(3)},
     {"box_too_small_for_two_spheres",
      {"grains.count=2"},
      4,
-     "assembly: solid_fraction is too large: grains could be grown without overlap only to",
+     "assembly: solid_fraction is too large: the grains, which grow from smaller sizes, overlap from",
      box_scene(3)},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),

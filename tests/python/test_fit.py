@@ -77,15 +77,17 @@ class Consolidation(unittest.TestCase):
         self.assertIn("pressures", fit.refusal)
 
     def test_refusals_name_the_array(self):
-        cases = [((([1, 2, 3], [0.5, 0.51])), {}, r"solid_fraction: has shape \(2,\), expected \(3,\)"),
+        cases = [((([1, 2, 3], [0.5, 0.51])), {}, r"solid_fraction: this array has shape \(2,\), expected "
+                                                      r"the shape of pressure, \(3,\)"),
                  (([1, 2, 3], [0.5, 0.6, 50.0]), {}, r"arrays\[2\]: phi = 50"),
-                 (([1, 2, np.nan], [0.5, 0.6, 0.7]), {}, r"pressure\[2\]: is nan"),
-                 (([[[1, 2]]], [[[1, 2]]]), {}, r"pressure: has shape"),
+                 (([1, 2, np.nan], [0.5, 0.6, 0.7]), {}, r"pressure\[2\]: this number is nan"),
+                 (([[[1, 2]]], [[[1, 2]]]), {}, r"pressure: this array has shape"),
                  ((["a"], [0.5]), {}, "pressure: expected an array of numbers"),
                  (([1, 2, 3],), {}, "solid_fraction or void_ratio"),
                  (([1, 2, 3], [0.5, 0.6, 0.7]), {"law": "cubic"}, 'law = "cubic": expected one of full, log, power'),
                  (([1, 2, 3], [0.5, 0.6, 0.7]), {"window": (2, 1)}, "window"),
-                 (([1, 2, 3], [0.5, 0.6, 0.7]), {"branch": ["load"]}, "branch: has 1 names, expected 3")]
+                 (([1, 2, 3], [0.5, 0.6, 0.7]), {"branch": ["load"]},
+                  "branch: this argument has 1 names, expected one per pressure, 3")]
         for arguments, keywords, words in cases:
             with self.assertRaisesRegex(floc.InputError, words):
                 floc.fit.consolidation(*arguments, **keywords)
@@ -102,7 +104,7 @@ class Consolidation(unittest.TestCase):
             calls.append((name, lambda k=k: floc.fit.dynamic_compaction(*[masked if k == j else right for j in range(4)])))
         calls.append(("forces", lambda: floc.fit.force_distribution(masked)))
         for name, call in calls:
-            with self.assertRaisesRegex(floc.InputError, rf"{name}\[\d\]: is masked, expected a value"):
+            with self.assertRaisesRegex(floc.InputError, rf"{name}\[\d\]: this entry is masked, expected a value"):
                 call()
         print(f"{len(calls)} masked arrays of fits refused")
 

@@ -125,7 +125,7 @@ class Ids(unittest.TestCase):
             said = program(command, "m.h5")
             self.assertIsNone(with_indices.search(said.stdout + said.stderr), command)
         (samples.directory() / "same.csv").write_text(grains.replace("3.44,0.5", "2.45,0.7"), encoding="utf-8")
-        self.assertIn("grains 103 and 102: have the same centre", program("convert", "same.csv", "s.h5", *cell).stderr)
+        self.assertIn("grains 103 and 102: the grains have the same centre", program("convert", "same.csv", "s.h5", *cell).stderr)
         (samples.directory() / "k.csv").write_text("id1,id2,normal_force,kn,kt\n301,204,10,2000,0\n", encoding="utf-8")
         self.assertIn("301-204", program("convert", "g.csv", "k.h5", "--contacts", "k.csv", *cell).stderr)
         (samples.directory() / "apart.csv").write_text(grains.replace(",0.5\n", ",0.3\n"), encoding="utf-8")
@@ -185,7 +185,7 @@ class Ids(unittest.TestCase):
                                       [[0, 1], [0, 2], [1, 2]])
         self.assertEqual(floc.read(self.written(packing)).ids.tolist(), [30, 10, 20])
         self.assertFalse(packing.ids.flags.writeable)
-        for wrong, words in (([1, 2], r"ids: has shape \(2,\), expected \(3,\)"), ([1, 2, 1], "id = 1 is given twice"),
+        for wrong, words in (([1, 2], r"ids: this array has shape \(2,\), expected \(3,\)"), ([1, 2, 1], "id = 1 is given twice"),
                              ([1.0, 2.0, 3.5], "ids has values of type float64, expected integers")):
             with self.assertRaisesRegex(floc.InputError, words):
                 floc.Packing.from_arrays(position, radius, cell, LAW, ids=wrong)

@@ -103,13 +103,13 @@ class Refusals(unittest.TestCase):
 
     def test_name_array_index_and_value(self):
         position, radius, cell = square()
-        self.refused(r"position: has shape \(9, 3\), expected \(n, 2\)", position=np.zeros((9, 3)))
-        self.refused(r"radius: has shape \(8,\), expected \(9,\)", radius=radius[:8])
-        self.refused(r"cell: has shape \(4, 4\), expected \(2, 2\) or \(3, 3\)", cell=np.ones(4))
+        self.refused(r"position: this array has shape \(9, 3\), expected \(n, 2\)", position=np.zeros((9, 3)))
+        self.refused(r"radius: this array has shape \(8,\), expected \(9,\)", radius=radius[:8])
+        self.refused(r"cell: this array has shape \(4, 4\), expected \(2, 2\) or \(3, 3\)", cell=np.ones(4))
         self.refused(r"cell: the cell is degenerate", cell=[[1, 1], [1, 1]])
-        self.refused(r"radius\[2\]: is -1, expected a positive", radius=np.where(np.arange(9) == 2, -1.0, radius))
-        self.refused(r"position\[0\]: is nan", position=np.where(np.arange(18).reshape(9, 2) == 0, np.nan, position))
-        self.refused(r"mass: has shape \(1,\)", mass=[1.0])
+        self.refused(r"radius\[2\]: this number is -1, expected a positive", radius=np.where(np.arange(9) == 2, -1.0, radius))
+        self.refused(r"position\[0\]: this number is nan", position=np.where(np.arange(18).reshape(9, 2) == 0, np.nan, position))
+        self.refused(r"mass: this array has shape \(1,\)", mass=[1.0])
         self.refused(r"position: expected an array of numbers", position="here")
         self.refused(r"stress: the stress has 3 numbers, expected 2", stress=[1.0, 1.0, 1.0])
         self.refused("solid fraction", radius=2 * radius)
@@ -119,13 +119,13 @@ class Refusals(unittest.TestCase):
         self.refused("stiffness", law={"normal": {"stiffness": -1.0}})
 
     def test_name_the_contact(self):
-        self.refused("contacts: have no array id2, which is required", contacts={"id1": [0]})
+        self.refused("contacts: the array id2 is missing, which is required", contacts={"id1": [0]})
         self.refused("contacts: 'force1' is not one of", contacts={"id1": [0], "id2": [1], "force1": [1.0]})
-        self.refused(r"contacts: normal_force: has shape \(2,\), expected \(1,\)",
+        self.refused(r"contacts: normal_force: this array has shape \(2,\), expected \(1,\)",
                      contacts={"id1": [0], "id2": [1], "normal_force": [1.0, 2.0]})
         self.refused("contact 0: id2 = 70: no grain has this id", contacts={"id1": [0], "id2": [70]})
         self.refused("contacts: id1 has values of type float64", contacts={"id1": [0.5], "id2": [1]})
-        self.refused("contact 0: .*pulls with 1",
+        self.refused("contact 0: .*pulls with the force 1",
                      contacts={"id1": [0], "id2": [1], "normal_force": [-1.0]})
 
     def test_take_integers_written_as_real_numbers(self):
@@ -155,15 +155,15 @@ class Refusals(unittest.TestCase):
 
         n_refused = 0
         for name, values in arrays.items():
-            self.refused(rf"{name}\[.*\]: is masked, expected a value", **{name: masked(values, True)})
-            self.refused(rf"{name}\[.*\]: is masked", **{name: list(masked(values, True))})
+            self.refused(rf"{name}\[.*\]: this entry is masked, expected a value", **{name: masked(values, True)})
+            self.refused(rf"{name}\[.*\]: this entry is masked", **{name: list(masked(values, True))})
             n_refused += 2
         for name, values in contacts.items():
-            self.refused(rf"contacts: {name}\[.*\]: is masked", contacts={**contacts, name: masked(values, True)})
+            self.refused(rf"contacts: {name}\[.*\]: this entry is masked", contacts={**contacts, name: masked(values, True)})
             n_refused += 1
         table = np.ma.array(packing.contacts)
         table["kn"][3] = np.ma.masked
-        self.refused(r"contacts: kn\[3\]: is masked", contacts=table)
+        self.refused(r"contacts: kn\[3\]: this entry is masked", contacts=table)
         whole = floc.Packing.from_arrays(masked(position, False), masked(radius, False), cell, LAW,
                                          contacts={name: masked(values, False) for name, values in contacts.items()})
         np.testing.assert_array_equal(whole.contacts["normal_force"], packing.contacts["normal_force"])

@@ -74,7 +74,7 @@ def files():
 FAULTS = {
     "UTF-16": (lambda text: text.encode("utf-16"), "the file is in the encoding UTF-16: save it as UTF-8"),
     "UTF-16 without mark": (lambda text: text.encode("utf-16-be"), "the file is in the encoding UTF-16: save it as UTF-8"),
-    "carriage returns": (lambda text: text.replace("\n", "\r").encode(), "lines end in carriage returns alone"),
+    "carriage returns": (lambda text: text.replace("\n", "\r").encode(), "lines of this file end in carriage returns alone"),
     "decimal commas": (lambda text: re.sub(r"(\d)\.(\d)", r"\1,\2", text).encode(), COMMA),
 }
 # What is read all the same: XML has no lines. In scenes a comma ends a value, which TOML's own words tell.

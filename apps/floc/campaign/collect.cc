@@ -23,8 +23,8 @@ struct CollectArguments {
   bool forget = false;
 };
 
-/// Fits the runs of one case that succeeded and adds the results to `table`. If the fit fails, a message on stderr
-/// names its log.
+/// Fits a law to those runs of one case that succeeded, and adds the results to `table`. If the fit fails, a message on
+/// stderr names the log file of the fit.
 void fit_case(const PlannedCampaign& planned, int case_number, int fit_number, const std::string& directory,
               Table& table) {
   const CampaignCase& one = planned.campaign.cases[static_cast<std::size_t>(case_number)];
@@ -69,8 +69,8 @@ int collect(const CollectArguments& arguments) {
   return kDone;
 }
 
-/// Converts the exit code of a failed run to an exit code of this command: the codes of floc for a missing result, bad
-/// input or a failed check stay, all other failures become kFailure.
+/// Converts the exit code of a failed run to an exit code of `floc campaign outcome`. The codes of floc for a missing
+/// result, bad input or a failed check are kept; all other codes, such as those of signals, become kFailure.
 int as_own(int code) {
   return code == kNotConverged || code == kBadInput || code == kVerificationFailed ? code : int{kFailure};
 }
@@ -94,8 +94,8 @@ int report_outcome(const CollectArguments& arguments) {
     lines += outcome ? fmt::format("\n  {}: floc {} failed with exit code {}: {}", run.directory,
                                    outcome->command, outcome->exit_code, outcome->words)
                      : fmt::format("\n  {}: this run has not ended", run.directory);
-    // snakemake repeats a run if its outcome file is missing. The file is renamed, not removed, so that the tables of
-    // the campaign still report the failure.
+    // snakemake repeats a run whose outcome file is missing. This file is renamed and not removed, so that the tables
+    // of the campaign still report the failure.
     if (arguments.forget && fs::exists(place / kOutcomeFile))
       fs::rename(place / kOutcomeFile, place / kFailureFile);
   }
@@ -131,8 +131,9 @@ Command add_campaign_outcome(CommandLine campaign) {
       "list the outcome of each run of a campaign; the exit code is the worst exit code of all runs");
   auto arguments = std::make_shared<CollectArguments>();
   app.add_option("DIR", arguments->directory, "directory that floc campaign plan wrote").required();
-  app.add_flag("--forget", arguments->forget,
-               "mark the failed runs, so that the next call of snakemake repeats them");
+  app.add_flag(
+      "--forget", arguments->forget,
+      "rename the files that record failures, so that the next call of snakemake repeats the failed runs");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return report_outcome(*arguments); }};
 }

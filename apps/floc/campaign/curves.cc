@@ -14,14 +14,14 @@
 namespace floc {
 namespace {
 
-/// One point of a curve: the mean over the samples of a case, with the lowest and the highest sample. Points are in the
-/// order of the load path.
+/// One point of a curve: the mean of a quantity over the samples of a case, with the lowest and the highest value. The
+/// points of a curve are in the order of the load path.
 struct Point {
   std::string branch;
   double P_star, mean, low, high;
 };
 
-/// Points of the curves of one quantity. The key is the label of the case.
+/// The curves of one quantity, each a list of points. The key is the label of the case.
 using Curves = std::map<std::string, std::vector<Point>>;
 
 Curves curves_of(const CsvTable& means, const std::string& quantity) {
@@ -181,7 +181,7 @@ std::string curves_svg(const CsvTable& means, const std::string& quantity,
       high = std::max(high, p.high);
     }
   const Axis x = axis_of(P_low, P_high, kLeft, kWidth - kRight, true);
-  constexpr double kDecades = 50.0;  // ratio of highest to lowest value from which the axis is logarithmic
+  constexpr double kDecades = 50.0;  // ratio of highest to lowest value above which an axis is logarithmic
   const Axis y = axis_of(low, high, kHeight - kBottom, kTop, low > 0.0 && high / low > kDecades);
   std::string out =
       fmt::format("<svg class=\"curves\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against P*\">\n",

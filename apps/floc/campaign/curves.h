@@ -12,13 +12,14 @@ namespace floc {
 std::vector<std::string> curve_quantities(const CsvTable& means);
 
 /// Draws one quantity against P* as an svg element of an html page. Each case is a group of class "curve", whose
-/// attribute data-case is the label of the case. It shows the mean over the samples as a line with points, and a band
-/// from the lowest to the highest sample.
+/// attribute data-case is the label of the case. The group shows the mean over the samples as a line with points, and a
+/// band from the lowest to the highest sample.
 /// @param labels  labels of the cases, in the order of their colours
 std::string curves_svg(const CsvTable& means, const std::string& quantity,
                        const std::vector<std::string>& labels);
 
-/// Returns the colour of the curve of the case with a number, counted from 0.
+/// Returns the colour in which the curves of a case are drawn.
+/// @param number  number of the case, counted from 0
 std::string curve_colour(std::size_t number);
 
 }  // namespace floc

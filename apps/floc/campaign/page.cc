@@ -31,8 +31,8 @@ struct PageArguments {
   Printing printing;
 };
 
-/// Style and script that this page has in addition to the style of a report. A click on the heading of a column sorts
-/// the table, and a check box shows or hides the curve of a case.
+/// Style and script of the page of a campaign, in addition to the style that html_page() gives to every page. A click
+/// on the heading of a column sorts the table, and a check box shows or hides the curve of a case.
 constexpr const char* kHead = R"(<style>
 th[data-sorts] { cursor: pointer; } th[data-sorts]:hover { background: #eee; }
 th[aria-sort=ascending]::after { content: " \25B2"; } th[aria-sort=descending]::after { content: " \25BC"; }
@@ -69,7 +69,7 @@ document.addEventListener('change', event => {
 </script>
 )";
 
-/// Data that the page shows, read from the directory of a campaign.
+/// Data that the html page of a campaign shows, read from the directory of the campaign.
 struct CampaignPage {
   std::string directory;
   PlannedCampaign planned;
@@ -83,8 +83,8 @@ struct CampaignPage {
   }
 };
 
-/// Returns the indices of the columns that have a value in some row of a table. Columns named after keys of the scene,
-/// whose names contain dots, are left out, because the table of cases has their values.
+/// Returns the indices of the columns that have a value in some row of a table. Columns that are named after keys of
+/// the scene are left out, because the table of cases has their values; their names contain dots.
 std::vector<int> used_columns(const CsvTable& table) {
   const auto is_used = [&table](int column) {
     if (table.columns()[static_cast<std::size_t>(column)].find('.') != std::string::npos) return false;
@@ -98,8 +98,8 @@ std::vector<int> used_columns(const CsvTable& table) {
   return used;
 }
 
-/// Returns the html of a cell of a table. The cell shows a number with five significant digits; its attribute data-v
-/// keeps all digits of the csv file.
+/// Returns the html of a cell of a table. The cell shows a number with five significant digits; the attribute data-v of
+/// the cell has all digits of the csv file.
 std::string cell_html(const std::string& column, const std::string& text) {
   const auto number = parse_number<double>(text);
   std::string classes = number ? "number" : "";
@@ -109,7 +109,8 @@ std::string cell_html(const std::string& column, const std::string& text) {
                      html_text(text), shown);
 }
 
-/// Returns the html of a table whose rows a reader can sort. @param rows  indices of the rows of `table` that are shown
+/// Returns the html of a table whose rows a reader of the page can sort.
+/// @param rows  indices of the rows of `table` that are shown
 std::string sorting_table(const std::string& id, const CsvTable& table, const std::vector<int>& rows) {
   const std::vector<int> columns = used_columns(table);
   std::string out = fmt::format("<div class=\"wide\"><table id=\"{}\">\n<thead><tr>", id);
@@ -192,8 +193,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// Returns the index of the state of a case that is drawn: the state under the largest pressure, or the last state if
-/// no pressure is known.
+/// Returns the index of the state of a case of which the page shows a picture: the state under the largest pressure, or
+/// the last state if no pressure is known.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;
@@ -213,7 +214,7 @@ std::map<int, CampaignRun> drawn_runs(const Campaign& campaign, const std::strin
   return drawn;
 }
 
-/// Largest number of cases that are drawn as pictures. Hundreds of pictures would make the page slow to open.
+/// Largest number of cases of which the page shows a picture. Hundreds of pictures would make the page slow to open.
 constexpr std::size_t kMostPictures = 24;
 
 /// Returns the options of the pictures on the page. In 3D the spheres are drawn as pixel images, because vector

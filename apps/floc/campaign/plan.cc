@@ -58,7 +58,7 @@ void check_columns(const Campaign& campaign) {
   }
 }
 
-/// Returns a text with the number of runs and their expected processor time.
+/// Returns a text with the number of runs of a campaign and their expected processor time.
 std::string extent_of(const PlannedCampaign& planned) {
   const std::size_t n_seeds = planned.campaign.seeds.size();
   double cost = 0.0;
@@ -70,7 +70,8 @@ std::string extent_of(const PlannedCampaign& planned) {
 
 /// Writes a new file. @throws InputError if a file of this name exists, so that no file of a user is replaced
 void write_new(const fs::path& path, const std::string& text) {
-  if (fs::exists(path)) throw InputError(path.string(), "exists already: expected the name of a new file");
+  if (fs::exists(path))
+    throw InputError(path.string(), "this file exists already: expected the name of a new file");
   write_bytes_atomically(path.string(), text);
 }
 
@@ -80,11 +81,12 @@ int start_campaign(const PlanArguments& arguments) {
   const std::string name = path.stem().string();
   const std::string own = starting_scene(name);  // throws if the name is not valid
   const fs::path scene = arguments.scene.empty() ? fs::path(name + "-scene.toml") : fs::path(arguments.scene);
-  if (fs::exists(path)) throw InputError(path.string(), "exists already: expected the name of a new file");
+  if (fs::exists(path))
+    throw InputError(path.string(), "this file exists already: expected the name of a new file");
   if (arguments.scene.empty())
     write_new(path.parent_path() / scene, own);
   else if (!fs::is_regular_file(scene))
-    throw InputError(scene.string(), "cannot be read: expected the name of a scene file (TOML)");
+    throw InputError(scene.string(), "this file cannot be read: expected the name of a scene file (TOML)");
   const std::string relative =
       arguments.scene.empty()
           ? scene.string()
@@ -132,7 +134,7 @@ int plan_campaign(const PlanArguments& arguments) {
       {"Snakefile", snakefile_of(planned.campaign, planned.plans, this_program())}};
   std::error_code failed;
   fs::create_directories(directory, failed);
-  if (failed) throw IoError(arguments.directory, "cannot make the directory: " + failed.message());
+  if (failed) throw IoError(arguments.directory, "this directory cannot be made: " + failed.message());
   const auto differs = [&](const char* name, const std::string& text) {
     return !fs::exists(directory / name) || read_file((directory / name).string()) != text;
   };
@@ -140,8 +142,8 @@ int plan_campaign(const PlanArguments& arguments) {
     if (!arguments.overwrite && fs::exists(directory / name) && differs(name, text))
       throw InputError(
           (directory / name).string(),
-          "exists already with different content: expected another directory, or --overwrite, which "
-          "replaces the plan and keeps the runs");
+          "this file exists already with different content: give another directory, or give --overwrite, "
+          "which replaces the plan and keeps the runs");
   for (const auto& [name, text] : files)
     if (differs(name, text)) write_bytes_atomically((directory / name).string(), text);
   spdlog::info("{}: {}. Next, run: cd {} && snakemake --cores 2", arguments.directory, extent_of(planned),
@@ -161,7 +163,8 @@ PlannedCampaign planned_campaign(const std::string& file) {
 PlannedCampaign campaign_of(const std::string& directory) {
   const fs::path file = fs::path(directory) / kCampaignFile;
   if (!fs::is_regular_file(file) || !fs::is_regular_file(fs::path(directory) / kSceneFile))
-    throw InputError(directory, "holds no campaign: expected a directory that floc campaign plan wrote");
+    throw InputError(directory,
+                     "this directory holds no campaign: expected a directory that floc campaign plan wrote");
   PlannedCampaign planned{read_campaign(file.string(), kSceneFile), {}};
   // A campaign without a name is named after its file, but in a directory of floc campaign plan this is always
   // campaign.toml. The name of the directory is used instead.

@@ -31,7 +31,7 @@ struct CampaignRunArguments {
   bool with_parent = false;
 };
 
-/// A table that is made after a run: its file, and the floc command that prints it, as words.
+/// A table that is made after a run: the name of its file, and the words of the floc command that prints it.
 struct TableCommand {
   std::string file;
   std::vector<std::string> words;
@@ -58,7 +58,7 @@ std::string last_line(const std::string& log) {
   std::string last;
   for (std::string line; std::getline(lines, line);) {
     // Lines of progress end in \r, so that the next line overwrites them on a terminal. Of such a line, only the text
-    // after the last \r is returned.
+    // after the last \r is used.
     line.erase(0, line.find_last_of('\r') + 1);
     if (!trimmed(line).empty()) last = trimmed(line);
   }
@@ -80,7 +80,7 @@ double children_seconds() {
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
-/// Makes one table in the directory of the run. @return exit code of the command that prints the table
+/// Makes one table in the directory of a run. @return exit code of the floc command that prints the table
 int make_table(const TableCommand& command, const CampaignRunArguments& arguments, const std::string& log) {
   const std::string file = arguments.directory + "/" + command.file, part = file + ".part";
   std::vector<std::string> words = command.words;
@@ -101,7 +101,7 @@ int run_sample(const CampaignRunArguments& arguments) {
   for (const std::string& text : arguments.tables) tables.push_back(table_command(text));
   std::error_code failed;
   fs::create_directories(arguments.directory, failed);
-  if (failed) throw IoError(arguments.directory, "cannot make the directory: " + failed.message());
+  if (failed) throw IoError(arguments.directory, "this directory cannot be made: " + failed.message());
   fs::remove(fs::path(arguments.directory) / kOutcomeFile);
   fs::remove(fs::path(arguments.directory) / kFailureFile);
   pass_signals_on();
@@ -121,7 +121,7 @@ int run_sample(const CampaignRunArguments& arguments) {
     if (outcome.exit_code != kDone) outcome.command = table.words.front();
   }
   outcome.seconds = children_seconds() - before;
-  if (was_signalled()) return kInterrupted;  // the run will be resumed, so its outcome is not known yet
+  if (was_signalled()) return kInterrupted;  // the run will be resumed, so it has no outcome yet
   if (outcome.exit_code != kDone) outcome.words = words_of(outcome.exit_code, log);
   write_csv(arguments.directory + "/" + kOutcomeFile, table_of(outcome));
   if (outcome.exit_code != kDone)

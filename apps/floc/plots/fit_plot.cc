@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Adds the blocks of data that the gnuplot script refers to by number: 0 the fitted points, 1 the points left out of
-/// the fit, 2 the fitted law.
+/// Adds the blocks of data to which the gnuplot script refers by number: 0 for the fitted points, 1 for the points left
+/// out of the fit, 2 for the fitted law.
 void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   const ConsolidationCurve& curve = of.curve;
   const ConsolidationFit& fit = of.fit;

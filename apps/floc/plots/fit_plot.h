@@ -8,11 +8,11 @@
 
 namespace floc {
 
-/// Contents of a plot of a fit of the consolidation law.
+/// Contents of the plot that shows how the consolidation law fits a curve.
 struct ConsolidationPlot {
   std::string title;
   std::string unit;  ///< unit of the pressures; empty in reduced units
-  /// Stress that is the pressure of an oedometer test: "driven" or "mean"; empty for other tests.
+  /// Stress that is taken as the pressure of an oedometer test: "driven" or "mean"; empty for other tests.
   std::string stress;
   const ConsolidationCurve& curve;
   const ConsolidationFit& fit;
@@ -20,17 +20,18 @@ struct ConsolidationPlot {
 
 /// Returns the label of the pressure axis.
 /// @param unit  unit of the pressures; empty in reduced units
-/// @param stress  stress that is the pressure of an oedometer test: "driven" or "mean"; empty for other tests
+/// @param stress  stress that is taken as the pressure of an oedometer test: "driven" or "mean"; empty for other tests
 std::string pressure_label(const std::string& unit, const std::string& stress);
 
-/// Plots 1/Phi (Phi: solid fraction) against the pressure P*, with the fitted curve and the window of pressures of the
-/// fit. A second panel below shows the residuals.
+/// Plots 1/Phi (Phi: solid fraction) against the pressure P*, with the fitted law and the range of pressures to which
+/// it was fitted. A second panel below shows the residuals.
 Plot plot_of_fit(const ConsolidationPlot& of);
 
 /// Returns the standard error of the mean of 1/Phi over all samples at the i-th pressure; 0 for a single sample.
 double error_of_mean(const ConsolidationCurve& curve, std::size_t i);
 
-/// Returns points of the fitted curve over the window of pressures of the fit: pairs of P* and 1/Phi. @pre fit.found()
+/// Returns points of the fitted law, as pairs of P* and 1/Phi, over the range of pressures to which it was fitted. @pre
+/// fit.found()
 std::vector<std::vector<double>> law_points(const ConsolidationFit& fit);
 
 }  // namespace floc

@@ -58,7 +58,7 @@ std::string script_of(const Plot& plot, const fs::path& picture, const fs::path&
 }
 
 /// Runs gnuplot on a script, in the directory of the script. The messages of gnuplot go to the file `words`. They are
-/// shown only if gnuplot fails, because its warnings only concern the look of plots with few points.
+/// shown only if gnuplot fails, because otherwise they are warnings about the look of plots with few points.
 /// @throws IoError if gnuplot is missing or fails
 void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path& words) {
   const std::string directory = script.has_parent_path() ? script.parent_path().string() : ".";
@@ -76,11 +76,12 @@ void run_gnuplot(const fs::path& script, const fs::path& picture, const fs::path
   if (failure != 0 || waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) == 127)
     throw IoError(
         "gnuplot",
-        fmt::format("cannot be started: install the package gnuplot-nox; the script of the plot is {}",
-                    script.string()));
+        fmt::format(
+            "this program cannot be started: install the package gnuplot-nox; the script of the plot is {}",
+            script.string()));
   if (WEXITSTATUS(status) != 0)
-    throw IoError("gnuplot", fmt::format("failed on the script {} with the message: {}", script.string(),
-                                         read_file(words.string())));
+    throw IoError("gnuplot", fmt::format("this program failed on the script {} with the message: {}",
+                                         script.string(), read_file(words.string())));
 }
 
 /// Overwrites the creation time in a pdf file with blanks, so that equal plots give equal files and no other byte
@@ -132,7 +133,9 @@ std::string gnuplot_quoted(const std::string& text) {
 void write_plot(const std::string& file, const Plot& plot) {
   const fs::path picture(file);
   if (terminal_for(picture.extension().string(), plot).empty() || picture.stem().empty())
-    throw InputError(file, "expected a name that ends in .svg, .pdf or .png");
+    throw InputError(file,
+                     "the format of the picture cannot be told from this name: expected a name that ends in "
+                     ".svg, .pdf or .png");
   const fs::path data = fs::path(picture).replace_extension(".dat");
   const fs::path script = fs::path(picture).replace_extension(".gp");
   write_bytes_atomically(data.string(), data_of(plot));

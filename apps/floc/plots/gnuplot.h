@@ -7,23 +7,23 @@ namespace floc {
 
 /// A plot for gnuplot: blocks of numbers, and a script that refers to block N, counted from 0, as `data index N`.
 struct Plot {
-  /// A table of numbers. In the data file, a comment with the names of its columns precedes it. A block without rows is
-  /// written too, so that the indices of the later blocks do not change.
+  /// A table of numbers. In the data file, a comment with the names of the columns precedes the numbers. A block
+  /// without rows is written too, so that the indices of later blocks do not change.
   struct Block {
     std::string columns;
     std::vector<std::vector<double>> rows;
   };
   std::vector<Block> blocks;
-  std::string script;  ///< gnuplot commands; they follow the commands that set terminal, output and data
+  std::string script;             ///< gnuplot commands, to follow those that set terminal, output and data
   int width = 720, height = 520;  ///< size of the plot (1/96 inch)
 
   /// Adds a block. @return index of the block
   int add(const std::string& columns, std::vector<std::vector<double>> rows);
 };
 
-/// Returns the gnuplot command that sets the range of an axis ("x", "y") so that it holds the values in one column of
-/// some blocks. The margin is a tenth of a decade on a logarithmic axis and a twentieth of the range on a linear axis.
-/// Empty if there are no two different values.
+/// Returns the gnuplot command that sets the range of an axis ("x" or "y") so that the range holds the values in column
+/// `column` of the blocks with the indices `blocks`. The margin is a tenth of a decade on a logarithmic axis and a
+/// twentieth of the range on a linear axis. The command is empty if there are no two different values.
 std::string range_script(const Plot& plot, const std::string& axis, const std::vector<int>& blocks, int column,
                          bool logarithmic);
 

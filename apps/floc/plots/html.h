@@ -20,7 +20,7 @@ std::string html_table(const Table& table);
 std::string html_figure(const std::string& svg, const std::string& caption);
 
 /// Returns a complete html page, with its style for screen and paper, that refers to no other file.
-/// @param head  further content of the head element: styles, scripts
+/// @param head  html that is added to the head element, such as styles and scripts
 std::string html_page(const std::string& title, const std::string& body, const std::string& head = "");
 
 }  // namespace floc

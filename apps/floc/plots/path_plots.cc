@@ -13,8 +13,9 @@
 namespace floc {
 namespace {
 
-/// Indices of consecutive rows of a path along which the pressure rises, or falls. The row at which the pressure
-/// reverses belongs to both branches. Rows with zero pressure are left out, because the pressure axis is logarithmic.
+/// Indices of consecutive rows of a load path along which the pressure rises (`up`) or falls. The row at which the
+/// pressure reverses belongs to both branches. Rows with zero pressure are left out, because the pressure axis is
+/// logarithmic.
 struct Branch {
   bool up = true;
   std::vector<int> rows;
@@ -34,8 +35,8 @@ std::vector<Branch> branches_of(const std::vector<double>& P) {
   return branches;
 }
 
-/// Returns the points of all branches along which the pressure rises (or falls). A point of NaN separates the branches,
-/// so that no line joins them.
+/// Returns the points `row(i)` of all branches along which the pressure rises (or falls, if `up` is false). A point of
+/// NaN separates two branches, so that no line joins them.
 template <class Row>
 std::vector<std::vector<double>> rows_going(bool up, const std::vector<Branch>& branches, Row&& row) {
   std::vector<std::vector<double>> rows;
@@ -53,7 +54,7 @@ std::vector<double> pressures_of(const PathTable& path) {
   return P;
 }
 
-/// Returns the stress that corresponds to P* = 1 in row `row` of a path.
+/// Returns the stress that corresponds to the reduced pressure P* = 1 in row `row` of a load path.
 double stress_of_unit(const PathTable& path, int row) {
   const PathRow& of = path.rows[static_cast<std::size_t>(row)];
   if (!path.table.has("P") || of.P_star == 0.0) return 1.0;
@@ -61,9 +62,10 @@ double stress_of_unit(const PathTable& path, int row) {
   return path.table.number(row, path.table.column("P")) * driven_over_mean / of.P_star;
 }
 
-/// Returns the modulus of the state at the start of an unloading branch, in the unit of the pressures of the path. It
-/// is the bulk modulus for imposed stresses (B_S) or, in an oedometer, the modulus of uniaxial strain for the driven
-/// stress (M) or for the mean stress (B_uniaxial), whichever stress the pressures are.
+/// Returns the modulus of the state at the start of an unloading branch, in the unit of the pressures of the path;
+/// absent if this state is not available. The modulus is B_S, the bulk modulus for imposed stresses. For an oedometer
+/// it is a modulus of uniaxial strain: M if the pressures are the driven stress, B_uniaxial if they are the mean
+/// stress.
 std::optional<double> modulus_of_state(const PathTable& path, const Loading& branch) {
   const auto found = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
   if (!found) return std::nullopt;
@@ -72,8 +74,9 @@ std::optional<double> modulus_of_state(const PathTable& path, const Loading& bra
   return path.unit.empty() ? modulus / stress_of_unit(path, branch.rows.front()) : modulus;
 }
 
-/// Adds points of the elastic line ln Phi = ln phi + (P - pressure)/B, from the start of an unloading branch to its
-/// end.
+/// Adds points of the elastic line of an unloading branch, 1/Phi = exp((P_first - P)/B)/phi_first. The line begins at
+/// the first point (P_first, phi_first) of the branch and ends at its last pressure. B is the modulus of the state at
+/// the first point or, without this state, a modulus fitted to the branch.
 void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<std::vector<double>>& points) {
   constexpr int kSteps = 60;
   const double P_first = branch.curve.P_star.front(), P_last = branch.curve.P_star.back();
@@ -91,11 +94,11 @@ void add_elastic_line(const PathTable& path, const Loading& branch, std::vector<
   }
 }
 
-/// Returns the positions and the texts of the labels that name the regimes of the law, above the plot. A regime that is
-/// too narrow for a separate label is named in the label of its neighbour, so that labels do not overlap.
+/// Returns the positions and the texts of labels above the plot, which name the regimes of the consolidation law. A
+/// regime that is too narrow for its own label is named in the label of its neighbour, so that labels do not overlap.
 std::vector<std::pair<double, std::string>> regime_labels(
     double low, const std::vector<std::pair<double, const char*>>& regimes) {
-  constexpr double kNarrowest = 0.08;  // fraction of the length of the axis, about the width of "III"
+  constexpr double kNarrowest = 0.08;  // width of the label "III", as a fraction of the axis
   const double axis = std::log(regimes.back().first / low);
   std::vector<std::pair<double, std::string>> labels;
   double start = low, label_start = low;
@@ -114,7 +117,7 @@ std::vector<std::pair<double, std::string>> regime_labels(
 }
 
 /// Returns gnuplot commands that draw the limits of the regimes of the consolidation law and their names. A limit is
-/// drawn only if the data identify it.
+/// drawn only if the data determine it.
 std::string regimes_script(const ConsolidationFit& fit, double low, double high) {
   const auto value = [&fit](const char* name) -> std::optional<double> {
     const FittedParameter* p = fit.find(name);
@@ -140,8 +143,8 @@ std::string regimes_script(const ConsolidationFit& fit, double low, double high)
   return script;
 }
 
-/// Returns the gnuplot command that marks round values of Phi on the right axis. This axis has the same positions as
-/// the axis of 1/Phi on the left.
+/// Returns the gnuplot command that marks round values of the solid fraction Phi on the right axis. Each mark is at the
+/// height that 1/Phi has on the left axis.
 std::string density_tics(const Plot& plot) {
   double low = 1.0, high = 0.0;
   for (const Plot::Block& block : plot.blocks)
@@ -302,8 +305,8 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
   const std::vector<Branch> branches = branches_of(pressures);
   plot.add("loading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(true, branches, row));
   plot.add("unloading: P_star B B_S G B_reuss B_voigt G_voigt", rows_going(false, branches, row));
-  // The bounds are drawn first, so that the moduli cover them, and only for loading. Bounds that do not hold are NaN,
-  // and gnuplot leaves them out.
+  // The Reuss and Voigt bounds are drawn for loading only. They are drawn before the moduli, which then cover them.
+  // Bounds that do not hold are NaN, which gnuplot does not draw.
   const std::string curves = plot_command(
       plot,
       {{0,

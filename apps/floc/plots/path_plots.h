@@ -17,19 +17,19 @@ struct FittedConsolidation {
   ConsolidationFit fit;
 };
 
-/// Fits the full consolidation law to the first loading of a sample or, for several samples, to their mean first
-/// loading.
+/// Fits the full consolidation law to the first loading of a sample or, for several samples, to the mean of their first
+/// loadings.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 
 /// Plots 1/Phi against P*, with Phi (solid fraction) on the right axis. The plot shows the samples, their mean with its
 /// error, the fitted law with its regimes, and the unloading branches with their elastic lines dPhi/Phi = dP/B. The
-/// modulus B is computed from the state at the start of the branch if its file is in the directory of the table;
-/// otherwise B is fitted to the branch.
+/// modulus B is computed from the state at the start of the unloading branch if its file is in the directory of
+/// path.csv; otherwise B is fitted to the branch.
 /// @param samples  loading paths; at least one
 Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConsolidation& fitted);
 
-/// Plots coordination numbers against P*: of all contacts, and of the contacts with positive, negative and zero normal
-/// force. Filled symbols are for loading and open symbols for unloading.
+/// Plots four coordination numbers against P*: those of all contacts and of the contacts with positive, negative and
+/// zero normal force. Filled symbols are for loading and open symbols for unloading.
 /// @throws InputError if a column of path.csv is missing
 Plot coordination_plot(const CsvTable& path);
 
@@ -38,13 +38,14 @@ Plot coordination_plot(const CsvTable& path);
 /// @param units  "reduced" or "SI"
 std::string stress_unit(const std::string& units, int dimension, bool cohesive);
 
-/// Moduli of a state and their bounds, in units of stress. A bound that does not hold is NaN.
+/// Moduli of a state and bounds of these moduli (stress). A bound that does not hold is NaN.
 struct ModuliPoint {
   double P_star;
   double B, B_S, G, B_reuss, B_voigt, G_voigt;
 
-  /// Returns a copy in which the bounds that do not hold are NaN.
-  /// @param hold  whether the bounds B_reuss <= B <= B_voigt (Reuss, Voigt) and G <= G_voigt are valid
+  /// Returns this point with NaN in place of the bounds that do not hold.
+  /// @param hold  whether the bounds of the bulk modulus, B_reuss <= B <= B_voigt, and of the shear modulus, G <=
+  /// G_voigt, are valid
   /// @param stable  whether no eigenvalue of the stiffness matrix is negative; this alone is enough for G <= G_voigt
   ModuliPoint with_bounds(bool hold, bool stable) const;
 };

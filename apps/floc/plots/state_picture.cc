@@ -34,7 +34,7 @@ std::string pressure_of(const State<Dim>& state) {
   return short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
-/// Returns the largest normal force that counts as zero, by the definition used for path.csv.
+/// Returns the largest normal force that counts as zero in the coordination numbers of path.csv.
 template <int Dim>
 double zero_force_of(const State<Dim>& state) {
   return state.tolerance.force * force_scale(state.packing, state.target_stress).force;
@@ -74,7 +74,7 @@ template <int Dim>
 PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,
                                        const std::string& after_file, const State<Dim>& after) {
   if (const std::string reason = incomparable(before.packing, after.packing); !reason.empty())
-    throw InputError(after_file, "cannot be compared with " + before_file + ": " + reason);
+    throw InputError(after_file, "this state cannot be compared with " + before_file + ": " + reason);
   const ContactChanges<Dim> changes = contact_changes(before.packing, after.packing);
   PackingPicture<Dim> picture = contacts_changed(before.packing, after.packing, changes);
   picture.caption = {

@@ -25,7 +25,7 @@ template <int Dim>
 PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown);
 
 /// Draws the changes from one state to another at the grain positions of the first state: lost and gained contacts, and
-/// the displacements of the grains without their affine part.
+/// the displacements of the grains, without the affine part that the deformation of the cell explains.
 /// @throws InputError if the two states do not have the same grains
 template <int Dim>
 PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,

@@ -24,13 +24,12 @@
 namespace floc {
 namespace {
 
-/// Line colours that are easy to distinguish, in the order of their use. Further samples start again with the first
-/// colour.
+/// Colours of the samples, which are easy to distinguish. The seventh sample has the first colour again.
 constexpr const char* kColors =
     "array color[6] = ['#0072b2', '#d55e00', '#00b377', '#202020', '#cc79a7', '#e69f00']\n";
 constexpr int kDrawsForNoPValue = 1;
 
-/// Returns the bin width with which about twenty bins hold nine tenths of the forces.
+/// Returns a width of the bins of a histogram, chosen so that about twenty bins hold nine tenths of the forces.
 double bin_width(std::vector<double> forces) {
   const auto quantile = [&forces](double share) {
     const auto at =
@@ -42,9 +41,9 @@ double bin_width(std::vector<double> forces) {
   return range > 0.0 ? round_number_below(range / 20.0) : 0.1;
 }
 
-/// Adds points of the exponential tail fitted to the forces f of one sign, from the threshold (their mean) to the
-/// largest force. The density is the fraction of all forces in the tail times exp[-(f - threshold)/f_0]/f_0, with the
-/// fitted force f_0.
+/// Fits an exponential tail to the forces f of one sign that exceed their mean, the threshold, and adds points of this
+/// tail from the threshold to the largest force. The density is the fraction of all forces that are in the tail, times
+/// exp[-(f - threshold)/f_0]/f_0, with the fitted force f_0.
 void add_tail(const std::vector<double>& forces, double sign, std::vector<std::vector<double>>& rows) {
   std::vector<double> sizes;
   double sum = 0.0;
@@ -63,12 +62,13 @@ void add_tail(const std::vector<double>& forces, double sign, std::vector<std::v
     rows.push_back({sign * f, at_threshold * std::exp(-(f - fit.mean) / f0)});
 }
 
-/// Returns the rows of a histogram: value, density, lower and upper end of the 68 % interval of the density, count.
+/// Returns one row per bin of a histogram: value, density, lower and upper end of the 68 % interval of the density,
+/// count.
 std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   std::vector<std::vector<double>> rows;
   for (int b = 0; b < static_cast<int>(d.counts.size()); ++b)
     if (d.counts[b] > 0) {
-      // Approximate 68 % interval for the mean of a Poisson variable whose counted value is n.
+      // The count n of a bin is a Poisson variable. The next lines give an approximate 68 % interval for its mean.
       const auto n = static_cast<double>(d.counts[b]);
       const double half = std::sqrt(n + 0.25), density = d.density(b) / n;
       rows.push_back({d.middle(b), n * density, (n + 0.5 - half) * density, (n + 0.5 + half) * density, n});
@@ -76,8 +76,8 @@ std::vector<std::vector<double>> density_rows(const ForceDistribution& d) {
   return rows;
 }
 
-/// Adds points of the exponential fitted to the values p of one sign, from zero to the largest. The density is the
-/// fraction of values of this sign times b exp(-b |p|), with the fitted parameter b.
+/// Fits an exponential to the values p of one sign, and adds points of it from zero to the largest value. The density
+/// is the fraction of values that have this sign, times b exp(-b |p|), with the fitted parameter b.
 void add_exponential(const std::vector<double>& values, double sign, std::vector<std::vector<double>>& rows) {
   const std::vector<double> sizes = sizes_of(values, sign);
   const ExponentEstimate fit = fit_exponent({cut_sample(sizes, 0.0, std::numeric_limits<double>::infinity())});
@@ -100,10 +100,10 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
   ForceSample sample{name, {}, contact_forces(packing, kind)};
   const double size = force_unit(packing, kind, unit);
   if (sample.forces.empty() || size <= 0.0)
-    throw InputError(
-        place,
-        fmt::format("has no {} contact forces, or their unit in this plot is zero: expected a state with both",
-                    name_of(kind)));
+    throw InputError(place,
+                     fmt::format("this state has no {} contact forces, or their unit in this plot is "
+                                 "zero: expected a state with such forces, in which this unit is not zero",
+                                 name_of(kind)));
   for (double& f : sample.forces) f /= size;
   sample.distribution = force_distribution(packing, kind, unit, bin_width(sample.forces));
   return sample;
@@ -111,9 +111,9 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 
 namespace {
 
-/// Returns the lowest and the highest value on the axis that the curves of all samples share, such that every curve can
-/// be read. The axis shows 99 % of the values of each sample, but of a widely spread sample only a range three times as
-/// wide as the range of the narrowest sample. Otherwise the curve of the narrowest sample would become a spike.
+/// Returns the ends of the axis that the curves of all samples share. The axis shows 99 % of the values of each sample,
+/// but not more than three times the range of the sample with the narrowest range, whose curve would otherwise become a
+/// spike.
 /// @param samples  values of each sample
 std::pair<double, double> shown_values(std::vector<std::vector<double>> samples) {
   constexpr double kLeftOut = 0.005, kWidest = 3.0;
@@ -137,7 +137,7 @@ std::pair<double, double> shown_values(std::vector<std::vector<double>> samples)
   return {shown.first < 0.0 ? shown.first - margin : 0.0, shown.second + margin};
 }
 
-/// Returns the name of a sample in the legend, with the number of values that lie beyond the ends of the axis.
+/// Returns the name of a sample in the legend, with the number of its values that lie beyond the ends of the axis.
 /// @param what  word for the values, such as "forces"
 std::string name_in_legend(const std::string& name, const std::vector<double>& values, const char* what,
                            const std::pair<double, double>& shown) {
@@ -146,8 +146,8 @@ std::string name_in_legend(const std::string& name, const std::vector<double>& v
   return n == 0 ? name : fmt::format("{} ({} of {} {} not shown)", name, n, values.size(), what);
 }
 
-/// Returns gnuplot commands that set the ranges of the axes so that they hold the points with values in the shown
-/// range. Fitted curves are cut at the ends of the axes.
+/// Returns gnuplot commands that set the ranges of both axes. The x axis shows the range `shown`, the y axis the
+/// densities of all points in this range. Fitted curves are cut at the ends of the axes.
 std::string density_axes(const Plot& plot, const std::vector<int>& points,
                          const std::pair<double, double>& shown) {
   double low = std::numeric_limits<double>::infinity(), high = 0.0;
@@ -181,8 +181,8 @@ Plot density_plot(std::vector<DensityCurve> densities, const DensityWords& words
   std::vector<int> all;
   std::vector<std::vector<double>> values;
   for (const DensityCurve& d : densities) values.push_back(d.values);
-  // All samples share one range of values. It is limited, so that a sample with widely spread values does not reduce
-  // the curve of a narrow one to a spike.
+  // All samples share one x axis. Its range is limited, so that a sample with widely spread values does not reduce the
+  // curve of another sample to a spike.
   const std::pair<double, double> shown = shown_values(std::move(values));
   for (std::size_t s = 0; s < densities.size(); ++s) {
     DensityCurve& d = densities[s];
@@ -250,9 +250,10 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
   const double unit = sample.over_adhesion ? pull_off_force(packing) / std::pow(diameter, Dim - 1)
                                            : static_stress(packing).trace() / Dim;
   if (sample.pressures.empty() || !(unit > 0.0) || (!sample.over_adhesion && pressure_is_noise(packing)))
-    throw InputError(place,
-                     "has no particle pressures to plot: no grain carries forces, or the packing has neither "
-                     "adhesion nor a pressure that could be the unit");
+    throw InputError(
+        place,
+        "this state has no particle pressures to plot: no grain carries forces, or the packing has "
+        "neither adhesion nor a pressure that could be the unit");
   for (double& p : sample.pressures) p /= unit;
   return sample;
 }
@@ -291,7 +292,7 @@ ScatteringSample scattering_sample(const std::string& name, const Packing<Dim>& 
   const ScatteringFit fit = fit_scattering(points, 0.0, kLargestFitted * unit);
   sample.failure_reason = fit.failure_reason;
   if (!fit.found()) return sample;
-  // The law is drawn only if the data determine all its parameters.
+  // The law of fractal aggregates is drawn only if the data determine all its parameters.
   for (const FittedParameter& p : fit.parameters)
     if (!p.value) {
       sample.failure_reason = p.name + " is not identified by these data";

@@ -13,12 +13,13 @@ namespace floc {
 struct ForceSample {
   std::string name;  ///< name in the legend
   ForceDistribution distribution;
-  /// Forces from which the distribution is computed, in the unit of the distribution.
+  /// Forces (or moments) from which `distribution` is computed, divided by the unit of force that force_sample() was
+  /// called with.
   std::vector<double> forces;
 };
 
 /// Returns the contact forces of one kind (normal, tangential, rolling) in a packing and their distribution. The width
-/// of its bins is chosen so that about twenty bins hold nine tenths of the forces.
+/// of the bins of this distribution is chosen so that about twenty bins hold nine tenths of the forces.
 /// @param place  name of the state file, for messages
 /// @throws InputError if the packing has no contact forces of this kind or the unit of force is zero
 template <int Dim>
@@ -29,12 +30,14 @@ ForceSample force_sample(const std::string& place, const std::string& name, cons
 /// tails are fitted to the forces of each sign that exceed the mean force of that sign.
 Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceUnit unit);
 
-/// Particle pressures of one state. Their unit is F0/<d>^(d-1), with the pull-off force F0, the mean diameter <d> and
-/// the dimension d, or without adhesion the pressure of the state.
+/// Particle pressures of one state. Their unit is F0/<a>^(d-1), with the pull-off force F0, the mean diameter <a> and
+/// the dimension d. Without adhesion, their unit is the pressure of the state.
 struct PressureSample {
   std::string name;               ///< name in the legend
   std::vector<double> pressures;  ///< pressures of the grains that are not rattlers
-  bool over_adhesion = true;      ///< whether the unit is F0/<d>^(d-1); if not, it is the pressure of the state
+  /// Whether the unit is that of adhesion, F0/<a>^(d-1), with the mean diameter <a> and the dimension d; if not, the
+  /// unit is the pressure of the state.
+  bool over_adhesion = true;
 };
 
 /// Returns the particle pressures of a packing.
@@ -55,11 +58,11 @@ struct ScatteringSample {
   std::string name;
   int dimension = 2;
   std::vector<double> k, I,
-      error;  ///< wave number k in 2 pi/a, I and its error in a^dimension; a is the largest diameter
+      error;  ///< k in units of 2 pi/a; I and its error in units of a^dimension (a: largest diameter)
   std::vector<double> fit_k,
-      fit_I;                   ///< points of the fitted law over the range of the fit; empty without a fit
-  std::string parameters;      ///< fitted parameters of the law, as text for the legend
-  std::string failure_reason;  ///< reason why there is no fit; empty if there is one
+      fit_I;               ///< points of the fitted law of fractal aggregates; empty if it could not be fitted
+  std::string parameters;  ///< fitted parameters of the law of fractal aggregates, as text for the legend
+  std::string failure_reason;  ///< reason why this law could not be fitted; empty if it was fitted
 };
 
 /// Computes I(k), the scattered intensity of the indicator function of the grains at wave number k, and fits the law of

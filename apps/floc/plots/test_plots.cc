@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Indices of the columns of path.csv that a plot of tests needs.
+/// Indices of the columns of path.csv that axial_test_plot() needs.
 struct TestColumns {
   explicit TestColumns(const CsvTable& path) : axis(path.column("axis")), branch(path.column("branch")) {
     stress.push_back(path.column("stress_1"));
@@ -41,9 +41,9 @@ std::vector<double> sheared_row(const CsvTable& path, const TestColumns& columns
 
 using Rows = std::vector<std::vector<double>>;
 
-/// Computes the deviator q, the lateral stress ratio K0 and the strains of a row from its stresses and strains. The
-/// columns q and K0 of the table are not used, because in the row where a test starts they refer to the axis of the
-/// stage before.
+/// Computes the deviator q, the lateral stress ratio K0 and the strains of a test from the stresses and strains in a
+/// row of path.csv. The columns q and K0 of the table are not used, because in the row where a test starts they refer
+/// to the axis of the stage before.
 template <int Dim>
 AxialTest test_at(const CsvTable& path, const TestColumns& columns, int row, int axis, int first) {
   Vec<Dim> stress, strain;
@@ -65,8 +65,8 @@ plot data index 0 using 1:2 with linespoints pointtype 7 pointsize 0.4 linecolor
      data index 0 using 1:3 axes x1y2 with lines linewidth 2 linecolor rgb '#0072b2' title 'volumetric strain'
 )";
 
-/// Panel of the lateral stress ratio K0 against the driven stress. The panel is left out for simple shear, in which no
-/// axis is driven by a stress.
+/// gnuplot commands for the panel that shows the lateral stress ratio K0 against the driven stress. For simple shear
+/// there is no such panel, because no axis is driven by a stress.
 constexpr const char* kLateralPanel = R"(unset y2tics
 unset y2label
 set ytics mirror

@@ -15,7 +15,7 @@ namespace floc {
 /// driven stress. For simple shear, it plots the ratio tau/sigma of shear to normal stress against the shear strain.
 /// Each stage of the load path is a separate line.
 /// @param path  table path.csv of a run
-/// @throws InputError if a column is missing, or if no row belongs to such a test
+/// @throws InputError if a column is missing, or if no row belongs to a test with a driven axis
 Plot axial_test_plot(const CsvTable& path);
 
 /// Plots polar diagrams (roses) of the contact directions in one colour per state: all contacts as a full line, strong

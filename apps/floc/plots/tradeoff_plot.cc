@@ -14,8 +14,8 @@ namespace {
 /// Smallest relative error that is drawn. Smaller errors are drawn at this value, because the axis is logarithmic.
 constexpr double kSmallest = 1e-10;
 
-/// A curve of the plot: the measured settings of one parameter, including its value in the scene, in the order of their
-/// processor time.
+/// One curve of the plot: the errors and costs measured for several values of one parameter, in the order of the
+/// processor time that they take. The value that the scene gives is one of these values.
 struct ParameterCurve {
   std::string parameter;
   std::vector<const MeasuredSetting*> settings;
@@ -37,7 +37,8 @@ std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff) {
   return curves;
 }
 
-/// Adds one block of data per curve, with rows of relative cost, error of Phi and error of B.
+/// Returns a plot with one block of data per curve. Each row of a block has the relative cost, the error of Phi and the
+/// error of B for one value of the parameter.
 Plot blocks_of(const std::vector<ParameterCurve>& curves) {
   const auto drawn = [](const MeasuredSetting& m, std::size_t k) {
     return std::max(single_state_error(m.errors[k]), kSmallest);

@@ -6,8 +6,9 @@
 
 namespace floc {
 
-/// Plots the error of a state against the processor time per sample for the solid fraction Phi and the bulk modulus B,
-/// with one curve per parameter. Writes the picture F.svg, its data F.dat and its gnuplot script F.gp.
+/// Plots the errors of the solid fraction Phi and of the bulk modulus B of a state against the processor time per
+/// sample, with one curve per parameter of the scene. Writes the picture F.svg, its data F.dat and its gnuplot script
+/// F.gp.
 /// @throws InputError if the name does not end in .svg; IoError if a file cannot be written, or if gnuplot is missing
 /// or fails
 void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff);

@@ -28,12 +28,12 @@ pid_t start_floc(const std::vector<std::string>& arguments, const ChildOptions& 
 /// the number of the signal.
 int exit_code_of(int status);
 
-/// Waits until a child process ends; a signal to this process does not end the waiting. @return exit code of the child,
-/// as exit_code_of() returns it
+/// Waits until a child process ends, even if this process receives a signal. @return exit code of the child, as
+/// exit_code_of() returns it
 int wait_for(pid_t child);
 
-/// Installs signal handlers: SIGINT and SIGTERM no longer end this process. If run_floc() waits for a child at that
-/// moment, the child receives SIGTERM, at which a run writes its checkpoint and ends.
+/// Installs signal handlers, after which SIGINT and SIGTERM no longer end this process. If such a signal arrives while
+/// run_floc() waits for a child process, the child receives SIGTERM; a run then writes its checkpoint and ends.
 void pass_signals_on();
 
 /// Returns whether SIGINT or SIGTERM has arrived since pass_signals_on().

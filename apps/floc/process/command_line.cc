@@ -33,8 +33,9 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// Returns a message on the first argument that is not an option or a subcommand of `app`, or of the subcommand given
-/// to `app`. The message names the most similar option or command. Empty if all arguments are known.
+/// Returns a message on the first argument that is neither an option nor a subcommand of `app`. If there is none, the
+/// arguments of the subcommand that was given are searched in the same way. The message names the most similar option
+/// or command; it is empty if all arguments are known.
 /// @param called  name by which the user called `app`, such as "floc fit"
 std::string unknown_name(const CLI::App& app, const std::string& called) {
   const std::vector<CLI::App*> given = app.get_subcommands();
@@ -50,7 +51,8 @@ std::string unknown_name(const CLI::App& app, const std::string& called) {
   return given.empty() ? "" : unknown_name(*given.back(), called + " " + given.back()->get_name());
 }
 
-/// Type of the value of an option. For optional and for repeated options it is the type of a single value.
+/// Type of one value of an option. If the variable of the option is a std::optional or a std::vector, this is the type
+/// of its elements.
 template <class T>
 struct ValueOf {
   using Type = T;
@@ -60,8 +62,8 @@ struct ValueOf<std::optional<T>> : ValueOf<T> {};
 template <class T>
 struct ValueOf<std::vector<T>> : ValueOf<T> {};
 
-/// Checks the text of a number, and writes whole numbers in plain decimal digits. CLI11 itself would read "nan" and
-/// "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the largest seed.
+/// Checks the text that a user gave for a number, and rewrites whole numbers in plain decimal digits. CLI11 itself
+/// would read "nan" and "inf" as numbers, 0x10 as 16, 010 as 8, and -1 as the largest seed.
 /// @return error message; empty if the number is valid
 template <class Number>
 std::string read_number(std::string& given) {

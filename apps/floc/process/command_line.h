@@ -23,9 +23,9 @@ class Option {
   /// Makes the option take `count` values, or `least` to `most` values (-1: no limit).
   Option expected(int count);
   Option expected(int least, int most);
-  /// Makes the option also accept several values in one argument, separated by this character.
+  /// Makes the option also accept several values in one argument, separated by the character `between`.
   Option delimiter(char between);
-  /// Joins the values of an option that is given several times into one text, separated by this character.
+  /// Joins the values of an option that is given several times into one text, separated by the character `between`.
   Option joined(char between);
   /// Makes the option take only one argument each time it is given; the arguments after it are positional.
   Option one_argument_each();

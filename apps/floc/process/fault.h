@@ -5,13 +5,14 @@
 
 namespace floc {
 
-/// Outcome of a piece of work: its exit code or, if it threw, the exit code of the exception and a message for stderr.
+/// Outcome of a function: its exit code or, if it threw an exception, the exit code for this exception and a message
+/// for stderr.
 struct Fault {
   int code = 0;
   std::string message;
 };
-/// Runs `work` and catches its exceptions. @param file  name of the file that `work` processes; it is added to messages
-/// that do not contain it
+/// Runs `work` and catches its exceptions.
+/// @param file  name of the file that `work` processes; messages that do not contain this name get it as a prefix
 Fault fault_of(const std::string& file, const std::function<int()>& work);
 
 }  // namespace floc

@@ -30,7 +30,8 @@ void write_csv(const std::string& path, const Table& table) {
   if (path == "-")
     throw InputError(
         path,
-        "means standard output, which the first table of this command takes: expected the name of a file");
+        "this name means standard output, which the first table of this command takes: expected the name of a "
+        "file");
   std::ostringstream text;
   write_table(text, table, TableFormat::csv);
   write_bytes_atomically(path, text.str());

@@ -21,16 +21,16 @@ std::string duration_text(double seconds);
 /// kVerificationFailed, kDone.
 int worse(int a, int b);
 
-/// Adds the positional argument STATE..., which takes one or more files.
+/// Adds the positional argument STATE... to a command. It takes one or more files, whose names go to `files`.
 void add_states_argument(CommandLine app, std::vector<std::string>& files);
 
-/// Calls `work`, which returns an exit code, with each file name. If it throws, the error is printed on stderr, and the
-/// other files are still processed. @return worst of the exit codes
+/// Calls `work`, which returns an exit code, with each file name. If `work` throws, the error is printed on stderr, and
+/// the other files are still processed. @return worst of the exit codes
 int for_each_file(const std::vector<std::string>& files,
                   const std::function<int(const std::string& file)>& work);
 
-/// A function that processes a state read from a file and returns an exit code. The remarks that it makes are collected
-/// and printed after the last state, each once.
+/// A function that processes a state read from a file and returns an exit code. Its remarks on all states are collected
+/// and printed after the last state, each remark once.
 using StateWork = std::function<int(const std::string& file, const AnyState& state, const Remarks& remarks)>;
 
 /// Reads each file and calls `work` with its state. If a file cannot be read or `work` throws, the error and the name

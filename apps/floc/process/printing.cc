@@ -35,8 +35,8 @@ std::vector<std::string> names_printed_by(const std::string& command) {
   return printed.empty() ? with_option : printed;
 }
 
-/// Checks a chosen column name or pattern. @throws InputError if the command prints tables, but none of them has such a
-/// column
+/// Checks the name or pattern of a column that the user chose. @throws InputError if the command prints tables, but
+/// none of them has a column that fits this name or pattern
 void expect_column_of(const std::string& command, const std::string& chosen) {
   const std::vector<std::string> names = names_printed_by(command);
   const std::string pattern = pattern_of(chosen);
@@ -76,7 +76,7 @@ std::size_t printed_width(const Table& table) {
   return widest;
 }
 
-/// Returns the first of the wanted columns: as many as fit the width of the terminal, but at least one.
+/// Returns the first columns of `wanted`, as many as fit the width of the terminal, but at least one.
 Table fitting(const Table& table, const std::vector<std::string>& wanted) {
   const auto room = static_cast<std::size_t>(terminal_width());
   std::vector<std::size_t> shown;

@@ -15,17 +15,16 @@ struct Printing {
   std::string command;               ///< command that prints the table, such as "moduli" or "fit elastic"
 
   /// Adds a column, or the columns that match a pattern, to `columns`. @throws InputError if no table of the command
-  /// has such a column; the message names the most similar column
+  /// has a column that fits the pattern; the message names the most similar column
   void choose(const std::string& pattern);
 };
 
-/// Adds the option `--format table|csv|json` and, unless the command already has an option of that name, `--columns
-/// NAME,...`. If no table of the command has a chosen column, the program ends with an error before the command starts
-/// its work.
+/// Adds the option `--format table|csv|json` to a command, and the option `--columns NAME,...` unless the command
+/// already has an option called `--columns`. If no table of the command has a chosen column, the program ends with an
+/// error before the command starts its work.
 void add_printing_options(CommandLine app, Printing& printing);
 
-/// Converts a value of `--format` to a table format. If it is empty, the format is "table" on a terminal and "csv"
-/// otherwise.
+/// Converts a value of `--format` to a table format. An empty value means "table" on a terminal and "csv" otherwise.
 TableFormat chosen_format(const std::string& format);
 
 /// Returns the chosen columns of a table, in the order in which they were chosen. If no columns are chosen, returns all

@@ -13,12 +13,14 @@ namespace fs = std::filesystem;
 
 std::string table_of_run(const std::string& directory) {
   if (!fs::is_directory(directory))
-    throw InputError(directory, "is not a directory: expected a directory that floc run wrote");
+    throw InputError(directory, "this is not a directory: expected a directory that floc run wrote");
   const std::vector<std::string> tables = tables_of(directory);
   if (tables.size() != 1 || fs::path(tables.front()).parent_path() != fs::path(directory + "/").parent_path())
     throw InputError(
-        directory, fmt::format("holds {} samples of a scene: expected the directory of one sample, such as {}",
-                               tables.size(), fs::path(tables.front()).parent_path().string()));
+        directory,
+        fmt::format(
+            "this directory holds {} samples of a scene: expected the directory of one sample, such as {}",
+            tables.size(), fs::path(tables.front()).parent_path().string()));
   return tables.front();
 }
 
@@ -28,7 +30,8 @@ std::vector<std::string> states_of_run(const std::string& directory) {
   for (const auto& [step, file] : numbered_states(directory)) files.push_back(file);
   if (files.empty())
     throw InputError(directory,
-                     "holds no state-0000.h5: expected state files or a directory that floc run wrote");
+                     "this directory holds no state-0000.h5: expected state files or a directory that floc run "
+                     "wrote");
   return files;
 }
 
@@ -47,7 +50,8 @@ std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs
     for (const int step : steps) files.push_back(state_file(input, step));
   }
   if (!steps.empty() && !has_directory)
-    throw InputError("--steps", "chooses states of a directory that floc run wrote, but only files are given");
+    throw InputError("--steps",
+                     "this option chooses states of a directory that floc run wrote, but only files are given");
   return files;
 }
 

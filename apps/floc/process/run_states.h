@@ -6,7 +6,7 @@
 namespace floc {
 
 /// Returns the name of the file path.csv in the directory of a run.
-/// @throws InputError if there is no such file. For a directory with several samples of a scene (DIR/seed-N), the
+/// @throws InputError if the directory has no path.csv. If it holds several samples of a scene (DIR/seed-N), the
 /// message names the directory of one sample
 std::string table_of_run(const std::string& directory);
 
@@ -20,13 +20,14 @@ std::vector<std::string> states_of_run(const std::string& directory);
 std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs,
                                           const std::vector<int>& steps = {});
 
-/// Returns the state files that a picture or plot shows. They are the files that states_of_inputs() returns, but if
-/// `steps` is empty, only `count` states of each directory, spread evenly from the first state to the last.
+/// Returns the state files that a picture or plot shows. If `steps` is given, they are the files that
+/// states_of_inputs() returns. If `steps` is empty, they are the given files and `count` states of each directory,
+/// spread evenly from the first state to the last.
 std::vector<std::string> drawn_states(const std::vector<std::string>& inputs, const std::vector<int>& steps,
                                       int count);
 
-/// Returns the numbers of `count` states of a run, spread evenly from the first state to the last (for a count of 1,
-/// the last). A run with fewer states gives the numbers of all its states.
+/// Returns the numbers of `count` states of a run, spread evenly from the first state to the last. For `count` = 1,
+/// returns the last state; for a run with fewer states, returns all of them.
 std::vector<int> spread_steps(const std::string& directory, int count);
 
 }  // namespace floc

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Calls `work` on every process of a solver. If errors occur, only the first process on which one occurred prints its
-/// error.
+/// Calls `work` on every process of a solver. If errors occur on several processes, only the first of these processes
+/// prints its error.
 /// @return exit code of that process, the same on all processes
 int together(ParallelSolver& solver, const std::string& file, const std::function<int()>& work) {
   const Fault fault = fault_of(file, work);
@@ -36,7 +36,8 @@ std::vector<std::string> files_of(const std::string& argument) {
 
 void require_file(const std::string& file, const ParallelSolver& solver) {
   if (file == "-" && solver.size() > 1)
-    throw InputError(file, "means stdin, which only one process can read: expected the name of a file");
+    throw InputError(file,
+                     "this name means stdin, which only one process can read: expected the name of a file");
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ int for_each_state_together(const std::vector<std::string>& files, ParallelSolve
     const Fault fault = fault_of(file, [&] { return work(file, state, remarks), int{kDone}; });
     if (fault.code == kDone) return kDone;
     // If the network has no moduli, all processes find this, and the first process reports it. Any other error may
-    // occur on some processes only, and the others would wait for them forever, so it ends all processes.
+    // occur on some processes only. It ends all processes, because the others would wait for them forever.
     if (speaks || fault.code != kNotConverged) std::cerr << "floc: " << fault.message << '\n';
     if (fault.code != kNotConverged && solver.size() > 1) solver.abort(fault.code);
     return fault.code;

@@ -32,7 +32,7 @@ class Forces(Record):
 
 
 class Compliance(Record):
-    """A compliance of a chain: formula (closed form), solved (of the network) and error_bound (of solved)."""
+    """A compliance of a chain: formula (closed form), solved (from the network) and error_bound (of solved)."""
 
 
 class Chain(Record):
@@ -54,7 +54,7 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
     tolerance : float, optional
         Largest relative error of B and G [1e-10].
     method : {"factor", "single-factor", "iterative", "bounds"}
-        Method of solution. The last three are approximate, and the row has the errors of their results.
+        Method of solution. The last three methods are approximate; the result has their errors.
     accuracy : float or dict, optional
         Relative errors of B and G that are acceptable, such as ``1e-3`` or ``{"B": 1e-3}``. The cheapest method with
         smaller errors is chosen.
@@ -65,8 +65,8 @@ def moduli(state, strains="diagonal", *, prestress=False, tolerance=None, method
         Rolling stiffness K_R of every touching contact instead of the value in the state (force length). A sequence
         gives one row per value.
     tables : sequence of str
-        Further tables. "increments": for each contact, its changes under a unit of isotropic and of deviatoric
-        stress.
+        Additional tables to compute. "increments": for each contact, the changes of its force under an isotropic and a
+        deviatoric stress of 1.
     force : bool
         Whether to accept states that are not in equilibrium, with a warning.
 
@@ -107,19 +107,19 @@ def network(state, *, zero_force=None, least_contacts=None, unit="mean", bin_wid
         Normal force below which a force counts as zero, in units of max(F0, P a^(d-1)) [the force tolerance of the
         state].
     least_contacts : int, optional
-        Smallest number of contacts with a larger force that a grain of the force-carrying structure has [2 if some
-        contact carries a tangential force, otherwise d + 1].
+        A grain belongs to the force-carrying structure if it has at least this number of contacts whose force is not
+        zero [2 if some contact carries a tangential force, otherwise d + 1].
     unit : {"mean", "F0", "P"}, bin_width : float
         Unit of force and width of the bins in the table "pdf" ("mean": the mean force).
     groups : sequence of {"bonds", "phases"}
-        Groups of further columns.
+        Groups of additional columns to compute.
     near_zero : float, shuffles : int, pressure_bin_width : float
-        As the options ``--near-zero``, ``--shuffles`` and ``--pressure-bin-width``.
+        As the options ``--near-zero``, ``--shuffles`` and ``--pressure-bin-width`` of ``floc network``.
     without : sequence of {"mechanics"}
         Groups of columns that are not computed but None. "mechanics": the columns that need the moduli, which take
         most of the time for a large packing; they are None for a state with walls in any case.
     tables : sequence of str
-        Further tables: "pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours",
+        Additional tables to compute: "pdf", "particle_stress", "exponents", "pressure_pdf", "like_neighbours",
         "clusters".
 
     Returns
@@ -142,13 +142,13 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
     ----------
     state : State, path-like, or a sequence of them
     average : bool
-        Whether to add a last row for all states together, as samples of one ensemble.
+        Whether to add a last row for all states together, which are then samples of one ensemble.
     fit_range : (float, float)
         Lowest and highest wave number of the fit, in units of 2 pi over the largest diameter.
     largest_k, cells_per_wave, reach, map_size, probes, profile_axis, slices
         As the options of these names of ``floc structure``.
     tables : sequence of str
-        Further tables: "intensity", "pair_correlation", "gaps", "pores", "map", "prediction",
+        Additional tables to compute: "intensity", "pair_correlation", "gaps", "pores", "map", "prediction",
         "porosity", "profile".
 
     Returns
@@ -158,7 +158,7 @@ def structure(state, *, average=False, fit_range=(0.0, 1.0), largest_k=None, cel
     Raises
     ------
     InputError
-        If the state has walls and other tables than "pair_correlation", "porosity" and "profile" are requested.
+        If a state has walls, and a table other than "pair_correlation", "porosity" and "profile" is requested.
     """
     states, single = states_of(state)
     table, further = _core.structure(
@@ -178,7 +178,7 @@ def compare(before, after, *, rigid_tolerance=0.01, tables=()):
         Tolerance for contacts that move as a rigid body: largest distance between the two contact points after the
         change, in largest diameters, and largest difference of the rotations of the two grains, in radians.
     tables : sequence of str
-        Further tables: "displacements" (one row per grain) and "contacts" (one row per contact: kept,
+        Additional tables to compute: "displacements" (one row per grain) and "contacts" (one row per contact: kept,
         lost or gained).
 
     Returns
@@ -188,7 +188,7 @@ def compare(before, after, *, rigid_tolerance=0.01, tables=()):
     Raises
     ------
     InputError
-        If the grains are not the same.
+        If the two states do not have the same grains.
     """
     (first,), _ = states_of(before)
     (second,), _ = states_of(after)

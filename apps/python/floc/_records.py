@@ -19,7 +19,7 @@ def columns(table):
     Returns
     -------
     list of (str, str, str)
-        A letter ``?`` in a name stands for an index.
+        One (name, unit, meaning) per column. A letter ``?`` in a name stands for an index.
     """
     if table in _REFERENCE:
         return list(_REFERENCE[table])
@@ -40,8 +40,8 @@ def with_columns(table):
 class Record(collections.abc.Mapping):
     """A row of a table: each column is an attribute and a key; None where a value is not defined.
 
-    ``tables`` holds the further tables that the caller requested. Each is a dict with one array per column, from which
-    ``pandas.DataFrame(table)`` makes a data frame.
+    ``tables`` holds the additional tables that the caller requested. Each is a dict with one array per column, from
+    which ``pandas.DataFrame(table)`` makes a data frame.
     """
 
     def __init__(self, names, values, tables=None):
@@ -79,7 +79,7 @@ class Record(collections.abc.Mapping):
 
 
 class Records(list):
-    """A list of rows, one or more per state. ``tables`` holds the further tables of all states."""
+    """A list of rows, one or more per state. ``tables`` holds the additional tables, each for all states."""
 
     def __init__(self, rows, tables=None):
         super().__init__(rows)

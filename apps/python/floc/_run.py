@@ -31,7 +31,7 @@ class Run:
     def __init__(self, directory):
         self.directory = pathlib.Path(directory)
         if not self.directory.is_dir():
-            raise InputError(f"{directory}: is not a directory: expected a directory that floc run wrote")
+            raise InputError(f"{directory}: this is not a directory: expected a directory that floc run wrote")
 
     @property
     def states(self):
@@ -88,7 +88,7 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
     resume, overwrite : bool
         Whether to continue the run in the directory, if there is one, or to replace it.
     timing : bool
-        Whether path.csv has the duration of each step. Without it, equal runs write equal files.
+        Whether path.csv has the duration of each step. Without durations, equal runs write equal files.
 
     Returns
     -------

@@ -218,12 +218,13 @@ def _one(state):
 
 
 def unmasked(name, values):
-    """Returns the values, unless some are masked: a masked entry has no value, so this raises InputError."""
+    """Returns `values`. Raises InputError if an entry is masked, because a masked entry has no value."""
     parts = [((k,), one) for k, one in enumerate(values)] if isinstance(values, (list, tuple)) else [((), values)]
     for at, part in parts:
         if isinstance(part, np.ma.MaskedArray) and np.ma.getmaskarray(part).any():
             at += tuple(int(i) for i in np.argwhere(np.ma.getmaskarray(part))[0])
-            raise InputError(f"{name}[{', '.join(map(str, at))}]: is masked, expected a value: leave masked entries out")
+            raise InputError(f"{name}[{', '.join(map(str, at))}]: this entry is masked, expected a value: leave masked "
+                             "entries out")
     return values
 
 
@@ -246,12 +247,12 @@ def _numbers(name, values):
 # Names of the arrays that may describe contacts; a structured array or data frame may have further fields.
 _CONTACT_NUMBERS = ("image", "force", "normal_force", "shear_force", "rolling_moment", "twisting_moment", "kn", "kt", "kr",
                     "ktw", "bridge_volume")
-# Fields that are zero in the contacts of a state if its law has no such moments.
+# Fields of the contacts of a state, all zero if its law has no rolling or twisting moments; they are then left out.
 _MOMENTS = ("rolling_moment", "twisting_moment")
 
 
 def _integers(name, array):
-    """Converts an array to integers. They may be given as real numbers, as in a table that numpy.loadtxt has read."""
+    """Converts an array to integers. Whole numbers of a real type are accepted too: numpy.loadtxt reads them so."""
     if np.issubdtype(array.dtype, np.integer):
         return array
     whole = np.issubdtype(array.dtype, np.floating) and (np.abs(array) <= 2.0**53) & (array == np.floor(array))

@@ -106,7 +106,7 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     weights : {"uniform", "relative", "scatter"}, optional
     loss : {"squared", "huber", "cauchy"}
     bootstrap : int
-        Number of resampled fits, from which further errors are computed; 0 for none.
+        Number of resampled fits, from which additional errors are computed; 0 for none.
     seed : int
         Seed of the resampling.
     stress : {"driven", "mean"}, columns : dict
@@ -161,8 +161,8 @@ def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, stat
     pressure, solid_fraction, void_ratio, branch, columns
         As in `consolidation`; the pressures are P.
     state : path-like, optional
-        State file; its modulus, computed from the contact network, is given in addition to the fit [for tables, the
-        state at the start of the branch, if its file is in the directory of the table].
+        State file. The modulus of this state, computed from its contact network, is given in addition to the fit [for
+        tables, the state at the start of the branch, if its file is in the directory of the table].
 
     Returns
     -------
@@ -196,12 +196,12 @@ def dynamic_compaction(e, p, sc, se, *, p_D=None, eta_m=None, plateau="p", p_0=N
     Parameters
     ----------
     e, p, sc, se : array_like, (n,)
-        Void ratio, pressure, f_c/d^2 (cohesive force f_c, diameter d) and k_n/d (stiffness k_n) of each sample; the
-        last three in equal units.
+        Void ratio, pressure, f_c/d^2 (cohesive force f_c, diameter d) and k_n/d (normal stiffness k_n) of each sample;
+        the last three in equal units.
     p_D : float, optional
         Pressure at which the plateau is e_min + De [0.01].
     eta_m : float, optional
-        eta* at which (1 - e_r)/e_r = s_m [0.045].
+        Reduced cohesion eta* at which (1 - e_r)/e_r = s_m [0.045].
     plateau : {"p", "p_crit"}
         Pressure at which the plateau is evaluated.
     p_0 : float, optional
@@ -256,10 +256,10 @@ def _flat(name, values):
     except (TypeError, ValueError) as error:
         raise InputError(f"{name}: expected an array of numbers: {error}") from None
     if array.ndim != 1:
-        raise InputError(f"{name}: has shape {array.shape}, expected (n,)")
+        raise InputError(f"{name}: this array has shape {array.shape}, expected (n,)")
     if not np.isfinite(array).all():
         at = int(np.flatnonzero(~np.isfinite(array))[0])
-        raise InputError(f"{name}[{at}]: is {array[at]}, expected a finite number")
+        raise InputError(f"{name}[{at}]: this number is {array[at]}, expected a finite number")
     return array
 
 
@@ -274,7 +274,7 @@ def _samples(pressure, solid_fraction, void_ratio, branch):
     what = "solid_fraction" if void_ratio is None else "void_ratio"
     if isinstance(pressure, (list, tuple)) and len(pressure) > 0 and np.ndim(pressure[0]) > 0:
         if len(density) != len(pressure):
-            raise InputError(f"{what}: has {len(density)} samples, but pressure has {len(pressure)}")
+            raise InputError(f"{what}: this argument has {len(density)} samples, but pressure has {len(pressure)}")
         branches = branch if branch is not None else [None] * len(pressure)
         return [_sample(f"arrays {k}", *one, what, void_ratio is not None)
                 for k, one in enumerate(zip(pressure, density, branches))]
@@ -284,8 +284,9 @@ def _samples(pressure, solid_fraction, void_ratio, branch):
 def _sample(name, pressure, density, branch, what, is_void_ratio):
     pressure, density = _flat("pressure", pressure), _flat(what, density)
     if density.shape != pressure.shape:
-        raise InputError(f"{what}: has shape {density.shape}, expected {pressure.shape}, as pressure has")
+        raise InputError(f"{what}: this array has shape {density.shape}, expected the shape of pressure, "
+                         f"{pressure.shape}")
     branches = [] if branch is None else [str(one) for one in branch]
     if branches and len(branches) != len(pressure):
-        raise InputError(f"branch: has {len(branches)} names, expected {len(pressure)}, as pressure has")
+        raise InputError(f"branch: this argument has {len(branches)} names, expected one per pressure, {len(pressure)}")
     return name, pressure, density, is_void_ratio, branches

@@ -11,15 +11,15 @@
 namespace floc {
 namespace {
 
-/// Smallest number of time steps dt in which the fastest grain, of speed v, may cross the range D0 of the
-/// adhesion of a grain at rest (v dt << D0).
+/// The time step is so short that the fastest grain takes at least this number of time steps to cross the range of the
+/// adhesion. Otherwise it could pass another grain without being attracted.
 constexpr double kStepsAcrossTail = 3.0;
-/// Distance between two clusters, in addition to the range of the contact law, at which their flight ends and
-/// they are again moved in time steps (in largest diameters).
+/// Distance between the surfaces of two clusters at which their free flight ends, and from which on they are moved in
+/// time steps again. It is added to the range of the contact law (in largest diameters).
 constexpr double kFlightClearance = 1e-3;
 
-/// Returns the time step of the options, shortened if the fastest grain would otherwise jump over the range of
-/// the adhesion.
+/// Returns the time step that the options give, shortened if the fastest grain would otherwise jump over the range of
+/// the adhesion (time).
 template <int Dim>
 double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const double step = time_step_of(packing, options.time_step);
@@ -60,9 +60,9 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Skips the time in which clusters only drift towards each other without inner motion. This may be most of the
-/// time.
-/// @return time skipped
+/// Moves the clusters as rigid bodies through the time in which they only drift towards each other, without motion
+/// inside them. An aggregation may consist mostly of such times.
+/// @return time that was skipped; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {
   if (n_clusters_ == 1) return 0.0;

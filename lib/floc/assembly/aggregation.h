@@ -8,31 +8,34 @@
 
 namespace floc {
 
-/// Returns the number of clusters of a packing: sets of grains joined by contacts or by attractions across a
-/// gap (docs/physics.md, "Assembly and loading"). A grain without interactions counts as a cluster.
+/// Returns the number of clusters of a packing. A cluster is a set of grains that are joined by contacts or by
+/// attractions across a gap (docs/physics.md, "Assembly and loading"). A grain that interacts with no other grain
+/// counts as a cluster.
 template <int Dim>
 int count_clusters(const Packing<Dim>& packing);
 
-/// Aggregation, the second stage of the assembly of type 2: moving grains in a fixed cell collide and stick
-/// together until they form one cluster. Like Relaxer, it advances in chunks of time steps.
+/// Aggregation of a gas of grains: in a fixed cell the moving grains collide and stick together until they form one
+/// cluster. It is the second stage of an assembly of type 2 (docs/physics.md, "Assembly and loading"). Like Relaxer,
+/// this class advances in chunks of time steps.
 template <int Dim>
 class Aggregation {
  public:
   /// @param skin  first guess of the skin of the Verlet lists of neighbours (length); 0 if there is no guess
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// Advances by one chunk of time steps. Before it, time in which clusters only drift is skipped
-  /// (ClusterFlight).
+  /// Advances by one chunk of time steps. If clusters only drift before they meet, this time is skipped first (see
+  /// ClusterFlight).
   /// @return true when all grains form one cluster
   bool advance();
-  /// Sets the observer that follows the motion of the packing.
+  /// Sets the observer, a function that is called while the packing moves.
   void set_observer(MotionObserver<Dim> observer) { observer_ = std::move(observer); }
 
   const Packing<Dim>& packing() const& { return packing_; }
   Packing<Dim> packing() && { return std::move(packing_); }
   int n_clusters() const { return n_clusters_; }
   double skin() const { return skin_; }
-  /// Returns the simulated time of the last chunk, including the flight of clusters before it (time).
+  /// Returns the simulated time that the last call of advance() covered: the skipped drift of clusters and the chunk of
+  /// time steps after it (time).
   double chunk_time() const;
 
  private:
@@ -40,8 +43,8 @@ class Aggregation {
 
   RelaxationOptions options_;
   Packing<Dim> packing_;
-  double time_step_ = 0.0;    ///< time step of the last chunk
-  double flight_time_ = 0.0;  ///< duration of the flight of clusters before the last chunk
+  double time_step_ = 0.0;    ///< time step in the last chunk of time steps (time)
+  double flight_time_ = 0.0;  ///< time of drifting clusters that was skipped before the last chunk (time)
   double skin_;
   int n_clusters_;
   MotionObserver<Dim> observer_;

@@ -6,33 +6,35 @@
 
 namespace floc {
 
-/// Boundary of a box across one axis.
+/// Kind of the two faces of a box that are perpendicular to one axis.
 enum class BoxSide {
-  walls,     ///< two walls that move under the pressure of the load path
+  walls,     ///< two walls that move under the imposed pressure
   fixed,     ///< two walls that do not move
   periodic,  ///< no walls: a periodic boundary; the length of the box along this axis is constant
 };
 
-/// Box with walls in which a packing is assembled, in place of a periodic cell.
+/// Box with walls in which grains are packed. It replaces the periodic cell.
 struct BoxOptions {
-  /// Sides of the box at the start (length). If the solid fraction of the gas is given, only their proportions
-  /// matter.
+  /// Sides of the box at the start (length). If the solid fraction of the gas is given, it determines the size of the
+  /// box, and only the ratios of these sides matter.
   Vec<3> sides = Vec<3>::Ones();
   std::array<BoxSide, 3> boundary = {BoxSide::walls, BoxSide::walls, BoxSide::walls};
-  double mass = 1.0;              ///< mass of a wall divided by the mass of the largest grain
-  double friction = 0.0;          ///< friction coefficient between grains and walls
-  double adhesion = 0.0;          ///< pull-off force between grains and walls (force)
-  double kinetic_pressure = 0.0;  ///< density times mean squared speed of the gas at the start (pressure)
+  double mass = 1.0;      ///< mass of a wall divided by the mass of the largest grain
+  double friction = 0.0;  ///< friction coefficient between grains and walls
+  double adhesion = 0.0;  ///< pull-off force between grains and walls (force)
+  /// mass density of the gas at the start times the mean squared speed of its grains (pressure)
+  double kinetic_pressure = 0.0;
 };
 
-/// Returns the contact law between grains and walls: the law of the grains with the friction and the adhesion
-/// of the walls. Walls without friction do not resist rolling or twisting either, and there are no liquid
+/// Returns the contact law between grains and walls: that between two grains, with the friction coefficient and the
+/// pull-off force of the walls. Walls without friction do not resist rolling or twisting either. There are no liquid
 /// bridges to walls.
-/// @pre the law of the grains has friction if the walls have friction
+/// @param grains  contact law between two grains
+/// @pre the contact law between two grains has friction if the walls have friction
 Law wall_law(const Law& grains, const BoxOptions& box);
 
-/// Returns walls at rest around a packing, as far apart as the sides of its cell are long.
-/// @param lowest  position of the lower wall of each axis (length)
+/// Returns walls at rest around a packing. Opposite walls are as far apart as the cell of the packing is long.
+/// @param lowest  for each axis, the coordinate of the wall with the smaller coordinate (length)
 template <int Dim>
 std::vector<Wall<Dim>> walls_around(const Packing<Dim>& packing, const BoxOptions& box, const Vec<Dim>& lowest);
 

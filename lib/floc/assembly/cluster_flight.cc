@@ -12,24 +12,25 @@
 namespace floc {
 namespace {
 
-/// Distance up to which pairs of close surfaces of two clusters are searched (in largest diameters). Surfaces
-/// that the search does not find are at least this far apart.
+/// Distance up to which pairs of grains of different clusters are searched, beyond the distance at which the flight
+/// ends (in largest diameters). The surfaces of all other pairs are farther apart.
 constexpr double kSearchDistance = 0.1;
-/// Largest number of flights in a row. Each flight lasts as long as the lower bound of the time to the next
-/// meeting.
+/// Largest number of parts into which one call of fly() divides the flight. Each part lasts as long as certainly no two
+/// clusters meet.
 constexpr int kMaxFlights = 1000;
 
-/// Upper bound of the rotation of a tumbling cluster in one integration step (radians).
+/// Largest angle by which a tumbling cluster may turn in one step of the time integration (radians).
 constexpr double kTumblingStep = 0.02;
 
-/// Grain that interacts with another grain, with the periodic image in which it does.
+/// Neighbour of a grain: the index of the other grain, and the periodic image of it that touches or attracts the grain.
 template <int Dim>
 struct Neighbor {
   int grain;
   Vec<Dim, int> image;
 };
 
-/// Returns the moment of inertia of a point of mass 1 at the end of an arm from the centre.
+/// Returns the moment of inertia of a mass 1 at a point.
+/// @param arm  vector from the centre of rotation to the point
 Mat<1> point_inertia(const Vec<2>& arm) {
   return Mat<1>(arm.squaredNorm());
 }
@@ -44,8 +45,9 @@ RotationVector<3> spin_of(const Mat<3>& inertia, const RotationVector<3>& angula
   return inertia.ldlt().solve(angular_momentum);
 }
 
-/// Returns an upper bound of the magnitude of the spin of a free body that has the rotational energy of its
-/// present spin.
+/// Returns an upper bound on the spin of a freely rotating body. In 3D the spin changes while the body tumbles, but its
+/// rotational energy does not.
+/// @param spin  present spin of the body
 double fastest_spin(const Mat<1>&, const RotationVector<2>& spin) {
   return std::abs(spin[0]);
 }
@@ -62,7 +64,7 @@ struct Attitude<2> {
   double angle = 0.0;
   RotationVector<2> spin;
 
-  /// @param flown  time since the flight began
+  /// @param flown  time since the flight of the cluster began
   void advance(const Mat<1>&, const RotationVector<2>&, double /*time*/, double flown) {
     angle = flown * spin[0];
   }
@@ -74,11 +76,11 @@ struct Attitude<3> {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   RotationVector<3> spin;
 
-  /// Integrates Euler's equations of rotation by the Runge-Kutta method of fourth order. The angular momentum
-  /// is constant, and the moment of inertia turns with the body.
+  /// Integrates Euler's equations for the rotation of a rigid body over `time`, by the Runge-Kutta method of fourth
+  /// order. The angular momentum is constant, and the moment of inertia turns with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
     if (spin_at_start.isZero(0.0))
-      return;  // also holds for clusters that wind around the cell, which have no moment of inertia
+      return;  // clusters that touch their own periodic image also have spin 0, and no moment of inertia
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
     const auto spin_at = [&](const Eigen::Quaterniond& q) {
@@ -105,8 +107,9 @@ struct Attitude<3> {
   void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
 
-/// Turns the tangential history of every contact with its cluster. Normals are not turned, because they are not
-/// read before contacts are searched again.
+/// Turns the tangential vectors in the history of every contact (for example the elongations of springs) with the
+/// cluster of the contact. Contact normals are not turned, because they are computed anew before they are used.
+/// @param turned  function that turns a vector with the cluster of a grain
 template <class Turned>
 void turn_history(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
@@ -124,8 +127,8 @@ ClusterFlight<Dim>::ClusterFlight(const Packing<Dim>& packing) {
   find_motions(packing);
 }
 
-/// Finds the clusters and the unwrapped positions of their grains, by a search along contacts from the first
-/// grain of each cluster.
+/// Finds the clusters by a search along contacts, from the first grain of each cluster. Also finds positions of the
+/// grains such that no periodic boundary separates the grains of a cluster.
 template <int Dim>
 void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -145,8 +148,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
     std::vector<int> reached{first};
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
-      // A grain is placed in the periodic image in which the search first reached it. The positions of the
-      // grains of a cluster then form one connected body, even if the faces of the cell cut the cluster.
+      // The grain is placed at the periodic image at which the search reached it first. The grains of a cluster then
+      // form one connected body, even if a face of the cell cuts the cluster.
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
       for (const Neighbor<Dim>& neighbor : neighbors[i]) {
         const int j = neighbor.grain;
@@ -156,7 +159,7 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
           image[j] = there;
           reached.push_back(j);
         } else if (image[j] != there) {
-          // Contacts connect a grain to its own image. Such a cluster has neither a centre nor a moment of
+          // Contacts connect the cluster to its own periodic image. It then has neither a centre nor a moment of
           // inertia.
           cluster.winds = true;
         }
@@ -183,7 +186,7 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
     if (cluster.winds) continue;
     const Vec<Dim> arm = place_[i] - cluster.centre;
     cluster.inertia += g.inertia(i) * Mat<kRotations<Dim>>::Identity() + g.mass[i] * point_inertia(arm);
-    // Angular momentum of the cluster, from which its spin is computed below.
+    // The member `spin` first collects the angular momentum of the cluster; the spin is computed from it below.
     cluster.spin += g.inertia(i) * g.angular_velocity[i] +
                     moment<double>(arm, Vec<Dim>(g.mass[i] * (g.velocity[i] - cluster.velocity)));
     cluster.reach = std::max(cluster.reach, arm.norm());
@@ -203,8 +206,9 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
-/// Returns a lower bound of the time until two clusters are within the distance `nearest`. Two surfaces
-/// approach no faster than the sum of the speeds of their clusters plus spin times reach of each cluster.
+/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). Two
+/// surfaces approach no faster than the relative speed of the centres of their clusters plus, for each of the two
+/// clusters, its largest spin times the distance of its farthest grain from its centre.
 template <int Dim>
 double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
@@ -251,8 +255,7 @@ double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double lon
     const Attitude<Dim>& now = attitude[cluster_of_[i]];
     g.velocity[i] = cluster.velocity + now.turned(Vec<Dim>(g.velocity[i] - cluster.velocity));
     if constexpr (Dim == 3) {
-      // Difference between the spin and the initial spin turned with the body; it is zero unless the body
-      // tumbles.
+      // Change of the spin relative to the cluster; it is zero unless the cluster tumbles.
       const RotationVector<Dim> change = now.spin - now.turned(cluster.spin);
       g.velocity[i] += cross<double>(change, now.turned(Vec<Dim>(place_[i] - cluster.centre)));
       g.angular_velocity[i] = now.turned(g.angular_velocity[i]) + change;

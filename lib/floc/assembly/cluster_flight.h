@@ -4,44 +4,49 @@
 
 namespace floc {
 
-/// Free flight of clusters of grains that do not interact, as rigid bodies (tumbling in 3D). Clusters have no
-/// effect on each other until they meet. Once the motion inside each cluster has died out, the time until the
-/// next meeting can be skipped.
+/// Free flight of clusters: of sets of grains that touch or attract each other. Until two clusters meet, no force acts
+/// between them, and each moves as a rigid body (in 3D it tumbles). Once the motion inside each cluster has died out,
+/// the time until the next meeting can therefore be skipped.
 template <int Dim>
 class ClusterFlight {
  public:
-  /// Finds the clusters of a packing (count_clusters()) and the rigid motion of each cluster. The motion
-  /// follows from the momentum of the cluster and, unless the cluster winds around the periodic cell, from its
-  /// angular momentum.
+  /// Finds the clusters of a packing (see count_clusters()) and the rigid motion of each cluster. The velocity of a
+  /// cluster follows from its momentum, and its spin from its angular momentum. A cluster that touches its own periodic
+  /// image gets no spin.
   explicit ClusterFlight(const Packing<Dim>& packing);
 
-  /// Returns the kinetic energy of the motions inside clusters, averaged over all grains (energy).
+  /// Returns the mean kinetic energy of a grain in its motion relative to its cluster, which moves as a rigid body
+  /// (energy).
   double inner_energy() const { return inner_energy_; }
 
-  /// Moves the clusters until the surfaces of two clusters are within a distance `nearest` of each other
-  /// (length), or the time `longest` has passed. Positions are not wrapped into the cell, which does not move.
-  /// @return duration of the flight
+  /// Moves all clusters as rigid bodies until the surfaces of two clusters are within the distance `nearest` of each
+  /// other, or until the time `longest` has passed. The cell does not move; positions of grains may end outside of it.
+  /// @param nearest  distance between two surfaces at which the flight ends (length)
+  /// @param longest  longest duration of the flight (time)
+  /// @return duration of the flight (time)
   double fly(Packing<Dim>& packing, double nearest, double longest) const;
 
  private:
   struct Cluster {
-    Vec<Dim> centre = Vec<Dim>::Zero();  ///< centre of mass
+    Vec<Dim> centre = Vec<Dim>::Zero();  ///< centre of mass of the cluster (length)
     Vec<Dim> velocity = Vec<Dim>::Zero();
     double mass = 0.0;
     RotationVector<Dim> spin = RotationVector<Dim>::Zero();
-    Mat<kRotations<Dim>> inertia = Mat<kRotations<Dim>>::Zero();  ///< moment of inertia about `centre`
-    /// Upper bound of the magnitude of the spin in free flight.
+    /// moment of inertia about the centre of mass
+    Mat<kRotations<Dim>> inertia = Mat<kRotations<Dim>>::Zero();
+    /// Upper bound on the spin of the cluster at any time of its flight; in 3D the spin changes.
     double fastest_spin = 0.0;
-    double reach = 0.0;  ///< largest distance of the centre of a grain from `centre`
-    bool winds = false;  ///< whether the cluster is connected to itself across the periodic cell
+    double reach = 0.0;  ///< largest distance from the centre of mass to the centre of a grain (length)
+    bool winds = false;  ///< whether contacts connect the cluster to its own periodic image
   };
 
   void unwrap(const Packing<Dim>& packing);
   void find_motions(const Packing<Dim>& packing);
   double time_to_meet(const Packing<Dim>& packing, double nearest) const;
 
-  std::vector<int> cluster_of_;  ///< index of the cluster of each grain
-  /// Position of the centre of each grain in its connected cluster, not wrapped into the cell (length).
+  std::vector<int> cluster_of_;  ///< for each grain, the index of its cluster
+  /// Position of each grain such that the grains of a cluster are connected directly, not across a periodic boundary
+  /// (length). It may lie outside of the cell.
   std::vector<Vec<Dim>> place_;
   std::vector<Cluster> clusters_;
   double inner_energy_ = 0.0;

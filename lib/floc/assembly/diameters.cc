@@ -8,26 +8,26 @@
 namespace floc {
 namespace {
 
-/// Solves (d^s - min^s)/(max^s - min^s) = share for the diameter d, with s = 1 - exponent. It is solved from
-/// the end of the range of diameters at which no term overflows.
+/// Returns the diameter d at which (d^s - min^s)/(max^s - min^s) = share, with s = 1 - exponent. The formula starts
+/// from min or from max, so that no power overflows.
 double power_law_quantile(const DiameterDistribution& d, double share) {
   const double s = 1.0 - d.exponent, range = std::log(d.max / d.min);
-  // For such small s, d^s is linear in ln d up to rounding.
+  // If s is this small, d^s is a linear function of ln d up to rounding errors.
   if (std::abs(s * range) < 1e-9) return d.min * std::exp(share * range);
   if (s > 0.0) return d.max * std::exp(std::log1p((1.0 - share) * std::expm1(-s * range)) / s);
   return d.min * std::exp(std::log1p(share * std::expm1(s * range)) / s);
 }
 
-/// Returns the probability that a standard normal variable lies between x and y, x <= y. It is computed in the
-/// tail in which no digits cancel.
+/// Returns the probability that a standard normal variable lies between x and y, x <= y. If both are positive, it is
+/// computed from the mirrored interval, because a difference of two numbers close to 1 would lose digits.
 double normal_share(double x, double y) {
   if (x > 0.0) return normal_share(-y, -x);
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); };
   return below(y) - below(x);
 }
 
-/// Returns the value y at which normal_share(low, y) is `share` times normal_share(low, high), by bisection to
-/// rounding.
+/// Returns the value y between low and high at which normal_share(low, y) is `share` times normal_share(low, high). It
+/// is found by bisection, exactly up to rounding.
 double normal_quantile(double low, double high, double share) {
   const double all = normal_share(low, high);
   double inside = low, outside = high;

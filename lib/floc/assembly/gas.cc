@@ -13,17 +13,21 @@
 namespace floc {
 namespace {
 
-/// Largest solid fraction at which grains can be placed one by one at random without long searches.
+/// Largest solid fraction at which grains are placed at random with their final diameters. At higher ones, finding free
+/// places would take too long, so grains are placed smaller and grow afterwards.
 template <int Dim>
 constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
-/// Number of Monte Carlo moves per grain after the grains have their final diameters. Grains then move by
-/// several mean free paths, so that their first positions have no effect.
+/// Number of Monte Carlo moves of each grain after all grains have their final diameters. In these moves a grain
+/// travels several mean free paths, so that its first position has no effect on the gas.
 constexpr int kShuffleSweeps = 200;
-constexpr int kMaxSweeps = 20000;  ///< number of sweeps after which growing the grains has failed
-constexpr double kGrowth = 1.01;   ///< factor by which all diameters grow whenever no grains overlap
-/// Distance to which overlapping grains are pushed apart, divided by the contact distance.
+/// number of Monte Carlo sweeps after which growing the grains counts as failed
+constexpr int kMaxSweeps = 20000;
+constexpr double kGrowth = 1.01;  ///< factor by which all diameters grow whenever no grains overlap
+/// Distance between the centres of two grains to which they are pushed apart if they overlap, over the sum of their
+/// radii.
 constexpr double kParted = 1.001;
-constexpr int kMaxPartings = 1000;  ///< number of sweeps after which pushing grains apart has failed
+/// number of passes over all grains after which pushing them apart counts as failed
+constexpr int kMaxPartings = 1000;
 
 template <int Dim>
 double solid_volume(const std::vector<double>& diameter) {
@@ -33,16 +37,17 @@ double solid_volume(const std::vector<double>& diameter) {
   return sum;
 }
 
-/// Region in which grains are placed. It is periodic along some axes and lies between walls along the others.
+/// Rectangular region in which grains are placed. Along each axis it is either periodic or bounded by walls.
 template <int Dim>
 struct Room {
   Vec<Dim> side;
   std::array<bool, Dim> walled = {};
 };
 
-/// Hard grains in a rectangular region, sorted into grids of bins. If sizes are similar, there is one grid for
-/// all grains, otherwise one for each factor of two of the diameters. The bins of a grid are not smaller than
-/// its largest grain.
+/// Hard grains in a rectangular region. To find close grains fast, the region is divided into a grid of bins, and each
+/// bin lists the grains in it. If the largest diameter is much larger than the smallest, there are several grids: one
+/// for the grains of each factor of two in diameter. The bins of a grid are at least as long as the diameter of its
+/// largest grain, unless the region is shorter.
 template <int Dim>
 class HardGrains {
  public:
@@ -62,12 +67,13 @@ class HardGrains {
 
   const Room<Dim>& room() const { return room_; }
 
-  /// Returns whether grain i at x overlaps no other placed grain, with all diameters multiplied by `scale`.
+  /// Returns whether grain i would overlap no other placed grain if its centre were at x and all diameters were
+  /// multiplied by `scale`.
   bool free_at(int i, const Vec<Dim>& x, double scale) const { return clearance(i, x, scale) >= 1.0; }
 
-  /// Returns the smallest ratio of distance to contact distance between grain i at x and any other grain, with
-  /// all diameters multiplied by `scale` <= 1. A result above 1 may be inexact and means only that no grain
-  /// overlaps.
+  /// Returns how far grain i would be from the nearest other grain if its centre were at x and all diameters were
+  /// multiplied by `scale` <= 1: the distance between the centres over the sum of the radii. A result above 1 may be
+  /// inexact and means only that no grains overlap.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -76,8 +82,8 @@ class HardGrains {
     return least;
   }
 
-  /// Calls visit(j, r) for all grains j that grain i at x may touch, and for other close grains, where r is the
-  /// vector from x to the centre of j.
+  /// Calls visit(j, r) for every grain j that grain i might touch if its centre were at x, and for some grains farther
+  /// away. The vector r leads from x to the centre of grain j.
   template <typename Visit>
   void visit_near(int i, const Vec<Dim>& x, Visit&& visit) const {
     for (const Grid& grid : grids_) {
@@ -85,7 +91,7 @@ class HardGrains {
       const double reach = 0.5 * (diameter_[i] + grid.largest);
       const Vec<Dim, int> centre = bin_of(x, grid);
       Vec<Dim, int> most;
-      // All bins of the grid are visited if the reach is half the region or more.
+      // If `reach` is half of the region or more, all bins of the grid are visited.
       for (int a = 0; a < Dim; ++a)
         most[a] = std::min(grid.bins[a] / 2, static_cast<int>(std::ceil(reach / room_.side[a] * grid.bins[a])));
       Vec<Dim, int> offset = -most;
@@ -119,14 +125,14 @@ class HardGrains {
 
  private:
   struct Grid {
-    double largest = 0.0;  ///< largest diameter of the grains of this grid
+    double largest = 0.0;  ///< largest diameter of the grains in this grid (length)
     int n_grains = 0;
     Vec<Dim, int> bins;  ///< number of bins along each side of the region
     std::vector<std::vector<int>> members;
   };
 
   void divide(Grid& grid) const {
-    // Bins much smaller than the mean volume per grain would use memory without saving time.
+    // If there were many more bins than grains, the empty bins would use memory without saving time.
     const double most_bins = 2.0 * std::pow(static_cast<double>(grid.n_grains), 1.0 / Dim) + 1.0;
     std::size_t n_bins = 1;
     for (int a = 0; a < Dim; ++a) {
@@ -161,7 +167,8 @@ class HardGrains {
   std::vector<Vec<Dim>> position_;
 };
 
-/// Returns a random point for the centre of a grain, at least its radius away from walls.
+/// Returns a random point for the centre of a grain with the given diameter. The point is at least the radius of the
+/// grain away from walls.
 template <int Dim>
 Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& random) {
   Vec<Dim> x;
@@ -172,7 +179,7 @@ Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& rand
   return x;
 }
 
-/// Places the grains one by one, the largest first, with all diameters multiplied by `scale`.
+/// Places the grains one by one at random without overlap, the largest first. All diameters are multiplied by `scale`.
 template <int Dim>
 void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale,
                      RandomStream& random) {
@@ -186,20 +193,22 @@ void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diamete
     while (!grains.free_at(i, x, scale)) {
       if (++tries > kMaxTries)
         throw InputError("assembly",
-                         "solid_fraction is too large: no space is left in which to place the grains");
+                         "solid_fraction is too large: no space is left for the next grain; expected a smaller "
+                         "solid_fraction");
       x = random_point(grains.room(), diameter[i], random);
     }
     grains.place(i, x);
   }
 }
 
-/// Returns a coordinate wrapped into [0, side) along a periodic axis.
+/// Returns the coordinate x along a periodic axis, shifted by a multiple of the period `side` into [0, side).
 double wrapped(double x, double side) {
   x -= side * std::floor(x / side);
   return x < side ? x : 0.0;
 }
 
-/// Performs one Monte Carlo sweep: as many trial moves of random grains as there are grains.
+/// Performs one Monte Carlo sweep: as many trial moves as there are grains, each of a random grain by at most `reach`
+/// along each axis. All diameters are multiplied by `scale`.
 template <int Dim>
 void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale, double reach,
              RandomStream& random) {
@@ -220,12 +229,12 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
     }
     if (!inside) continue;
     const double clearance = grains.clearance(i, x, scale);
-    // A grain that overlaps after growing may also move to any place where it overlaps less.
+    // A grain that overlaps another one after all grains have grown may also move to a place where it overlaps less.
     if (clearance >= 1.0 || clearance > grains.clearance(i, grains.position()[i], scale)) grains.move(i, x);
   }
 }
 
-/// Returns whether no two grains overlap, with all diameters multiplied by `scale`.
+/// Returns whether no two of the n grains overlap if all diameters are multiplied by `scale`.
 template <int Dim>
 bool all_free(const HardGrains<Dim>& grains, int n, double scale) {
   for (int i = 0; i < n; ++i)
@@ -244,8 +253,9 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 
 namespace {
 
-/// Grows the grains to their final diameters during Monte Carlo moves, then shuffles them until their first
+/// Grows the grains to their final diameters while Monte Carlo moves shuffle them, then shuffles them until their first
 /// positions have no effect.
+/// @param scale  factor by which all diameters are multiplied at first
 template <int Dim>
 void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, double scale,
                  RandomStream& random) {
@@ -256,7 +266,8 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
       throw InputError(
           "assembly",
           fmt::format(
-              "solid_fraction is too large: grains could be grown without overlap only to {:.3f} of their size",
+              "solid_fraction is too large: the grains, which grow from smaller sizes, overlap from {:.3f} of "
+              "their diameters on; expected a smaller solid_fraction",
               scale));
     shuffle(hard, diameter, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
     const bool grown = at_size > 0 || all_free(hard, static_cast<int>(diameter.size()), scale);
@@ -265,7 +276,8 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
   }
 }
 
-/// Returns the position of a grain that is moved to x: wrapped along periodic axes, clamped between walls.
+/// Returns the position of a grain with the given diameter that is moved to x: x is wrapped along periodic axes, and
+/// moved away from walls so that the grain does not overlap them.
 template <int Dim>
 Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
   for (int a = 0; a < Dim; ++a) {
@@ -275,7 +287,8 @@ Vec<Dim> kept_inside(const Room<Dim>& room, double diameter, Vec<Dim> x) {
   return x;
 }
 
-/// Pushes overlapping grains apart, pair by pair.
+/// Pushes overlapping grains apart, pair by pair, until no grains overlap.
+/// @throws InputError if grains still overlap after many passes
 template <int Dim>
 void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
   std::vector<int> overlapping;
@@ -302,12 +315,13 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
   }
   throw InputError(
       "assembly",
-      "solid_fraction is too large: grains that were added one by one overlap and could not be pushed apart");
+      "solid_fraction is too large: grains that were added one by one overlap and could not be pushed apart; "
+      "expected a smaller solid_fraction");
 }
 
-/// Returns random positions of hard grains of these diameters in a region.
-/// @param solid_fraction  volume of the grains divided by the volume of the part of the region in which centres
-/// may lie
+/// Returns random positions, without overlap, of hard grains with the given diameters in a region.
+/// @param solid_fraction  volume of the grains over the volume of that part of the region in which their centres may
+/// lie
 template <int Dim>
 std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
                                         GasKind kind, double solid_fraction, RandomStream& random) {
@@ -321,7 +335,7 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
   return hard.position();
 }
 
-/// Returns grains of these diameters at rest, before they are placed.
+/// Returns a packing of grains with the given diameters, at rest, with their masses but not yet with positions.
 template <int Dim>
 Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::vector<double>& diameter) {
   Packing<Dim> gas;
@@ -336,8 +350,8 @@ Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::v
   return gas;
 }
 
-/// Sets velocities of one magnitude in random directions, subtracts the mean velocity and scales the velocities
-/// to the given kinetic pressure.
+/// Gives the grains velocities of equal magnitude in random directions, subtracts the mean velocity, and scales all
+/// velocities such that mass density times mean squared speed equals `kinetic_pressure`.
 template <int Dim>
 void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& random) {
   Grains<Dim>& g = packing.grains;
@@ -408,8 +422,8 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   Vec<Dim> momentum = Vec<Dim>::Zero();
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    // By Maxwell's distribution, every grain has the same mean energy. Dividing by the largest mass makes the
-    // result independent of the unit of mass.
+    // In Maxwell's distribution, all grains have the same mean kinetic energy. Each mass is divided by the largest
+    // mass, so that the result does not depend on the unit of mass.
     for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];

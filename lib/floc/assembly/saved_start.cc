@@ -14,7 +14,8 @@ namespace floc {
 
 namespace {
 
-/// Returns 1 for each number that is in the history of contacts under both laws, 0 for the other numbers.
+/// Returns a mask for the history of a contact (the numbers that its springs and liquid bridge remember): 1 for each
+/// number that both laws have, 0 for the other numbers.
 template <int Dim>
 ContactHistory<Dim> common_history(const Law& before, const Law& after) {
   ContactHistory<Dim> common = ContactHistory<Dim>::Zero();
@@ -37,8 +38,8 @@ Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>&
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);
   find_contacts(saved);
-  // Surfaces that have touched before may stick together across a gap that the search for contacts does not
-  // cover.
+  // Two grains that touched under the old law may still stick together across a gap that is too wide for
+  // find_contacts() to search. Such contacts are kept.
   std::vector<Contact<Dim>> held;
   auto found = saved.contacts.begin();
   for (const Contact<Dim>& old : before) {

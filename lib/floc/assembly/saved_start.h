@@ -8,16 +8,17 @@
 
 namespace floc {
 
-/// Saved packing from which a run starts, in place of a gas.
+/// Saved packing from which a run starts. It replaces the gas from which other runs start.
 struct SavedStart {
-  /// Function that reads the packing. It is called only when the run begins, so that a large packing is held in
-  /// memory only once.
+  /// Function that reads the packing from its file. It is called only when the run begins, so that memory holds a large
+  /// packing only once.
   std::function<std::variant<Packing<2>, Packing<3>>()> read;
-  /// Hash of the file of the packing, recorded as the parent of the first state.
+  /// SHA-256 checksum of the file of the packing. The first state of the run records it as that of its parent.
   std::string sha256;
-  Vec<3, int> copies = Vec<3, int>::Ones();  ///< number of copies side by side along each axis
+  /// number of copies of the packing that are joined side by side along each axis
+  Vec<3, int> copies = Vec<3, int>::Ones();
 
-  /// Reads the packing. @pre the packing has Dim dimensions
+  /// Reads the packing from its file. @pre the packing has Dim dimensions
   template <int Dim>
   Packing<Dim> read_packing() const {
     return std::get<Packing<Dim>>(read());
@@ -28,11 +29,13 @@ struct SavedStart {
   }
 };
 
-/// Prepares the start of a run from a saved packing: sets the grains to rest, replaces the contact law and
-/// tiles the packing. Grains keep their positions and orientations. Contacts follow from the positions and the
-/// new law. Each contact keeps the elongations of its springs (not their forces), shortened to the caps of the
-/// new law. Springs of a model that the new law does not have are dropped; springs of an added model start at
-/// rest. Tiling an equilibrium under its own law gives the same equilibrium.
+/// Prepares the start of a run from a saved packing: sets the grains to rest, replaces the contact law, and joins
+/// copies of the packing side by side. The grains keep their positions and orientations. Contacts are found anew from
+/// the positions, under the new law. Each contact keeps the elongations of its springs (not their forces), shortened if
+/// the new law limits them. Springs that the new law does not have are dropped; springs that only the new law has start
+/// with zero elongation. If the saved packing is in equilibrium and its law stays the same, the result is in
+/// equilibrium too.
+/// @param law  contact law of the run
 /// @param copies  number of copies along each lattice vector, >= 1
 /// @throws InputError if find_contacts() throws it
 template <int Dim>

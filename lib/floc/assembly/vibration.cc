@@ -17,12 +17,13 @@
 namespace floc {
 namespace {
 
-/// Largest distance between the surfaces of two grains whose collision is predicted (in largest diameters).
+/// Distance between the surfaces of two grains up to which they are stored as neighbours, whose next collision is
+/// predicted (in largest diameters).
 constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Hard grains in free flight between collisions. The position of each grain is stored for the time of the last
-/// event of this grain.
+/// Hard grains that fly freely between collisions. The stored position of a grain is that at its last event, the
+/// collision or update in which it was moved last.
 template <int Dim>
 class HardFlight {
  public:
@@ -39,7 +40,8 @@ class HardFlight {
     for (std::int64_t done = 0; done < n_collisions && !events_.empty();) {
       const Event next = events_.top();
       events_.pop();
-      if (n_events_of_[next.i] != next.n_i) continue;  // grain i has had another event since
+      // grain i has collided since this event was predicted, which is therefore void
+      if (n_events_of_[next.i] != next.n_i) continue;
       if (n_events_of_[next.j] != next.n_j) {
         predict(next.i);
         continue;
@@ -60,12 +62,12 @@ class HardFlight {
  private:
   struct Neighbour {
     int grain;
-    Vec<Dim> shift;  ///< displacement of the periodic image of the grain that is close
+    Vec<Dim> shift;  ///< vector from the grain to its periodic image that is close (length)
   };
   struct Event {
     double time;
     int i, j;
-    int n_i, n_j;  ///< numbers of events of grains i and j when this event was predicted
+    int n_i, n_j;  ///< numbers of collisions that grains i and j had had when this event was predicted
     Vec<Dim> shift;
     bool operator<(const Event& other) const { return time > other.time; }  // the earliest event comes first
   };
@@ -95,8 +97,10 @@ class HardFlight {
 
   bool has_gone_far(int i) const { return (grains_.position[i] - start_[i]).norm() > 0.25 * search_distance_; }
 
-  /// Returns the time until two grains meet, from the vector r between their centres and their relative
-  /// velocity v.
+  /// Returns the time until two grains collide; kNever if they do not.
+  /// @param r  vector from the centre of the first grain to that of the second
+  /// @param v  velocity of the second grain relative to the first
+  /// @param contact_distance  sum of the radii
   static double time_to_meet(const Vec<Dim>& r, const Vec<Dim>& v, double contact_distance) {
     const double approach = -r.dot(v);
     if (!(approach > 0.0)) return kNever;
@@ -105,7 +109,7 @@ class HardFlight {
     return squared < 0.0 ? kNever : std::max(0.0, beyond / (approach + std::sqrt(squared)));
   }
 
-  /// Predicts the next collision of grain i.
+  /// Predicts the next collision of grain i with its neighbours, and adds it to the list of events.
   void predict(int i) {
     Event next{kNever, i, i, n_events_of_[i], 0, {}};
     const Vec<Dim> x = place(i);

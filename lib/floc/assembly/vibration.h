@@ -5,23 +5,25 @@
 
 namespace floc {
 
-/// Vibration of a packing before it is compressed again.
+/// Vibration of a packing: its grains are moved apart and collide for a while, before the packing is compressed again.
 struct Vibration {
-  /// Factor by which all lengths are multiplied before the motion, so that no grains touch.
+  /// Factor by which the cell and the distances between grains are multiplied at first, so that no grains touch.
   double dilation = 1.0;
-  double collisions = 0.0;  ///< mean number of collisions per grain; each collision counts for two grains
+  /// mean number of collisions of a grain; each collision counts for both of its grains
+  double collisions = 0.0;
 };
 
-/// Moves the grains as hard, smooth bodies in a cell at rest, with elastic collisions, event by event, until
-/// each grain has had `collisions` collisions on average. The motion is exact up to rounding. The contacts of
-/// the packing are not changed.
+/// Moves the grains as hard, smooth bodies that collide elastically in a cell at rest, until a grain has had
+/// `collisions` collisions on average. Collisions are computed one after the other, so the motion is exact up to
+/// rounding. The list of contacts of the packing is not changed.
 /// @pre no two grains overlap, and some grains move
 template <int Dim>
 void collide(Packing<Dim>& packing, double collisions);
 
-/// Shakes a packing [AR2007]: dilates it, removes its contacts, gives the grains random velocities (Maxwell
-/// distribution), lets them collide (collide()) and stops them. Their spins are zero afterwards.
-/// @throws InputError if grains still overlap after the dilation
+/// Vibrates a packing [AR2007]: moves its grains apart (Vibration::dilation), removes its contacts, gives the grains
+/// random velocities (Maxwell distribution), lets them collide (collide()), and stops them. Their spins are zero
+/// afterwards.
+/// @throws InputError if grains still overlap after they have been moved apart
 template <int Dim>
 void vibrate(Packing<Dim>& packing, const Vibration& vibration, RandomStream& random);
 

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Size of a cache line, and of the widest vector register (bytes).
+/// Alignment of the elements of AlignedVector (bytes): the size of a cache line, and of the widest vector register.
 inline constexpr std::size_t kCacheLine = 64;
 
 template <class T>
@@ -29,8 +29,8 @@ struct CacheLineAllocator {
 };
 
 /// A vector whose elements begin on a cache line, so that loading a full vector register from it never touches two
-/// cache lines. With a plain std::vector, the speed of loops differed by a tenth, depending on which arrays happened to
-/// begin on a cache line.
+/// cache lines. With std::vector, the speed of loops differed by a tenth, depending on which of their arrays happened
+/// to begin on a cache line.
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 

@@ -10,8 +10,9 @@ namespace floc {
 namespace {
 
 constexpr int kDigitsOfDouble = 17;  ///< number of significant digits that distinguish any two doubles
-constexpr int kDigitsKept = 34;      ///< number of significant digits read; a double-double number holds fewer
-constexpr int kExactPower = 22;      ///< exponent of the largest power of ten, 10^22, that is exactly a double
+constexpr int kDigitsKept =
+    34;  ///< digits after this number of significant digits do not change a double-double
+constexpr int kExactPower = 22;  ///< exponent of the largest power of ten, 10^22, that is exactly a double
 
 DoubleDouble times_power_of_ten(DoubleDouble x, int exponent) {
   for (; exponent != 0; exponent -= std::clamp(exponent, -kExactPower, kExactPower)) {
@@ -45,7 +46,8 @@ DoubleDouble decimal(std::string_view text, double nearest) {
   if (n_digits <= kDigitsOfDouble) return {nearest, 0.0};
   if (text.starts_with('-')) digits = -digits;
   const double left = (times_power_of_ten(digits, exponent) - DoubleDouble{nearest, 0.0}).rounded();
-  // The powers overflow or vanish beyond the range of doubles. The remainder is unknown there and is set to zero.
+  // If a power of ten is beyond the range of doubles, `left` is infinite, NaN or much too large. The remainder is then
+  // set to zero.
   const bool plausible = std::abs(left) <= std::numeric_limits<double>::epsilon() * std::abs(nearest);
   return {nearest, plausible ? left : 0.0};
 }

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Returns the number that a decimal text represents as a double-double number: the nearest double and the remainder.
-/// It serves where a double is not precise enough. A text of up to 17 significant digits is taken as a double that a
-/// program has printed, so its remainder is zero.
+/// Returns the number in a decimal text as a double-double number, which is the nearest double plus a remainder. It is
+/// for calculations in which a double is not precise enough. A text with up to 17 significant digits is taken for a
+/// double that a program has printed; its remainder is zero.
 ///
 /// @param text  a decimal number that parse_number<double>() can read
 /// @param nearest  the double that parse_number<double>() returned for `text`

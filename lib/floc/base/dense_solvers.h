@@ -5,7 +5,7 @@
 namespace floc {
 
 /// Decompositions of small dense matrices by the library Eigen. They are compiled in one source file, because every
-/// file that instantiates one takes seconds longer to compile.
+/// file that instantiates a decomposition takes seconds longer to compile.
 
 /// Eigenvalues in ascending order, and the matrix whose columns are the corresponding eigenvectors.
 struct SymmetricEigen {
@@ -29,12 +29,13 @@ Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Vect
 /// Returns the x that minimises |columns x - y|, and if there are several, the one with the smallest norm.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
-/// Returns the first `count` columns of an orthonormal basis of the whole space. The first of these columns span the
-/// same space as the given columns.
+/// Extends the columns of a matrix to an orthonormal basis of the whole space, and returns the first `count` vectors of
+/// this basis as the columns of a matrix. The first columns.cols() of them span the same space as `columns`.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
-/// Least-squares solution R^-1 Q^T y of the system A x = y, and the matrix R^-1. The factors of A = Q R are computed by
-/// Householder reflections. @pre the columns of A are independent
+/// Least-squares solution x = R^-1 Q^T y of the system A x = y, and the matrix R^-1. The factors of A = Q R, Q with
+/// orthonormal columns and R upper triangular, are computed by Householder reflections. @pre the columns of A are
+/// independent
 struct LinearSystemByQr {
   Eigen::VectorXd solution;
   Eigen::MatrixXd inverse_of_r;

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// A dual number: a value with its derivatives by N variables. Evaluating a formula on dual numbers also evaluates its
-/// derivatives (forward-mode automatic differentiation). Comparisons use the values alone, so that branches are taken
-/// as for plain numbers.
+/// A dual number: a value, and its derivatives with respect to N variables. A formula that is evaluated on dual numbers
+/// gives its value and its derivatives (forward-mode automatic differentiation). Comparisons use the values alone, so
+/// that branches are taken as for plain numbers.
 template <int N>
 struct Dual {
   double value = 0.0;
@@ -17,7 +17,8 @@ struct Dual {
   constexpr Dual() = default;
   /// Constructs a constant, whose derivatives are zero.
   constexpr Dual(double constant) : value(constant) {}  // NOLINT: implicit conversion is intended
-  /// Constructs the variable number `variable`, counted from 0, with the value `at`. Its derivative by itself is 1.
+  /// Constructs the variable with index `variable`, counted from 0, at the value `at`. Its derivative with respect to
+  /// itself is 1, all others are 0.
   constexpr Dual(double at, int variable) : value(at) { derivative[variable] = 1.0; }
 
   constexpr Dual& operator+=(const Dual& q) { return *this = *this + q; }
@@ -64,8 +65,8 @@ struct Dual {
   }
 
  private:
-  /// Returns a function value with its derivatives, which follow by the chain rule from the derivatives of the
-  /// arguments p and q and the partial derivatives `by_p` and `by_q` of the function.
+  /// Returns the value of a function of p and q with its derivatives. They follow by the chain rule from the
+  /// derivatives of p and q and the partial derivatives of the function with respect to p (`by_p`) and q (`by_q`).
   static constexpr Dual chain(double value, const Dual& p, double by_p) {
     Dual out(value);
     for (int k = 0; k < N; ++k) out.derivative[k] = by_p * p.derivative[k];

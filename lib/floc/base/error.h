@@ -6,7 +6,7 @@
 namespace floc {
 
 /// Error in the input of the user. The message gives the place (file, with line or dataset), the key, its value, and
-/// the expected value. The program prints this one message and ends with exit code 4.
+/// the expected value. The program prints this message and ends with exit code 4.
 class InputError : public std::runtime_error {
  public:
   /// @param place  file, "file:line" or "file:/dataset", printed before the problem; may be empty

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Function that long computations of this thread call now and then, as long as this object exists, to learn whether
-/// they should go on.
+/// Registers a function that the long computations of this thread call now and then, to learn whether they should go
+/// on. It stays registered as long as this object exists.
 class InterruptionListener {
  public:
   /// @param asked  function that returns if the computation may go on, and otherwise throws the exception that ends it
@@ -19,8 +19,8 @@ class InterruptionListener {
 };
 
 /// Calls the function of the InterruptionListener of this thread, if there is one, but not more often than every 50 ms.
-/// Long computations call this function between their parts and outside of parallel regions, where an exception leaves
-/// no data half changed.
+/// Long computations call check_interruption() between two stages of their work and outside of parallel regions, where
+/// an exception leaves no data half changed.
 /// @throws any exception of the listener's function
 void check_interruption();
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <type_traits>
 
-/// Operations beyond arithmetic that a contact law uses. They work for every number type on which a law is evaluated:
-/// `double`, a dual number (a number with its derivatives, like Ceres' Jet), or a pack of several doubles (SIMD lanes).
-/// Comparing two packs gives a mask, and a function blend() selects between packs by this mask.
+/// Functions that contact laws call in addition to + - * /. They work for every number type on which a law is
+/// evaluated: `double`, a dual number (a number with its derivatives, like Ceres' Jet), or a pack of several doubles
+/// (SIMD lanes). Comparing two packs gives a mask, and a function blend() selects between packs by this mask.
 namespace floc::lanes {
 
 /// Returns `when ? a : b`; for packs of doubles, the choice is made separately for each lane.
@@ -37,7 +37,9 @@ inline T clamp_magnitude(const T& value, const T& bound) {
   return max(min(value, bound), T(-bound));
 }
 
-/// Returns p * 2^n. @param shifted the whole number n plus 1.5 * 2^52 @pre neither p nor the result is subnormal
+/// Returns p * 2^n.
+/// @param shifted  the whole number n plus 1.5 * 2^52
+/// @pre neither p nor the result is subnormal
 inline double times_power_of_two(double p, double shifted) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(p) + (std::bit_cast<std::uint64_t>(shifted) << 52));
 }
@@ -48,15 +50,16 @@ inline double times_power_of_two(double p, double shifted) {
 template <class T>
 inline T exp_of_negative(const T& x) {
   if constexpr (std::is_same_v<T, double> || requires { T::kWidth; }) {
-    // The shift 1.5 * 2^52: adding it to a number rounds the number to a whole one.
+    // The number 1.5 * 2^52: adding it to x rounds x to a whole number, which is then in the last bits of the sum.
     constexpr double kShift = 6755399441055744.0;
     const T in_range = max(x, T(-690.0));
     const T shifted = in_range * T(1.4426950408889634) + T(kShift);
     const T n = shifted - T(kShift);
-    // The constant ln 2 is split into two parts. The first part has so few digits that its product with n is exact.
+    // r = x - n ln 2, with ln 2 as the sum of two constants. The first has so few digits that its product with n is
+    // exact.
     const T r = (in_range - n * T(6.93147180369123816490e-01)) - n * T(1.90821492927058770002e-10);
     const T q = r * r;
-    // Sums of the even and of the odd terms of the power series of exp(r), up to r^13/13!.
+    // The power series of exp(r), up to the term r^13/13!, is even + r * odd, where both sums are series in q = r^2.
     const T even =
         T(1) +
         q * (T(1.0 / 2) +

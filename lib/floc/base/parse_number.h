@@ -19,7 +19,7 @@ inline std::string_view trimmed(std::string_view text) {
 }
 
 /// Returns the number that `text` represents, independent of the locale; white space around the number is ignored.
-/// Returns std::nullopt if the text is not a number, or if it is an infinite or undefined real number.
+/// Returns std::nullopt if the text is not a number, or if it is an infinity or NaN.
 template <class T>
 std::optional<T> parse_number(std::string_view text) {
   text = trimmed(text);
@@ -33,8 +33,8 @@ std::optional<T> parse_number(std::string_view text) {
   return value;
 }
 
-/// Returns the integer that equals a real number, or std::nullopt if the number has a fraction or does not fit into 64
-/// bits.
+/// Returns the integer that equals a real number, or std::nullopt if the real number has a fraction or does not fit
+/// into 64 bits.
 inline std::optional<std::int64_t> whole_number(double value) {
   constexpr double kBeyond = 9223372036854775808.0;  // 2^63
   if (!(value >= -kBeyond && value < kBeyond) || value != std::floor(value)) return std::nullopt;

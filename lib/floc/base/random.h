@@ -6,10 +6,9 @@
 
 namespace floc {
 
-/// Seeded stream of random numbers whose whole state is one 64-bit integer, so that it fits in a saved state of a
-/// packing. The generator is SplitMix64 (Steele, Lea, Flood, OOPSLA 2014). Conversions to real numbers are written out
-/// here, because the conversions of the standard library differ between implementations and results have to be
-/// reproducible.
+/// Seeded stream of random numbers. Its whole state is one 64-bit integer, which a state file of a packing can hold.
+/// The generator is SplitMix64 (Steele, Lea, Flood, OOPSLA 2014). The conversions to real numbers are written out here,
+/// so that results are reproducible: those of the standard library differ between implementations.
 class RandomStream {
  public:
   /// Starts a stream of random numbers. Streams of one seed with different values of `purpose` are independent.

@@ -43,7 +43,7 @@ std::string range_fault(const std::string& name, std::int64_t value, const Whole
 /// @throws InputError with the message of range_fault() if it is not
 void require_in_range(const std::string& name, double value, const NumberRange& range);
 void require_in_range(const std::string& name, std::int64_t value, const WholeRange& range);
-/// Checks that options have no faults.
+/// Checks that no faults were found in the options of a computation.
 /// @param faults  messages about the faults, as returned by the function validate() of the options
 /// @throws InputError with all messages, if there are any
 void refuse_faults(const std::vector<std::string>& faults);

@@ -11,8 +11,9 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Returns the name of the encoding of a text if it is UTF-16 or UTF-32, otherwise an empty text. The encoding shows in
-/// the byte order mark or, for UTF-16 without this mark, in a zero among the first two bytes.
+/// Returns the name of the encoding of a text if it is UTF-16 or UTF-32, otherwise an empty text. The encoding is
+/// recognised by its byte order mark. UTF-16 without this mark is recognised by exactly one zero among the first two
+/// bytes.
 std::string_view foreign_encoding(std::string_view text) {
   for (const std::string_view mark : {"\xff\xfe\0\0"sv, "\0\0\xfe\xff"sv})
     if (text.starts_with(mark)) return "UTF-32";
@@ -22,7 +23,7 @@ std::string_view foreign_encoding(std::string_view text) {
   return "";
 }
 
-/// Whether the first line ends in carriage returns that are followed by text. A line that ends in "\r\r\n" does not.
+/// Whether the first line ends in one or more "\r" that are followed by text, and not by "\n".
 bool ends_in_carriage_return(std::string_view text) {
   const std::size_t end = text.find_first_of("\r\n\0"sv);
   if (end == std::string_view::npos || text[end] != '\r') return false;
@@ -43,8 +44,8 @@ void require_text(const std::string& place, std::string_view beginning) {
     throw InputError(place, "the file is in the encoding " + std::string(encoding) + ": save it as UTF-8");
   if (ends_in_carriage_return(beginning))
     throw InputError(place,
-                     "its lines end in carriage returns alone, as on old Macs: save the file with the line "
-                     "ends of Unix or Windows");
+                     "the lines of this file end in carriage returns alone, as on old Macs: save it with the "
+                     "line ends of Unix or Windows");
 }
 
 std::string read_text(const std::string& path) {

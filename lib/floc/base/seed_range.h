@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Range of the seeds of the samples of an ensemble. Both ends are included.
+/// The seeds from `first` to `last`, both included. Each seed gives one sample of an ensemble.
 struct SeedRange {
   std::uint64_t first;
   std::uint64_t last;

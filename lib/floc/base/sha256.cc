@@ -48,8 +48,8 @@ void absorb(Words& hash, const unsigned char* block) {
 
 }  // namespace
 
-/// Adds bytes to the text whose hash is computed. The initial hash value is that of FIPS 180-4, section 5.3.3: the
-/// first 32 bits of the fractional parts of the square roots of the first 8 primes.
+/// Adds bytes to the end of the text whose hash is computed. The hash value before the first byte is that of FIPS
+/// 180-4, section 5.3.3: the first 32 bits of the fractional parts of the square roots of the first 8 primes.
 void Sha256::update(std::string_view bytes) {
   std::size_t held = n_bytes_ % rest_.size();
   n_bytes_ += bytes.size();
@@ -67,8 +67,8 @@ void Sha256::update(std::string_view bytes) {
   }
 }
 
-/// Completes the last block and returns the digest. The block is completed by a one bit, zeros, and the length of the
-/// message in bits (FIPS 180-4, section 5.1.1).
+/// Completes the last block and returns the digest. The block is completed by a bit that is 1, bits that are 0, and the
+/// length of the hashed text in bits (FIPS 180-4, section 5.1.1).
 std::string Sha256::digits() {
   const std::uint64_t n_bits = n_bytes_ * 8;
   std::string padding(1, '\x80');

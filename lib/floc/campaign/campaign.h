@@ -11,39 +11,40 @@ namespace floc {
 struct SceneChange {
   std::string key;
   std::string value;  ///< value in the notation of TOML
-  std::string place;  ///< file and line of the campaign file, for messages
+  std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 
   std::string text() const { return key + "=" + value; }
 };
 
-/// A choice of states of a run.
+/// States of a run that a campaign file selects: all states, the last one, those with given numbers, or those at given
+/// pressures.
 struct StateChoice {
   enum Kind { all, last, steps, pressures };
   Kind kind = all;
-  std::vector<int> numbers;    ///< numbers of the chosen states, if `kind` is `steps`
-  std::string branch;          ///< branch of the load path, if `kind` is `pressures`; empty: any branch
-  std::vector<double> P_star;  ///< reduced imposed pressures of the chosen states, if `kind` is `pressures`
-  std::string place;           ///< file and line of the campaign file, for messages
+  std::vector<int> numbers;  ///< numbers of the chosen states, if `kind` is `steps`
+  std::string branch;        ///< branch of the load path with the states, if `kind` is `pressures`; empty: any
+  std::vector<double> P_star;  ///< reduced imposed pressures of the states, if `kind` is `pressures`
+  std::string place;           ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// A scene with some keys changed, which is run with every seed of the campaign.
+/// A case of a campaign: its scene with some keys changed, which is run with every seed.
 struct CampaignCase {
-  std::string label;  ///< name of its directory; consists of letters, digits and "_=.+-"
+  std::string label;  ///< name of the directory of the case; consists of letters, digits and "_=.+-"
   std::vector<SceneChange> changes;
-  std::string place;  ///< file and line of the campaign file, for messages
+  std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// Columns of a table, which are collected at some states of every run.
+/// Columns of one table that a campaign collects from every run, for some states of the run.
 struct Collection {
   std::string table;  ///< path, moduli, network, structure or compare
   std::vector<std::string> columns;
   std::vector<std::string> options;  ///< options of the command that makes the table
   StateChoice states;
   StateChoice before;  ///< for the table compare: the single state with which `states` are compared
-  std::string place;   ///< file and line of the campaign file, for messages
+  std::string place;   ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// A fit of a law to the paths of each case, by the command `floc fit LAW`.
+/// A law that the command `floc fit LAW` fits to the load paths of the runs of each case.
 struct CampaignFit {
   std::string law;
   std::vector<std::string> options;
@@ -52,19 +53,19 @@ struct CampaignFit {
 /// A reference value, with which a result of the campaign is compared.
 struct Reference {
   std::string quantity;           ///< name of a collected column, or of a parameter of a fit
-  std::string fit;                ///< law of the fit; empty if `quantity` is a column
+  std::string fit;                ///< law of which `quantity` is a parameter; empty if `quantity` is a column
   std::vector<SceneChange> when;  ///< keys and values that select the cases to compare; empty: all cases
   StateChoice state;              ///< state at which a column is compared
   double value = 0.0;
-  /// Standard deviation of the reference samples; for a single sample its standard error.
+  /// Standard deviation of the values of the reference samples; the standard error of `value` for a single sample.
   double deviation = 0.0;
   int n_samples = 1;
   std::string source;
-  std::string place;  ///< file and line of the campaign file, for messages
+  std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// A campaign: runs of one scene. Each case of it changes the values of some keys of the scene and is run with each
-/// seed.
+/// A campaign: runs of one scene, one run for each pair of a case and a seed. A case changes the values of some keys of
+/// the scene.
 struct Campaign {
   std::string name;
   std::string scene_file;
@@ -78,8 +79,8 @@ struct Campaign {
   std::vector<Reference> references;
 };
 
-/// Returns the value of a key of the scene in a case, in the notation of TOML; empty if the case does not change this
-/// key.
+/// Returns the value that a case gives to a key of the scene, in the notation of TOML; empty if the case does not
+/// change this key.
 inline std::string value_of(const CampaignCase& one, const std::string& key) {
   std::string value;
   for (const SceneChange& change : one.changes)

@@ -13,8 +13,8 @@ namespace {
 /// Label of a case that does not change the scene.
 constexpr const char* kNoChange = "base";
 
-/// Converts a text to a part of the name of a directory: characters other than letters, digits and "+-._" become
-/// hyphens.
+/// Converts a text to a text that can be part of the name of a directory: characters other than letters, digits and
+/// "+-._" become hyphens.
 std::string as_name(const std::string& text) {
   std::string name;
   for (const char c : text) {

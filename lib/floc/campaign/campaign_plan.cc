@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Largest relative difference between a pressure that the campaign file selects and the pressure of a state. Pressures
-/// in the file may thus be rounded to two digits.
+/// A pressure in a campaign file selects a state whose pressure differs from it by at most this fraction. Pressures in
+/// the file may thus be rounded, such as 1.33 for 1.334.
 constexpr double kSamePressure = 0.01;
 
 std::vector<std::string> overrides_of(const CampaignCase& one) {
@@ -32,15 +32,16 @@ std::vector<std::string> overrides_of(const CampaignCase& one) {
   return texts;
 }
 
-/// Returns the place in the campaign file that an error of a scene refers to: the place of the change that the message
-/// names or, if it names no change, the place of the case.
+/// Returns the place in the campaign file that an error in the scene of a case refers to: the place of the change that
+/// the message `fault` names or, if it names no change, the place of the case.
 std::string blamed_place(const CampaignCase& one, const std::string& fault) {
   for (const SceneChange& change : one.changes)
     if (fault.find("--set " + change.text()) != std::string::npos) return change.place;
   return one.place;
 }
 
-/// Returns the reduced pressure of a planned equilibrium, for the contact law and the largest grain of the scene.
+/// Returns the reduced pressure P* of an equilibrium that a run will compute. It follows from the imposed pressure, the
+/// contact law and the largest diameter in the scene.
 template <int Dim>
 double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibrium) {
   Packing<Dim> largest;
@@ -74,7 +75,8 @@ bool same_value(const std::string& a, const std::string& b) {
   return x && y ? *x == *y : a == b;
 }
 
-/// Returns the number of the state of a case with a given reduced pressure.
+/// Returns the number of the state of a case whose reduced pressure is P_star or nearest to it, within kSamePressure.
+/// @throws InputError listing the pressures of the states, if there is no such state
 int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   int best = -1;
   double smallest = kSamePressure;
@@ -89,10 +91,11 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
     smallest = off;
   }
   if (best >= 0) return best;
-  const std::string where = choice.branch.empty() ? "" : fmt::format(" of branch {}", choice.branch);
+  const std::string where = choice.branch.empty() ? "" : fmt::format(" on branch {}", choice.branch);
   throw InputError(choice.place,
                    there.empty()
-                       ? fmt::format("branch = {}: case {} has no state{} with equal pressures on all axes",
+                       ? fmt::format("branch = {}: case {} has no state{} with equal pressures on all axes, "
+                                     "which P_star could select",
                                      choice.branch, one.label, where)
                        : fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}",
                                      P_star, one.label, where, fmt::join(there, ", ")));
@@ -113,8 +116,9 @@ std::vector<int> chosen_states(const StateChoice& choice, const CampaignCase& on
     case StateChoice::steps:
       for (const int step : choice.numbers) {
         if (step >= n)
-          throw InputError(choice.place,
-                           fmt::format("step = {}: case {} has states 0 to {}", step, one.label, n - 1));
+          throw InputError(
+              choice.place,
+              fmt::format("step = {}: the states of case {} have the numbers 0 to {}", step, one.label, n - 1));
         chosen.insert(step);
       }
       break;
@@ -148,7 +152,9 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
     for (const Collection& c : campaign.collections) {
       (void)chosen_states(c.states, one, plan);
       if (c.table == "compare" && chosen_states(c.before, one, plan).size() != 1)
-        throw InputError(c.before.place, "before: expected a choice of one state");
+        throw InputError(
+            c.before.place,
+            "before: several states are selected: expected the one state with which the others are compared");
     }
   }
   for (const Reference& r : campaign.references) {
@@ -157,7 +163,8 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
       if (!is_meant(r, campaign.cases[k])) continue;
       meant = true;
       if (r.fit.empty() && chosen_states(r.state, campaign.cases[k], plans[k]).size() != 1)
-        throw InputError(r.state.place, "state: expected a choice of one state");
+        throw InputError(r.state.place,
+                         "state: several states are selected: expected the one state whose value is compared");
     }
     // A reference that applies to no case is an error, because nothing would be compared with it.
     if (!meant)

@@ -9,13 +9,13 @@
 
 namespace floc {
 
-/// A state of equilibrium that each run of a case will make.
+/// An equilibrium that each run of a case will compute and save.
 struct PlannedState {
   std::string branch;
-  std::optional<double> P_star;  ///< reduced pressure; absent unless all axes have equal pressures
+  std::optional<double> P_star;  ///< reduced imposed pressure; absent if the axes have unequal pressures
 };
 
-/// Plan of the runs of one case: their states, number of threads and cost.
+/// Plan of the runs of one case: the states, the number of threads and the cost of each run.
 struct CasePlan {
   std::vector<PlannedState> states;
   int threads = 1;
@@ -32,8 +32,8 @@ struct CampaignRun {
 
 /// Plans the runs of each case of a campaign, and checks that each case has the states that the campaign collects and
 /// compares.
-/// @throws InputError naming the line of the campaign file, if a case is not a valid scene, if there are several seeds
-/// but all of them make equal samples, or if a case does not have a state that is collected or compared
+/// @throws InputError naming the line of the campaign file, in these cases: the scene of a case is not valid; there are
+/// several seeds, but all of them give the same sample; a case does not have a state that is collected or compared
 std::vector<CasePlan> plan_cases(const Campaign& campaign);
 
 /// Returns all runs of a campaign, ordered by case and then by seed.
@@ -47,8 +47,8 @@ std::vector<int> chosen_states(const StateChoice& choice, const CampaignCase& on
 /// Returns whether a reference applies to a case: all keys in `when` of the reference have the same values in the case.
 bool is_meant(const Reference& reference, const CampaignCase& one);
 
-/// Returns the text of the scene of a campaign, for use in another directory: file names relative to the scene file are
-/// replaced by absolute names.
+/// Returns the text of the scene of a campaign with absolute file names, so that the scene can be run in another
+/// directory. In the scene file, file names are relative to that file.
 std::string portable_scene(const Campaign& campaign);
 
 }  // namespace floc

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Row = std::vector<TableValue>;
-/// Cells of one state of one run. The key is the name of the column.
+/// Collected values of one state of one run, as texts. The key is the name of the column.
 using StateCells = std::map<std::string, std::string>;
 
 TableValue as_value(const std::string& text) {
@@ -26,8 +26,8 @@ TableValue as_value(const std::string& text) {
   return text;
 }
 
-/// Returns the cells with which every row of a case begins: the label of the case, and its values of the keys in which
-/// the cases differ.
+/// Returns the cells with which each row about a case begins, in the tables of results: the label of the case, and the
+/// values that it gives to the keys in which the cases differ.
 Row case_cells(const Campaign& campaign, const CampaignCase& one) {
   Row row = {one.label};
   for (const std::string& key : campaign.keys) row.push_back(as_value(value_of(one, key)));
@@ -56,8 +56,8 @@ void take_columns(const CsvTable& table, int row, const Collection& collection, 
   for (const std::string& column : collection.columns) cells[column] = table.text(row, table.column(column));
 }
 
-/// Copies the cells of one collection of the campaign, for some states of a run, into `states`, whose key is the number
-/// of the state.
+/// Copies the columns of one collection of the campaign, for the states of a run with the numbers `steps`, into
+/// `states`, whose key is the number of the state.
 /// @param number  number of the collection, counted from 0
 /// @param directory  directory of the run
 /// @param path  table path.csv of the run
@@ -89,11 +89,11 @@ std::vector<std::string> collected_columns(const Campaign& campaign) {
   return columns;
 }
 
-/// Columns of path.csv that every row of the table of runs has, even if they are not collected.
+/// Columns that the table of runs always has, even if the campaign does not collect them.
 const std::set<std::string> kOfState = {"case", "seed", "step", "branch", "P_star"};
 
-/// Returns the reference for a column at a state of a case, or for a parameter of a fit; null if the campaign has no
-/// such reference.
+/// Returns the reference value for a column at a state of a case, or for a parameter of a fit to a case; null if the
+/// campaign has no such reference.
 /// @param step  number of the state; -1 for a parameter of a fit
 const Reference* reference_of(const Campaign& campaign, const CampaignCase& one, const CasePlan* plan, int step,
                               const std::string& fit, const std::string& quantity) {
@@ -107,8 +107,8 @@ const Reference* reference_of(const Campaign& campaign, const CampaignCase& one,
 const std::vector<std::string> kReferenceColumns = {
     "reference", "reference_deviation", "reference_n", "difference", "allowed", "agrees", "source"};
 
-/// Adds the cells of the columns kReferenceColumns to a row: the reference and its comparison with the mean. The cells
-/// are empty if `reference` is null.
+/// Adds the cells of the columns kReferenceColumns to a row: the reference value and its comparison with the mean. If
+/// `reference` is null, these cells are empty.
 void add_reference(const Reference* reference, const SampleMean& mean, Row& row) {
   if (reference == nullptr) {
     row.resize(row.size() + kReferenceColumns.size());
@@ -140,8 +140,8 @@ std::optional<RunOutcome> outcome_of(const std::string& directory) {
   if (!fs::is_regular_file(file)) return std::nullopt;
   const CsvTable table = CsvTable::read(file);
   if (table.n_rows() != 1)
-    throw InputError(file,
-                     fmt::format("has {} rows: expected one row, with the outcome of a run", table.n_rows()));
+    throw InputError(file, fmt::format("this file has {} rows: expected one row, with the outcome of a run",
+                                       table.n_rows()));
   return RunOutcome{static_cast<int>(table.integer(0, table.column("exit_code"))),
                     table.text(0, table.column("command")), table.text(0, table.column("words")),
                     table.number(0, table.column("seconds"))};
@@ -169,10 +169,11 @@ Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plan
     const CasePlan& plan = plans[static_cast<std::size_t>(run.case_number)];
     const CsvTable path = CsvTable::read(place + "/path.csv");
     if (path.n_rows() != static_cast<int>(plan.states.size()))
-      throw InputError(path.place(),
-                       fmt::format("has {} states, but the plan of the campaign has {}: run floc campaign plan "
-                                   "again, with another directory if the scene has changed",
-                                   path.n_rows(), plan.states.size()));
+      throw InputError(
+          path.place(),
+          fmt::format("this run has {} states, but the plan of the campaign has {}: run floc campaign "
+                      "plan again, with another directory if the scene has changed",
+                      path.n_rows(), plan.states.size()));
     std::map<int, StateCells> states;
     for (int k = 0; k < static_cast<int>(campaign.collections.size()); ++k)
       collect(campaign, k, chosen_states(campaign.collections[static_cast<std::size_t>(k)].states, one, plan),
@@ -198,7 +199,7 @@ Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, con
   const int label = runs.column("case"), step = runs.column("step");
   for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
     const CampaignCase& one = campaign.cases[k];
-    std::map<int, std::vector<int>> rows;  // indices of the rows of the case; the key is the step
+    std::map<int, std::vector<int>> rows;  // indices of the rows of the case for each step
     for (int row = 0; row < runs.n_rows(); ++row)
       if (runs.text(row, label) == one.label) rows[static_cast<int>(runs.integer(row, step))].push_back(row);
     for (const auto& [number, those] : rows) {
@@ -235,7 +236,7 @@ Table empty_fits(const Campaign& campaign) {
 
 void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFit& fit, const CsvTable& printed,
              Table& table) {
-  // Values of the samples; the key is the name of the parameter.
+  // Values of each fitted parameter, one per sample; the key is the name of the parameter.
   std::map<std::string, std::vector<double>> values;
   std::vector<std::string> parameters;  // names of the parameters, in the order of the printed table
   std::set<std::string> pooled;

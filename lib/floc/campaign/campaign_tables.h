@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Outcome of a run of a campaign: the command that failed, if any, and the time to make tables.
+/// Outcome of a run of a campaign: the floc command that failed, if one did, and the time that the tables took.
 struct RunOutcome {
   int exit_code = 0;
   std::string command;   ///< floc command that failed; empty if none failed
@@ -18,8 +18,8 @@ struct RunOutcome {
   double seconds = 0.0;  ///< processor time of the commands that made tables after the run (s)
 };
 
-/// Names of the files in the directory of a run that hold its outcome. kOutcomeFile has the outcome of the last
-/// attempt. kFailureFile has the outcome of a run that failed and is to be repeated.
+/// Names of the files in the directory of a run that hold its outcome. kOutcomeFile holds the outcome of the last
+/// attempt. If that run failed and is to be repeated, this file is renamed to kFailureFile.
 inline constexpr const char* kOutcomeFile = "outcome.csv";
 inline constexpr const char* kFailureFile = "failed.csv";
 
@@ -39,23 +39,24 @@ const char* word_of(const std::optional<RunOutcome>& outcome);
 /// in which the cases differ, seed, step, branch, P_star, and the collected columns. A cell is empty if its column is
 /// not collected at that state.
 /// @param directory  directory of the campaign
-/// @throws InputError if a file of a run is missing or does not fit the campaign; the message names it
+/// @throws InputError if a file of a run is missing or does not fit the campaign; the message names this file
 Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plans,
                      const std::string& directory);
 
-/// Returns a table with one row per case, state and collected column that has numbers: number n of samples, mean,
-/// standard error, standard deviation, lowest and highest value. If the campaign has a reference for this column, the
-/// row also has the reference, and whether both means agree: whether they differ by at most `allowed` = 2.6 sqrt(s^2/n
-/// + s_ref^2/n_ref). Two means of the same quantity agree in 99 of 100 cases.
+/// Returns a table with one row per case, state and collected column of numbers. The row has the number n of samples,
+/// the mean, standard error and standard deviation s, and the lowest and highest value. If the campaign has a reference
+/// for this column, a mean over n_ref samples with the standard deviation s_ref, the row also has the reference and
+/// whether both means agree. They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref). Two
+/// means of the same quantity agree in 99 of 100 comparisons.
 /// @param runs  table that collected_runs() returns
 Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const CsvTable& runs);
 
 /// Returns the table of fits, with its columns but without rows.
 Table empty_fits(const Campaign& campaign);
 
-/// Adds the table that `floc fit LAW --format csv` printed for a case: one row per sample, and one row for all samples.
-/// The last row is the pooled fit if the law has one, and otherwise the mean over the samples; it is compared with the
-/// references.
+/// Adds the results that `floc fit LAW --format csv` printed for a case to the table of fits: one row per sample and
+/// parameter, and one row per parameter for all samples. A row for all samples has the pooled fit if the law has one,
+/// and otherwise the mean over the samples; it is compared with the reference.
 void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFit& fit, const CsvTable& printed,
              Table& table);
 

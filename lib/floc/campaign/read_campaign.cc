@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Need = TableReader::Need;
 
-/// Largest number of samples of a case, and of runs of a campaign. A larger number is probably a mistake.
+/// Largest number of seeds of a campaign, and of its runs. A campaign file with more is refused, as probably a mistake.
 constexpr std::uint64_t kMaxSeeds = 10'000;
 constexpr std::size_t kMaxRuns = 100'000;
 
@@ -29,7 +29,7 @@ constexpr NumberRule kNotNegative{[](double x) { return x >= 0.0; }, "a number >
 constexpr NumberRule kPressures{[](double x) { return x >= 0.0; },
                                 "a reduced pressure >= 0, or a list of reduced pressures"};
 constexpr NumberRule kSteps{[](double x) { return x >= 0.0 && x == std::floor(x) && x < 1e6; },
-                            "the number of a state, counted from 0, or a list of such numbers"};
+                            "the number of a state, counted from 0, or a list of numbers of states"};
 constexpr const char* kStates =
     "\"all\", \"last\", {step = [0, 5]} or {branch = \"load\", P_star = [0.1, 1.0]}";
 
@@ -53,14 +53,14 @@ bool is_list(const toml::node& node) {
   return array != nullptr && !array->empty() && std::all_of(array->begin(), array->end(), is_scalar);
 }
 
-/// A value in a table of the campaign file. Its key is relative to that table; keys of tables inside it are joined by
-/// dots.
+/// A value in a table of the campaign file, or in a table inside that table. Its key is relative to the outer table,
+/// with dots between the names: "friction.coefficient".
 struct Leaf {
   std::string key;
   const toml::node* node;
 };
 
-/// Returns the values in a table and in the tables inside it, in the order of the file.
+/// Returns the values in a table and in the tables inside it, in the order in which they are in the file.
 std::vector<Leaf> leaves_of(const toml::table& table, const std::string& path = "") {
   std::vector<Leaf> leaves;
   for (const auto& [name, node] : table) {
@@ -174,7 +174,8 @@ StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind ot
   TableReader states = part.reader.table(key, kStates, Need::optional);
   if (!states) return choice;
   const toml::table& table = *node->as_table();
-  // States are chosen either by step or by pressure. A table with both keys, or with neither, is an error.
+  // A table selects states by one of two keys, their number `step` or their pressure `P_star`. Both keys together, or
+  // neither of them, are an error.
   if (table.contains("step") == table.contains("P_star")) {
     part.reader.fault(key, fmt::format("{}: expected {}", part.reader.path_of(key), kStates));
     return choice;
@@ -204,7 +205,8 @@ Collection read_collection(Part& part) {
                            " is not allowed with table = \"path\": floc run writes path.csv without options");
   else
     collection.options = part.reader.texts("options", "a list of options and their values, each a string");
-  // A comparison needs one earlier state. By default, the last state of the run is compared with it.
+  // The table "compare" needs the key `before`, which selects one state. By default, the last state of the run is
+  // compared with it.
   const bool compares = collection.table == "compare";
   collection.states = read_states(part, "states", compares ? StateChoice::last : StateChoice::all);
   if (compares) {
@@ -251,7 +253,7 @@ Reference read_reference(Part& part) {
   return reference;
 }
 
-/// Reads every table of an array of tables in the campaign file.
+/// Reads an array of tables in the campaign file, such as [[case]], each table by the function `read`.
 template <class Read>
 auto read_all(TableReader& root, SceneSource& source, const std::string& key, const char* expectation,
               Read read) {
@@ -265,7 +267,8 @@ auto read_all(TableReader& root, SceneSource& source, const std::string& key, co
   return all;
 }
 
-/// Records an error for each reference that names a fit, a column or a key that the campaign does not have.
+/// Records an error for each fit, column or key of the scene that a reference names, but that the campaign does not
+/// have.
 void check_references(const Campaign& campaign, SceneSource& source) {
   for (const Reference& r : campaign.references) {
     const bool is_fitted = std::any_of(campaign.fits.begin(), campaign.fits.end(),
@@ -304,8 +307,7 @@ void check_collections(const Campaign& campaign, SceneSource& source) {
 }  // namespace
 
 Campaign read_campaign(const std::string& path, const std::string& scene) {
-  if (fs::is_directory(path))
-    throw InputError(path, "cannot be read: it is a directory: expected a campaign file (TOML)");
+  if (fs::is_directory(path)) throw InputError(path, "this is a directory: expected a campaign file (TOML)");
   const std::vector<std::string> overrides =
       scene.empty() ? std::vector<std::string>{} : std::vector{fmt::format("campaign.scene=\"{}\"", scene)};
   SceneSource source(read_text(path), path, overrides);
@@ -339,12 +341,12 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
   campaign.references = read_all(root, source, "reference", "tables [[reference]]", read_reference);
   root.refuse_other_keys();
   if (campaign.collections.empty() && campaign.fits.empty())
-    source.fault_at(path, "collects no results: expected a [[collect]] or a [[fit]]");
+    source.fault_at(path, "this campaign collects no results: expected a [[collect]] or a [[fit]]");
   set_cases(grid, listed, path, campaign);
   check_collections(campaign, source);
   check_references(campaign, source);
   if (campaign.cases.size() * campaign.seeds.size() > kMaxRuns)
-    source.fault_at(path, fmt::format("has {} cases with {} seeds: expected at most {} runs",
+    source.fault_at(path, fmt::format("this campaign has {} cases with {} seeds: expected at most {} runs",
                                       campaign.cases.size(), campaign.seeds.size(), kMaxRuns));
   source.throw_faults();
   // plan_cases() checks the scene itself, once for each case with the changes of that case.

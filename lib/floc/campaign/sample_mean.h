@@ -18,23 +18,24 @@ struct SampleMean {
 
 SampleMean mean_of_samples(const std::vector<double>& values);
 
-/// A mean from another source, used as the reference of a comparison.
+/// A mean from another source, such as a publication, with which a mean of a campaign is compared.
 struct ReferenceMean {
   int n = 1;
   double mean = 0.0;
-  double deviation = 0.0;  ///< standard deviation of the reference samples; for n = 1 its standard error
+  double deviation = 0.0;  ///< standard deviation of the samples; for n = 1 the standard error of `mean`
 };
 
 /// Result of the comparison of a mean with its reference.
 struct Difference {
   double value = 0.0;  ///< mean minus reference
-  /// Largest difference at which the means agree, 2.6 sqrt(s^2/n + s_ref^2/n_ref); absent without a deviation s.
+  /// Largest difference at which the means agree, 2.6 sqrt(s^2/n + s_ref^2/n_ref), with the standard deviations s and
+  /// s_ref and the numbers n and n_ref of samples. Absent for n = 1, because s is then unknown.
   std::optional<double> allowed;
   bool agrees = false;  ///< whether abs(value) <= allowed
 };
 
-/// Compares a mean with its reference. The difference of two means with normal errors exceeds 2.6 standard errors in
-/// one of a hundred comparisons.
+/// Compares a mean with its reference. Two means of the same quantity, with normally distributed errors, differ by more
+/// than 2.6 standard errors of their difference in one of a hundred comparisons.
 Difference difference_of(const SampleMean& mean, const ReferenceMean& reference);
 
 }  // namespace floc

@@ -78,7 +78,8 @@ rule table_outcomes:
     shell: "{{FLOC}} campaign collect . --table outcomes --format csv > {{output}}"
 )";
 
-/// Returns the floc command that prints the table of a collection. The command is run in the directory of a run.
+/// Returns the floc command, without the word floc, that prints the table of a collection for one run. It has to be
+/// called in the directory of this run.
 std::string command_of(const Collection& collection, const CampaignCase& one, const CasePlan& plan) {
   const auto file = [](int step) { return fmt::format(" state-{:04}.h5", step); };
   std::string command = collection.table;
@@ -89,8 +90,8 @@ std::string command_of(const Collection& collection, const CampaignCase& one, co
 }
 
 /// Returns the values of the option `--table` of `floc campaign run` for a collection, such as "1-moduli.csv: moduli
-/// state-0003.h5": the file of a table and the floc command that prints it. For the table compare, there is one value
-/// per state, because floc compare reads two states.
+/// state-0003.h5": the file of a table and the floc command that prints it. For the table "compare" there is one value
+/// per state, because one call of floc compare compares only two states.
 std::vector<std::string> commands_of(const Campaign& campaign, int number, const CampaignCase& one,
                                      const CasePlan& plan) {
   Collection collection = campaign.collections[static_cast<std::size_t>(number)];

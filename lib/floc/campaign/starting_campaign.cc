@@ -5,8 +5,8 @@
 namespace floc {
 namespace {
 
-/// Text of a campaign file, with {0} for its name and {1} for its scene file. It is a format string, so the braces of
-/// TOML are doubled.
+/// Format string for the text of a campaign file, with {0} for the name of the campaign and {1} for the name of the
+/// scene file. Braces of TOML are therefore doubled.
 constexpr const char* kText =
     R"TOML(# A campaign to start from. `floc campaign check` lists errors, runs and expected cost. The commands
 #

@@ -10,7 +10,7 @@
 /// writes laws by name.
 namespace floc {
 
-/// Declaration of a numeric parameter of a model of a contact law (Number, declaration.h).
+/// Numeric parameter of a model of a contact law, as the model declares it with a Number (declaration.h).
 struct DeclaredNumber {
   std::string key;
   Unit unit;
@@ -21,7 +21,7 @@ struct DeclaredNumber {
   std::string meaning;
 };
 
-/// Declaration of a parameter of a model whose value is a keyword (Choice, declaration.h).
+/// Parameter of a model whose value is a keyword, as the model declares it with a Choice (declaration.h).
 struct DeclaredChoice {
   std::string key;
   std::vector<std::string> keywords;  ///< allowed keywords; the first keyword is the default

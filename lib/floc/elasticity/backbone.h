@@ -6,11 +6,13 @@
 
 namespace floc {
 
-/// Returns which contacts of a network carry part of a small step of stress: those whose force or moment changes by
-/// more than rounding. Rounding is 1e-9 of the largest change in any contact; the change of a contact is the square
-/// root of the sum of the squares of its forces and of its moments over the grain's size. Contacts of dead ends carry
+/// Returns which contacts of a network carry part of a small change of stress: those whose forces or moments change by
+/// more than rounding errors. The size of the change in a contact is the square root of the sum of the squares of its
+/// force changes and of its moment changes divided by the grain's size. It exceeds rounding errors if it is more than
+/// 1e-9 of the largest change in any contact. Contacts of dead ends (grains that hang on a single contact) carry
 /// nothing.
-/// @return one entry per contact
+/// @param step  response of the network to the change of stress
+/// @return for each contact, whether it carries part of the change
 template <int Dim>
 std::vector<bool> mechanical_backbone(const ContactNetwork<Dim>& network, const StepResponse<Dim>& step);
 

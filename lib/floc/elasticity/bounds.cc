@@ -11,12 +11,12 @@
 namespace floc {
 namespace {
 
-/// Pressure that counts as zero in an equilibrium solved to 1e-8, as a share of the largest pressure that the normal
-/// forces could give if all had one sign.
+/// Pressure below which B_reuss is set to zero, because an equilibrium solved to 1e-8 cannot tell it from zero; as a
+/// share of the pressure that the magnitudes of the normal forces would give if all were compressive.
 constexpr double kNoPressure = 1e-8;
-/// Largest net force on a grain or wall, as a share of the largest contact force, at which the forces count as
-/// balanced: a hundred times the tolerance of equilibrium. A smaller net force changes the complementary energy by a
-/// share of the same order.
+/// The contact forces count as balanced if the net force on each grain and wall is at most this share of the largest
+/// contact force: a hundred times the tolerance of an equilibrium. A smaller net force changes the complementary energy
+/// by a share of the same order.
 constexpr double kBalanced = 1e-3;
 
 struct Sums {
@@ -25,8 +25,9 @@ struct Sums {
   double kt = 0.0;
   double force = 0.0;  // sum of the normal forces F_N
   double complementary = 0.0;
-  double scaled = 0.0;  // sum of K_N times the compliance terms F^2/K of each contact
-  double virial = 0.0;  // sum of |F_N| r, with the branch length r
+  // sum over touching contacts of K_N times F^2/K, itself summed over the springs of the contact
+  double scaled = 0.0;
+  double virial = 0.0;  // sum of |F_N| r over touching contacts, with the branch length r
 };
 
 template <int Dim>
@@ -49,10 +50,13 @@ Sums sum_over_contacts(const ContactNetwork<Dim>& network) {
   return s;
 }
 
-/// Returns the mean-field bulk modulus z Phi K_N <r^2>/(2 Dim^2 <v>), with the mean volume <v> of a grain and the
-/// branch length r. For branches between grains whose sizes d are drawn independently, <r^2> = (<d^2> + <d>^2)/2, and
-/// the modulus is z Phi (<d^2> + <d>^2) K_N/(4 pi <d^2>) in 2D and z Phi (<d^2> + <d>^2) K_N/(6 pi <d^3>) in 3D. The
-/// Reuss form takes <d>^2 in place of <r^2>.
+/// Returns the mean-field bulk modulus z Phi K_N <r^2>/(2 Dim^2 <v>), with the coordination number z, the solid
+/// fraction Phi, the branch length r and the mean volume <v> of a grain. For branches between grains whose diameters d
+/// are drawn independently, <r^2> = (<d^2> + <d>^2)/2. The modulus is then z Phi (<d^2> + <d>^2) K_N/(4 pi <d^2>) in 2D
+/// and z Phi (<d^2> + <d>^2) K_N/(6 pi <d^3>) in 3D. The Reuss form takes <d>^2 in place of <r^2>.
+/// @param kn                  mean normal stiffness K_N
+/// @param mean_square_branch  <r^2>, or <d>^2 for the Reuss form
+/// @param mean_size_power     <d^Dim>
 template <int Dim>
 double mean_field_bulk(const MeanField& m, double kn, double mean_square_branch, double mean_size_power) {
   const double grain_volume = (Dim == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0) * mean_size_power;
@@ -75,7 +79,7 @@ void add_printed_forms(const ContactNetwork<Dim>& network, const MeanField& m, c
   b.B_reuss_printed = mean_field_bulk<Dim>(m, kn, d * d, power) / b.Z2;
 }
 
-/// Returns the forces and moments carried by a contact, in the order of the rows of ContactRows: normal, tangential,
+/// Returns the forces and moments that a contact carries, in the order of the rows of ContactRows: normal, tangential,
 /// twisting (in 3D), rolling.
 template <int Dim>
 RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
@@ -88,9 +92,8 @@ RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Returns whether the forces of the contacts are in equilibrium on every grain and on the pairs of walls that may move
-/// together. Forces out of balance are not admissible in the principle of minimum complementary energy, so they give no
-/// bound.
+/// Returns whether the contact forces balance on every grain, and on each pair of walls that may move together. The
+/// principle of minimum complementary energy, which gives the Reuss bound, admits only forces that balance.
 template <int Dim>
 bool forces_balance(const ContactNetwork<Dim>& network) {
   Eigen::VectorXd on_grains = Eigen::VectorXd::Zero(network.n_unknowns());
@@ -115,7 +118,7 @@ bool forces_balance(const ContactNetwork<Dim>& network) {
                              [&](int a) { return std::abs(on_walls[a]) <= kBalanced * largest_on_walls; });
 }
 
-/// Returns the reason why the bounds are not guaranteed, empty if they are (see Bounds::fault).
+/// Returns the reason why B_reuss <= B_C <= B_voigt is not guaranteed (see Bounds::fault); empty if it is guaranteed.
 template <int Dim>
 std::string fault_of_bounds(const ContactNetwork<Dim>& network, double B_reuss) {
   const auto any = [&](auto&& has) { return std::ranges::any_of(network.contacts, has); };

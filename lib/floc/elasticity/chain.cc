@@ -35,7 +35,8 @@ void require_valid(std::int64_t n, double R, const ChainStiffness& k) {
   require_positive("K_R", k.rolling);
 }
 
-/// Returns the contact network of a chain, with disks of unit radius and stiffnesses divided by `unit` (force/length).
+/// Returns the contact network of a chain in reduced units, in which the radius of a disk and the stiffness `unit`
+/// (force/length) are 1.
 ContactNetwork<2> chain_network(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k,
                                 double unit) {
   ContactNetwork<2> network;
@@ -62,7 +63,7 @@ ContactNetwork<2> chain_network(const std::vector<Vec<2>>& branches, double R, c
   return network;
 }
 
-/// Geometry of a chain of unit disks relative to the line through its end centres.
+/// Geometry of a chain of unit disks relative to its chord, the line through the centres of its end disks.
 struct Chord {
   Vec<2> along, across;
   double length;
@@ -82,8 +83,8 @@ Chord chord_of(const std::vector<Vec<2>>& branches) {
   return chord;
 }
 
-/// Returns three unit motions of the last disk, one per column: along the chord, across the chord, and rotation about
-/// the middle of the chord.
+/// Returns three motions of the last disk, one per column: by a unit along the chord, by a unit across the chord, and
+/// by a unit rotation about the middle of the chord.
 Mat<3> end_motions(const Chord& chord) {
   Mat<3> motion = Mat<3>::Zero();
   motion.block<2, 1>(0, 0) = chord.along;
@@ -93,8 +94,8 @@ Mat<3> end_motions(const Chord& chord) {
   return motion;
 }
 
-/// Returns the springs of a chain whose first disk is fixed, whose last disk moves by the given motions, and whose
-/// disks in between are free.
+/// Returns the springs of a chain whose first disk is fixed and whose last disk moves by combinations of `motions` (one
+/// per column). The disks in between are the free unknowns.
 SpringSystem chain_springs(const ContactNetwork<2>& network, const Mat<3>& motions) {
   const Eigen::SparseMatrix<double> rigidity = rigidity_matrix(network, StrainSet::diagonal);
   SpringSystem springs;
@@ -112,11 +113,12 @@ SpringInverse invert(const SpringSystem& springs, SymmetricFactor& factor) {
   const Eigen::SparseMatrix<double> stiffness = a.transpose() * ka;
   factor.set_matrix(stiffness);
   if (auto found = invert_positive(factor)) return *found;
-  constexpr double kUnused = 0.0;  // no stiffness is negative
+  // no contact of a chain has a negative stiffness, so that this bound is not used
+  constexpr double kUnused = 0.0;
   return invert_singular(factor, springs, kUnused);
 }
 
-/// Compliance matrix of the last disk of a chain, and a bound on the error of each entry.
+/// Compliance matrix of the last disk of a chain, and a bound on the error of each of its entries.
 struct Compliance {
   Mat<3> value, error;
 
@@ -127,10 +129,10 @@ struct Compliance {
 
 Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   Compliance c;
-  // The inverse is taken in extended precision, because cofactors that mix soft and stiff directions cancel.
+  // The stiffness matrix is inverted in extended precision, because terms cancel where soft and stiff directions mix.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
-  // For the stiffness S and the bound E on its error, |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and |exact^-1| is at
-  // most |S^-1|/(1 - change). A diagonal scaling gives all entries one unit, so that `change` has no unit.
+  // E bounds the error of the stiffness S. Then |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and |exact^-1| is at most
+  // |S^-1|/(1 - change). A diagonal scaling gives all entries the same unit, so that `change` is a number.
   const Mat<3> size = c.value.cwiseAbs();
   const Vec<3> scale = stiffness.diagonal().cwiseAbs().cwiseSqrt();
   const Mat<3> relative = scale.asDiagonal() * (size * error) * scale.cwiseInverse().asDiagonal();
@@ -181,7 +183,7 @@ SolvedChain solve_chain(const std::vector<Vec<2>>& branches, double R, const Cha
   const SpringInverse found = invert(springs, factor);
   check_interruption();
   Condensation end = condense(springs, found.inverse, {.tolerance = 1e-14});
-  // A chain has no mechanism: if the factor finds one, rounding has hidden a stiffness, and the error is unbounded.
+  // A chain has no mechanism. If the factor finds one, rounding has hidden a stiffness, and the error has no bound.
   if (found.n_mechanisms > 0) end.error.setConstant(std::numeric_limits<double>::infinity());
   const Compliance c = invert_stiffness(end.stiffness, end.error);
   const auto scaled = [](BoundedValue v, double size) { return BoundedValue{v.value / size, v.error / size}; };

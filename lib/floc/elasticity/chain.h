@@ -7,45 +7,52 @@
 
 namespace floc {
 
-/// Stiffnesses of a contact, the same for all contacts of a chain of disks, all > 0.
+/// Stiffnesses of a contact in a chain of disks, the same for all contacts; all > 0.
 struct ChainStiffness {
   double normal;      ///< normal stiffness K_N (force/length)
   double tangential;  ///< tangential stiffness K_T (force/length)
   double rolling;     ///< rolling stiffness K_R (force * length)
 };
 
-/// Allowed range of the number of disks of a chain. A chain of a million disks takes six seconds and 2.7 GB.
+/// Allowed numbers of disks of a chain. A chain of a million disks takes six seconds and 2.7 GB.
 inline constexpr WholeRange kChainLength{.least = 2, .most = 1000000};
 
-/// Returns the compliance 1/K_N^(n) = (n-1)/K_N of a straight chain of n disks along itself (length/force).
+/// Returns the compliance 1/K_N^(n) = (n-1)/K_N of a straight chain of n disks along its axis (length/force).
 /// @param n  number of disks, in kChainLength
+/// @param k  stiffnesses K_N, K_T, K_R of a contact
 /// @throws InputError if n is out of range or a stiffness is not positive
 double chain_axial_compliance(int n, const ChainStiffness& k);
 
-/// Returns the transverse compliance 1/K_T^(n) of the two-disk equivalent of a straight chain of n disks
-/// (length/force).
+/// Returns the transverse compliance 1/K_T^(n) of a straight chain of n disks (length/force).
 ///
 ///   1/K_T^(n) = (n-1)/K_T + n (n-1) (n-2) R^2 / (3 K_R)
 ///
-/// The equivalent is a pair of disks of radius (n-1) R, with their contact in the middle of the chain, where a
-/// transverse force does not turn the two ends relative to each other. The formula is exact: it equals the solved
-/// network to rounding. The formula printed as Eq. 16 of [GRC2008] is a different displacement, see
-/// end_disk_deflection().
+/// It is the compliance of the pair of disks to which the chain is equivalent: of radius (n-1) R, with their contact in
+/// the middle of the chain, where a transverse force does not turn the two ends relative to each other. The formula is
+/// exact: it equals the solved network to rounding. The formula printed as Eq. 16 of [GRC2008] is a different
+/// displacement, see end_disk_deflection().
 /// @param n  number of disks, in kChainLength; for n = 2 the chain is a single contact
 /// @param R  radius of the disks (length), > 0
+/// @param k  stiffnesses K_N, K_T, K_R of a contact
 /// @throws InputError if n is out of range, or if R or a stiffness is not positive
 double chain_transverse_compliance(int n, double R, const ChainStiffness& k);
 
-/// Returns the compliance 1/K_R^(n) = (n-1)/K_R of a straight chain of n disks in bending, in 1/(force * length).
+/// Returns the compliance 1/K_R^(n) = (n-1)/K_R of a straight chain of n disks in bending (1/(force * length)).
+/// @param n  number of disks, in kChainLength
+/// @param k  stiffnesses K_N, K_T, K_R of a contact
 /// @throws InputError if n is out of range or a stiffness is not positive
 double chain_rolling_compliance(int n, const ChainStiffness& k);
 
-/// Returns the displacement of the centre of the last disk of a straight chain whose first disk is fixed, for a unit
-/// transverse force along a line through the last contact (length/force; [GRC2008], Eq. 16 as printed).
+/// Returns how far the centre of the last disk of a straight chain moves, if the first disk is fixed and a unit
+/// transverse force acts along a line through the last contact (length/force; [GRC2008], Eq. 16 as printed).
 ///
 ///   (n-1)/K_T + (n-1) (4 n^2 - 11 n + 6) R^2 / (3 K_R)
 ///
-/// For large n it is the displacement l^3/(3 EI) of a cantilever, with EI = 2 R K_R and l = 2 (n-1) R.
+/// For large n it is the displacement l^3/(3 EI) of a cantilever with the bending stiffness EI = 2 R K_R and the length
+/// l = 2 (n-1) R.
+/// @param n  number of disks, in kChainLength
+/// @param R  radius of the disks (length), > 0
+/// @param k  stiffnesses K_N, K_T, K_R of a contact
 /// @throws InputError if n is out of range, or if R or a stiffness is not positive
 double end_disk_deflection(int n, double R, const ChainStiffness& k);
 
@@ -58,27 +65,28 @@ struct BoundedValue {
 };
 
 /// Compliances of a straight or bent chain of disks whose first disk is fixed, found by solving its contact network.
+/// The chord is the line through the centres of the end disks.
 struct SolvedChain {
-  BoundedValue
-      axial;  ///< displacement along the line through the end disks' centres, per force along this line
-  /// displacement across the line through the end disks' centres, per force across its middle
+  BoundedValue axial;  ///< displacement of the last disk along the chord, per force along the chord
+  /// displacement of the last disk across the chord, per force across the middle of the chord
   BoundedValue transverse;
   BoundedValue rolling;  ///< rotation of the last disk per moment on it
-  /// displacement of the last disk's centre across that line, per force through the last contact
+  /// displacement of the last disk's centre across the chord, per force across the chord through the last contact
   BoundedValue end_disk;
-  double
-      condition;  ///< estimated condition number of the stiffness matrix; infinite if it is singular to rounding
+  /// estimated condition number of the stiffness matrix; infinite if it is singular to rounding
+  double condition;
 };
 
-/// Returns the directions of the n - 1 branches of an evenly bent chain of n disks, as unit vectors: each branch is
-/// turned by `bend` (radians) relative to the previous one. With bend = 0 the chain is straight along x.
+/// Returns, as unit vectors, the directions from each disk of an evenly bent chain of n disks to the next one. Each
+/// direction is turned by `bend` (radians) relative to the previous one. With bend = 0 the chain is straight along x.
 /// @throws InputError if n is out of range or `bend` is not finite
 std::vector<Vec<2>> bent_chain(int n, double bend);
 
-/// Solves the network of a chain for its compliances, with error bounds.
-/// @param branches  unit vectors from each disk to the next, one fewer than the number of disks, which kChainLength
-///                  limits; the last disk must not coincide with the first
+/// Solves the contact network of a chain for its compliances, with error bounds.
+/// @param branches  unit vectors from each disk to the next; their number plus one, the number of disks, has to be in
+///                  kChainLength. The last disk must not coincide with the first
 /// @param R         radius of the disks (length), > 0
+/// @param k         stiffnesses of a contact
 /// @throws InputError if R or a stiffness is not positive, or if the last disk lies on the first
 SolvedChain solve_chain(const std::vector<Vec<2>>& branches, double R, const ChainStiffness& k);
 

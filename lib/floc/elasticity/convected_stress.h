@@ -6,16 +6,16 @@
 
 namespace floc {
 
-/// Returns the component of a symmetric tensor that is work-conjugate to a strain unknown. @param column  number of the
-/// strain unknown in the order of StrainSet
+/// Returns the component of a symmetric tensor that is work-conjugate to a strain unknown.
+/// @param column  number of the strain unknown in the order of StrainSet
 template <int Dim>
 double conjugate(const Mat<Dim>& tensor, int column) {
   return (tensor.transpose() * unit_strain<Dim>(column)).trace();
 }
 
-/// Returns the term that the convection of the contact forces by a strain E adds to the moduli (relaxed stiffness K
-/// over the volume V): -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md, "Prestress").
-/// @param stress  static stress, compression positive (force/length^(Dim-1))
+/// Returns the term that prestress adds to the moduli (relaxed stiffness K over the volume V), because a strain E
+/// convects the static stress sigma: -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md, "Prestress").
+/// @param stress  static stress sigma, compression positive (force/length^(Dim-1))
 /// @param n       number of strain unknowns, in the order of StrainSet
 /// @return n x n matrix, in the unit of the stress
 template <int Dim>

@@ -16,8 +16,9 @@
 namespace floc {
 namespace {
 
-/// Springs of a network, with stiffnesses divided by `unit` (force/length). The free unknowns are the reduced unknowns
-/// of the grains; the boundary unknowns are the strains and, between walls, the wall shifts.
+/// Lists the springs of a network, with stiffnesses divided by `unit` (force/length). The free unknowns are the reduced
+/// unknowns of the grains. The boundary unknowns are the strains and, between walls, the wall shifts: the common
+/// displacements of the two walls of an axis.
 template <int Dim>
 class SpringList {
  public:
@@ -75,20 +76,20 @@ class SpringList {
   SpringSystem springs_;
 };
 
-/// Elastic problem of a network: the grains that take part, the unknowns that are solved for, and the answer.
+/// Elastic problem of a network: its grains without dead ends, the unknowns that are solved for, and the answer.
 template <int Dim>
 struct Problem {
   const ContactNetwork<Dim>& whole;
   const ResponseOptions& options;
   ElasticResponse answer;
-  ContactNetwork<Dim> pruned;  // network without its dead ends, if it has any
+  ContactNetwork<Dim> pruned;  // the network without its dead ends, if it has any
   ReducedUnknowns unknowns;
   double unit = 1.0;
-  bool positive = false;  // the stiffness matrix has a Cholesky factor that can be trusted
+  bool positive = false;  // whether the stiffness matrix has a Cholesky factor that can be trusted
 
   Problem(const ContactNetwork<Dim>& network, const ResponseOptions& chosen) : whole(network), options(chosen) {
     const FreeMotions& free = answer.free = find_free_motions(network);
-    // A dead end and its single contact carry no load, so both are removed.
+    // A dead end and its single contact carry no load. They are removed.
     if (has_ends()) pruned = without_grains(network, free.dead_end);
     unknowns = reduce_unknowns(core(), free.kept);
     unit = stiffness_scale(core());
@@ -106,16 +107,17 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// Returns an answer without a response, because the factor would take too many bytes.
+  /// Returns an answer that says that the factor would take too many bytes, instead of a response.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
-    answer.failure =
-        fmt::format("the factor of {} unknowns would take {:.1f} GB, but at most {:.1f} GB are allowed",
-                    unknowns.unknown.size(), bytes / 1e9, options.largest_factor / 1e9);
+    answer.failure = fmt::format(
+        "the factor of the stiffness matrix of {} unknowns would take {:.1f} GB, but at most {:.1f} GB are "
+        "allowed",
+        unknowns.unknown.size(), bytes / 1e9, options.largest_factor / 1e9);
     return std::move(answer);
   }
 
-  /// Turns a condensation into the answer, in the unknowns of the whole network.
+  /// Turns a condensation of the springs into the answer, in the unknowns of the whole network.
   /// @param norm  norm of the stiffness matrix, or a number below it
   ElasticResponse take(const Condensation& condensed, double norm) {
     ElasticResponse& out = answer;
@@ -151,7 +153,7 @@ ElasticResponse solve_by_factor(Problem<Dim>& problem, SymmetricFactor& factor) 
                       factor.norm());
 }
 
-/// Returns the diagonal of the stiffness matrix: the stiffness of each unknown with all other unknowns fixed.
+/// Returns the diagonal of the stiffness matrix: the stiffness of each unknown while all others are fixed.
 Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(springs.on_free.cols());
   for (Eigen::Index r = 0; r < springs.on_free.rows(); ++r)
@@ -160,17 +162,19 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
   return diagonal;
 }
 
-/// Number of iteration steps with the factor of another network beyond which a new factor is cheaper. (For 1400 grains,
-/// a factor takes as long as some 30 steps.)
+/// Largest number of iteration steps with a factor made for another network. With more steps, a new factor is cheaper
+/// (for 1400 grains, it takes as long as some 30 steps).
 constexpr int kMaxSteps = 40;
 
-/// Solves by refinement with an approximate inverse whose accuracy is not known. @return no value if the refinement
-/// does not converge
+/// Solves by refinement with an approximate inverse whose accuracy is not known.
+/// @param apply  returns the product of the approximate inverse with a vector
+/// @param start  motions of the grains from which the refinement starts, one column per boundary unknown; may be empty
+/// @return no value if the refinement does not converge
 template <int Dim>
 std::optional<ElasticResponse> solve_by_approximate_inverse(
     Problem<Dim>& problem, const SpringSystem& springs,
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply, const Eigen::MatrixXd& start) {
-  /// Tolerance below which the rounding of residuals in double precision matters.
+  /// Tolerance below which residual forces are computed in extended precision; above it, double precision suffices.
   constexpr double kDoubleSuffices = 1e-9;
   ApproximateInverse inverse;
   inverse.apply = std::move(apply);
@@ -184,8 +188,8 @@ std::optional<ElasticResponse> solve_by_approximate_inverse(
   const Condensation condensed = condense(springs, inverse, options);
   if (!condensed.converged) return std::nullopt;
   problem.answer.counted = false;
-  problem.answer.condition =
-      std::numeric_limits<double>::quiet_NaN();  // its estimate would need an exact factor
+  // an estimate of the condition number would need an exact factor
+  problem.answer.condition = std::numeric_limits<double>::quiet_NaN();
   const double norm = springs.on_free.cols() == 0 ? 0.0 : diagonal_of(springs).maxCoeff();
   return problem.take(condensed, norm);
 }
@@ -198,8 +202,8 @@ std::optional<ElasticResponse> solve_by_single_factor(Problem<Dim>& problem) {
                                       [&](const auto& b) { return factor.solve(b); }, {});
 }
 
-/// Approximate inverse made from the factor of another network. It is applied to the unknowns that both networks have;
-/// the other unknowns are divided by their diagonal entry.
+/// Approximate inverse of the stiffness matrix of this network, made from the factor of another network. The factor is
+/// used for the unknowns that both networks have; for the other unknowns, the diagonal of the matrix is inverted.
 class InheritedInverse {
  public:
   InheritedInverse(const ResponseMemory& memory, const ReducedUnknowns& unknowns, Eigen::VectorXd diagonal)
@@ -227,16 +231,18 @@ class InheritedInverse {
 
  private:
   const ResponseMemory& memory_;
-  Eigen::VectorXd
-      diagonal_;          // diagonal entry of each unknown that the factor does not contain, 0 for the others
-  std::vector<int> row_;  // row in this network of each row of the factor; -1 if there is none
-  std::vector<double> scale_;  // factor between the values in the two rows
+  // diagonal entry of each unknown that the factor does not contain; 0 for the others
+  Eigen::VectorXd diagonal_;
+  std::vector<int> row_;  // for each row of the factor, the row in this network; -1 if there is none
+  // for each row of the factor, the factor between the values solved for in the two networks
+  std::vector<double> scale_;
 };
 
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation covers the strains alone. Between walls it gives no start for the wall shifts.
+  // The stored fluctuation, the initial guess of the solver, has a column for each strain but none for the shift of a
+  // wall. It is of no use to a packing between walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

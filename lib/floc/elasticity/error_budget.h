@@ -9,29 +9,31 @@
 
 namespace floc {
 
-/// Contributions to the error of a bulk modulus B, in its unit, and the name of the largest one.
+/// Contributions to the error of a bulk modulus B, in the unit of B (force/length^(Dim-1)).
 struct ErrorBudget {
-  double solver = 0.0;  ///< bound on the error from solving and rounding (Moduli::B_error), in the unit of B
-  /// Part of B that depends on undecided contacts. These contacts have an elastic force below the residual of the
-  /// state, or below its rounding floor if that is higher, so that they might as well be open. The part of B is their
-  /// share of the elastic energy in an isotropic step. Absent if there is no response to that step.
+  double solver = 0.0;  ///< bound on the error from solving and rounding (Moduli::B_error)
+  /// Contribution to B of the undecided contacts, which might as well be open: their elastic force is below the
+  /// residual of the state, or below the rounding floor of the residual if that is higher. The contribution is B times
+  /// their share of the elastic energy in an isotropic step of stress. Absent if there is no response to that step.
   std::optional<double> equilibrium;
   int n_undecided = 0;  ///< number of undecided contacts
-  /// Scatter of B between samples, estimated from one sample (same unit as B). C11, C22 (and C33) would be equal in a
-  /// large isotropic sample; their range divided by Dim^2, the number of entries that B averages, estimates the scatter
-  /// of B.
+  /// Scatter of B between samples, estimated from one sample. In a large isotropic sample, C11, C22 (and C33) would be
+  /// equal. Their range divided by Dim^2, the number of entries of C that B averages, estimates the scatter of B.
   double sampling = 0.0;
-  RoundingFloor
-      floor;  ///< smallest residuals that rounding allows: net force (over F1), stress (over F1/a^(Dim-1))
-  double residual = 0.0;  ///< largest net force on a grain, over F1 = max(F0, P a^(Dim-1))
+  /// Smallest residuals that rounding allows: net force over the force scale F1 of `residual`, and stress over
+  /// F1/a^(Dim-1), with the largest diameter a.
+  RoundingFloor floor;
+  /// largest net force on a grain over F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter a)
+  double residual = 0.0;
 
-  /// Returns the name of the largest contribution: "solver", "sampling", or the reason why contacts are undecided,
-  /// "rounding" or "residual".
+  /// Returns the name of the largest contribution: "solver", "sampling", or, if it is `equilibrium`, the reason why
+  /// contacts are undecided: "rounding" or "residual".
   const char* limit() const;
 };
 
 /// Computes the error budget of the bulk modulus B.
-/// @param network  contacts from which the moduli were computed
+/// @param network  contact network from which the moduli were computed
+/// @param moduli   moduli of that network
 /// @param step     response of that network to an isotropic step of stress; null if there is none
 template <int Dim>
 ErrorBudget error_budget(const State<Dim>& state, const ContactNetwork<Dim>& network, const Moduli& moduli,

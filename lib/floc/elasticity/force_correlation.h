@@ -7,16 +7,17 @@
 
 namespace floc {
 
-/// Correlation between the forces of a state and their increments in a small step: Pearson's coefficients over the
-/// touching contacts. A coefficient is absent if one of its two quantities does not vary.
+/// Pearson's correlation coefficients, over the touching contacts, between the forces of a state and their increments
+/// in a small step of stress or strain. A coefficient is absent if one of the two quantities is the same in all
+/// contacts.
 struct ForceCorrelation {
-  std::optional<double> normal;  ///< normal force and its increment, both with their sign
-  std::optional<double>
-      size;  ///< magnitude of the force (normal and tangential) and magnitude of its increment
+  std::optional<double> normal;  ///< normal force and its increment, both with their signs
+  /// magnitude of the contact force (normal and tangential) and magnitude of its increment
+  std::optional<double> size;
 };
 
-/// Computes the correlation over the touching contacts of a network.
-/// @param increments  increment of the force in each contact of the network
+/// Computes the correlation between forces and force increments over the touching contacts of a network.
+/// @param increments  increment of the forces in each contact of the network
 template <int Dim>
 ForceCorrelation force_correlation(const ContactNetwork<Dim>& network,
                                    const std::vector<ForceIncrement<Dim>>& increments);

@@ -10,10 +10,10 @@
 namespace floc {
 namespace {
 
-/// Share of the energy that the contacts of highest energy must hold together, see StepResponse::n_holding.
+/// Share of the energy of all touching contacts that StepResponse::n_holding contacts hold together.
 constexpr double kHeldShare = 0.95;
-/// Work of a unit stress on a strain without stiffness below which it counts as zero: the eigenvectors are accurate to
-/// rounding.
+/// A unit stress counts as doing no work on a strain without stiffness if the work is below this value: the strain is
+/// an eigenvector that is accurate to rounding.
 constexpr double kNoWork = 1e-9;
 
 template <int Dim>
@@ -26,15 +26,15 @@ Eigen::VectorXd stress_of(StressStep step) {
   return stress;
 }
 
-/// Returns the diagonal strain under a diagonal stress. @return no value if the stress does work on a strain without
-/// stiffness
+/// Returns the diagonal strain of the cell under a diagonal stress.
+/// @return no value if the stress does work on a strain that no stiffness resists
 template <int Dim>
 std::optional<Eigen::VectorXd> strain_of(const ContactNetwork<Dim>& network, const ElasticResponse& response,
                                          const Eigen::VectorXd& stress) {
   const Eigen::MatrixXd relaxed = response.relaxed.topLeftCorner(Dim, Dim);
   const Eigen::MatrixXd free = vanishing_strains(relaxed, affine_stiffness(network, StrainSet::diagonal));
   if ((free.transpose() * stress).norm() > kNoWork) return std::nullopt;
-  // Strains without stiffness are given a stiffness, so that the system can be solved; no stress acts on them.
+  // Strains that no stiffness resists are given one, so that the system can be solved; the stress does no work on them.
   const Eigen::MatrixXd held = relaxed + relaxed.trace() * free * free.transpose();
   return Eigen::VectorXd(network.volume * solve_symmetric(held, stress));
 }
@@ -46,7 +46,7 @@ double energy_of(const NetworkContact<Dim>& c, const ForceIncrement<Dim>& f) {
          term(f.rolling_moment.squaredNorm(), c.kr) + term(f.twisting_moment * f.twisting_moment, c.ktw);
 }
 
-/// Returns the forces along the rows of ContactRows as an increment of the contact.
+/// Converts the forces along the rows of ContactRows to the forces and moments of the contact.
 template <int Dim>
 ForceIncrement<Dim> increment_of(const NetworkContact<Dim>& c, const ForceRows<Dim>& forces) {
   ForceIncrement<Dim> f{forces[0], forces.template segment<Dim - 1>(1), RotationVector<Dim>::Zero(), 0.0};
@@ -86,7 +86,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
   std::vector<ForceIncrement<Dim>> increments;
   increments.reserve(network.contacts.size());
   for (const NetworkContact<Dim>& c : network.contacts) {
-    // A dead end moves with the grain that it hangs on, so that its contact does not change.
+    // A dead end moves with the grain that it hangs on, so that the forces of its contact do not change.
     if (response.free.dead_end[c.i] || response.free.dead_end[c.j]) {
       increments.push_back(increment_of<Dim>(c, ForceRows<Dim>::Zero()));
       continue;

@@ -12,13 +12,14 @@ template <int Dim>
 struct ForceIncrement {
   double normal;  ///< change of the normal force (force)
   Eigen::Matrix<double, Dim - 1, 1>
-      shear;                           ///< tangential force on grain i, along the tangents of the frame (force)
-  RotationVector<Dim> rolling_moment;  ///< rolling moment on grain i (force * length)
-  double twisting_moment;              ///< moment on grain i about the normal, in 3D (force * length)
+      shear;  ///< change of the tangential force on grain i, along the tangents of the frame (force)
+  RotationVector<Dim> rolling_moment;  ///< change of the rolling moment on grain i (force * length)
+  double twisting_moment;  ///< change of the moment on grain i about the normal, in 3D (force * length)
 };
 
-/// Computes the forces that a small strain adds in every contact if no contact slides: k G U, with the contact
-/// stiffnesses k, the rigidity matrix G and the response U. Without prestress, the forces of dead ends do not change.
+/// Computes the forces k G U that a small strain adds in every contact if no contact slides, with the contact
+/// stiffnesses k, the rigidity matrix G and the motion U of grains and strains. Without prestress, the forces of dead
+/// ends do not change.
 /// @param strain  one entry per strain unknown of the response, shortening positive
 template <int Dim>
 std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& network,
@@ -26,28 +27,28 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
                                                   const Eigen::VectorXd& strain);
 
 enum class StressStep {
-  isotropic,   ///< every diagonal stress increases by one
-  deviatoric,  ///< sigma_11 increases by one, the other diagonal stresses decrease by 1/(Dim - 1)
+  isotropic,   ///< every diagonal stress increases by 1
+  deviatoric,  ///< sigma_11 increases by 1, every other diagonal stress decreases by 1/(Dim - 1)
 };
 
-/// Response of a network to a small step of the diagonal stresses, with shear strains fixed at zero, per unit of
-/// stress.
+/// Response of a network to a small step of the diagonal stresses, per unit of stress. Shear strains are fixed at zero.
 template <int Dim>
 struct StepResponse {
-  Eigen::VectorXd strain;                       ///< diagonal strains (1/stress)
-  std::vector<ForceIncrement<Dim>> increments;  ///< increment of the forces in each contact (force/stress)
-  /// Elastic energy 1/2 sum f^2/k of the increments f in each contact, negative for an attraction across a gap
-  /// (energy/stress^2). The sum over all contacts is half the work of the stress, V (strain . stress)/2.
+  Eigen::VectorXd strain;                       ///< diagonal strains of the cell (1/stress)
+  std::vector<ForceIncrement<Dim>> increments;  ///< increment of the forces in each contact, per unit of stress
+  /// Elastic energy 1/2 sum f^2/k of each contact (energy/stress^2), with the force increments f and the stiffnesses k;
+  /// negative for an attraction across a gap. The sum over all contacts is half the work of the stress, V (strain .
+  /// stress)/2, with the volume V.
   std::vector<double> energy;
-  std::vector<int> rank;  ///< rank of each contact by `energy`, 0 for the largest
-  /// Number of touching contacts of highest energy that together hold 95 % of the energy of all touching contacts.
+  std::vector<int> rank;  ///< place of each contact in descending order of `energy`, from 0
+  /// Smallest number of touching contacts that together hold 95 % of the energy of all touching contacts.
   int n_holding = 0;
   double energy_share_95 = 0.0;  ///< `n_holding` over the number of touching contacts
 };
 
 /// Computes the response of a network to a small step of the diagonal stresses.
-/// @return no value if the step does work on a strain that no stiffness resists, or if there are no contacts
-/// @pre the response was computed without prestress
+/// @param response  elastic response of the network, computed without prestress
+/// @return no value if the stress does work on a strain that no stiffness resists, or if there are no contacts
 template <int Dim>
 std::optional<StepResponse<Dim>> step_response(const ContactNetwork<Dim>& network,
                                                const ElasticResponse& response, StressStep step);

@@ -4,17 +4,21 @@
 
 namespace floc {
 
-/// Returns (C11 + C22 - 2 C12)/4 for the moduli C of the diagonal strains, in 3D the mean over the pairs of axes. This
-/// is the shear modulus if the material is isotropic.
+/// Returns the shear modulus (C11 + C22 - 2 C12)/4 of an isotropic material; in 3D its mean over the three pairs of
+/// axes.
+/// @param diagonal_block  C: the Dim x Dim block of the matrix of moduli that belongs to the diagonal strains
 double pure_shear_modulus(const Eigen::MatrixXd& diagonal_block);
 
-/// Returns the mean of the entries of the moduli C of the diagonal strains: the pressure per relative decrease of
-/// volume if all diagonal strains are equal.
+/// Returns the bulk modulus, the mean of the entries of C: the increase of pressure per relative decrease of volume if
+/// all diagonal strains are equal.
+/// @param diagonal_block  C: the Dim x Dim block of the matrix of moduli that belongs to the diagonal strains
 double bulk_modulus(const Eigen::MatrixXd& diagonal_block);
 
-/// Returns a bound on the error of pure_shear_modulus(). @param diagonal_block_error  bound on the error of each entry
+/// Returns a bound on the error of the shear modulus that pure_shear_modulus() computes.
+/// @param diagonal_block_error  bounds on the errors of the moduli C11, C12, ... that pure_shear_modulus() is given
 double pure_shear_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
-/// Returns a bound on the error of bulk_modulus(). @param diagonal_block_error  bound on the error of each entry
+/// Returns a bound on the error of the bulk modulus that bulk_modulus() computes.
+/// @param diagonal_block_error  bounds on the errors of the moduli C11, C12, ... that bulk_modulus() is given
 double bulk_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
 
 }  // namespace floc

@@ -11,11 +11,11 @@
 namespace floc {
 namespace {
 
-/// Least and largest default number of modes, see ModeOptions::count.
+/// If ModeOptions::count is absent: smallest and largest number of modes that are computed.
 constexpr int kMinCount = 10;
 constexpr int kMaxCount = 100;
 
-/// Returns which unknowns of the stiffness matrix belong to grains with contacts.
+/// Returns, for each unknown of the stiffness matrix, whether its grain has a contact.
 template <int Dim>
 std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> connected(network.n_unknowns(), false);
@@ -25,7 +25,8 @@ std::vector<bool> connected_unknowns(const ContactNetwork<Dim>& network) {
   return connected;
 }
 
-/// Returns which unknowns of the stiffness matrix some contact resists. Without friction, every rotation is free.
+/// Returns, for each unknown of the stiffness matrix, whether a contact resists it. Where all contacts of a grain have
+/// only a normal stiffness, none resists its rotation.
 template <int Dim>
 std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   std::vector<bool> resisted(network.n_unknowns(), false);
@@ -37,7 +38,7 @@ std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   return resisted;
 }
 
-/// Returns the free motions of a network, without those of grains without contact, as columns of unit length.
+/// Returns the free motions of a network, without those of grains that have no contact, as columns of unit length.
 Eigen::SparseMatrix<double> scaled_free_motions(const FreeMotions& free, const ReducedUnknowns& u) {
   std::vector<Eigen::Triplet<double>> entries;
   int n = 0;
@@ -68,8 +69,8 @@ double near_bound(const ContactNetwork<Dim>& network) {
   return bound;
 }
 
-/// Adds the energies of a mode and its coupling to strain, as sums of squares over the contacts. The rounding of the
-/// stiffness matrix does not affect these sums.
+/// Computes the energies of a mode, without and with prestress, and its coupling to strain. They are sums over the
+/// contacts, which the rounding of the stiffness matrix does not affect.
 template <int Dim>
 void add_energies(const ContactNetwork<Dim>& network, StrainSet strains, Mode<Dim>& mode) {
   mode.coupling = Eigen::VectorXd::Zero(n_strains<Dim>(strains));
@@ -189,8 +190,8 @@ std::optional<int> count_near_mechanisms(const ContactNetwork<Dim>& network, con
                             static_cast<std::ptrdiff_t>(unknowns.unknown.size());
   const int n_free =
       static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler) - static_cast<int>(n_unresisted);
-  const int n_negative =
-      response.n_negative - response.n_negative_shifts;  // the walls do not move in this count
+  // The matrix is that of fixed walls, so that negative eigenvalues of the walls' motions are left out.
+  const int n_negative = response.n_negative - response.n_negative_shifts;
   return factor.count_eigenvalues_below(bound) - n_free - response.n_mechanisms - n_negative;
 }
 

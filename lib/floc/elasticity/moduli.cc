@@ -19,31 +19,31 @@
 namespace floc {
 namespace {
 
-/// Modulus that counts as zero because of rounding, as a share of the Voigt stiffness. It is used if no error bound is
-/// available.
+/// Modulus that counts as zero because it may be due to rounding, as a share of the Voigt stiffness. It is used if no
+/// error bound is available.
 constexpr double kVanishingModulus = 1e-11;
-/// Condition number of the stiffness matrix above which a warning is given that soft modes dominate the moduli.
+/// Condition number of the stiffness matrix above which a warning says that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
-/// Tolerance of the refinement with a factor, as a share of the tolerance of the moduli. A refinement step squares the
+/// With a factor: tolerance of the refinement, as a share of the tolerance on the moduli. A refinement step squares the
 /// error, so that a strict tolerance costs no more steps.
 constexpr double kToleranceOfSolution = 1e-3;
-/// Tolerance of the other solvers, as a share of the tolerance of the moduli. Their steps do not square the error, so
-/// that a stricter tolerance costs more steps.
+/// With any other solver: tolerance of the solution, as a share of the tolerance on the moduli. The steps of these
+/// solvers do not square the error, so that a stricter tolerance would cost more steps.
 constexpr double kToleranceOfIterativeSolution = 0.1;
-/// Largest difference between a principal stress and the pressure, as a share of the pressure, at which B_reuss counts
-/// as a bound of B_S.
+/// B_reuss counts as a lower bound on B_S if the principal stresses differ from the pressure by at most this share of
+/// the pressure.
 constexpr double kIsotropic = 1e-4;
-/// Relative rounding error of the cell's volume and of the stress terms added with prestress.
+/// Bound on the relative rounding error of the cell's volume and of the stress terms that prestress adds.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Returns the absolute value below which an eigenvalue of C cannot be distinguished from zero. @param scale  Voigt
-/// stiffness
+/// Returns the absolute value below which an eigenvalue of the moduli C cannot be told from zero.
+/// @param scale  Voigt stiffness, the stiffness of affine motion (stress)
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();
   return std::isfinite(error) ? error : kVanishingModulus * scale;
 }
 
-/// Counts the zero and negative eigenvalues of C, and sets those within `bound` of zero to exactly zero.
+/// Counts the zero and negative eigenvalues of the moduli C, and sets those within `bound` of zero to exactly zero.
 void count_coupled_mechanisms(double bound, Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(m.C);
   Eigen::VectorXd values = eigen.values;
@@ -59,8 +59,8 @@ void count_coupled_mechanisms(double bound, Moduli& m) {
   m.n_mechanisms += m.n_coupled_mechanisms;
 }
 
-/// Computes B_S = 1/(1^T C^-1 1) and its error. B_S is 0 if an isotropic stress does work on a strain that no stiffness
-/// resists.
+/// Computes B_S = 1/(1^T C^-1 1) and its error from the moduli C. B_S is 0 if an isotropic stress does work on a strain
+/// that no stiffness resists.
 void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::MatrixXd& error, double bound,
                                    Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(c);
@@ -79,8 +79,8 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
   }
   if (compliance == 0.0) return;
   m.B_S = 1.0 / compliance;
-  // To first order d(1/B_S) = -strain^T dC strain. Higher orders are a small share of this as long as the compliance
-  // changes little.
+  // To first order in the error dC of C, d(1/B_S) = -strain^T dC strain. The higher orders are a small share of this as
+  // long as the compliance changes little.
   const double change = strain.cwiseAbs().dot(error * strain.cwiseAbs()) / std::abs(compliance);
   m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
@@ -101,7 +101,7 @@ void derive_constants(double scale, Moduli& m) {
   m.isotropy_defect = mean == 0.0 ? 0.0 : (diagonal.maxCoeff() - diagonal.minCoeff()) / std::abs(mean);
 }
 
-/// Adds warnings if error bounds exceed the tolerance, and sets moduli without any correct digit to NaN.
+/// Adds a warning if an error bound exceeds the tolerance, and sets moduli without any correct digit to NaN.
 void check_errors(bool resolved, double tolerance, Moduli& m) {
   if (!resolved) {
     m.warnings.push_back(
@@ -141,7 +141,7 @@ void add_warnings(Moduli& m) {
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
     m.warnings.push_back(
         fmt::format("the stiffness matrix has a condition number of {:.1e}: soft modes dominate the moduli; "
-                    "compare the moduli with prestress",
+                    "compare them with the moduli with prestress",
                     m.condition));
   if (!m.bounds_hold())
     m.warnings.push_back("B_reuss and B_voigt do not bound B, because " + m.bounds.fault);
@@ -200,8 +200,8 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
 
 namespace {
 
-/// Sets B and G to the middle between their bounds, B_reuss <= B <= B_voigt and 0 <= G <= G_voigt, and their errors to
-/// half the distance. If the bounds are not guaranteed, sets the failure.
+/// Sets B to the middle between B_reuss and B_voigt, G to the middle between 0 and G_voigt, and their errors to half
+/// the distance between these bounds. If the bounds are not guaranteed, sets m.failure instead.
 void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   m.method = ModuliMethod::bounds;
@@ -226,16 +226,16 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   }
 }
 
-/// Returns whether the stresses along the axes are equal, as the definition of B_S requires (it has shear strains fixed
-/// at zero).
+/// Returns whether the normal stresses along the axes are equal. The definition of B_S requires no more, because its
+/// shear strains are fixed at zero.
 template <int Dim>
 bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   const Vec<Dim> deviator = stress.diagonal() - Vec<Dim>::Constant(pressure);
   return deviator.cwiseAbs().maxCoeff() <= kIsotropic * std::abs(pressure);
 }
 
-/// Computes moduli from the response of a network.
-/// @param respond  elastic_response() bound to the data that it keeps from one call to the next
+/// Computes the moduli of a network from its elastic response.
+/// @param respond  returns the elastic response; calls elastic_response() with data that it keeps between calls
 template <int Dim>
 Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                      const ModuliOptions& options, const auto& respond) {
@@ -286,7 +286,7 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   return m;
 }
 
-/// Returns the moduli with prestress, completed by the values without prestress.
+/// Returns the moduli with prestress, with B, G and the response of the moduli without prestress added.
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;
   with.B_without_prestress = without.B;

@@ -11,15 +11,16 @@
 namespace floc {
 namespace {
 
-/// Smallest relative accuracy that can be required: the rounding error of the cell's volume.
+/// Smallest relative error of a modulus that may be required: the rounding error of the cell's volume.
 constexpr double kMinError = 1e-14;
-/// Largest relative difference of the principal stresses, as a share of the required accuracy, at which B_reuss is
-/// taken as a bound of B_S. With sigma_a = P (1 + delta_a) the bound is wrong by about delta.
+/// B_reuss counts as a bound on B_S if the principal stresses differ by at most this share of the required accuracy,
+/// relative to their mean. With sigma_a = P (1 + delta_a) the bound is wrong by about delta.
 constexpr double kAnisotropyShare = 0.01;
 /// Largest number of grains for which a factor in single precision is cheaper than one in double precision.
 constexpr int kMaxForSingle = 1000;
 
-/// Returns whether the middle between the bounds is sufficient for B, with half their distance as its error.
+/// Returns whether the moduli may be taken as the middle between their bounds: only B is required, and the stress is
+/// nearly isotropic.
 template <int Dim>
 bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, const ModuliAccuracy& accuracy) {
   if (std::isfinite(accuracy.G) || options.strains == StrainSet::full) return false;
@@ -27,8 +28,8 @@ bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, c
   return stress.maxCoeff() - stress.minCoeff() <= kAnisotropyShare * accuracy.B * std::abs(stress.mean());
 }
 
-/// Returns whether the counts of zero and negative eigenvalues are reliable. Only ModuliMethod::factor counts them
-/// fully; moduli of another method must have none.
+/// Returns whether the numbers of zero and negative eigenvalues in `m` can be relied on. ModuliMethod::factor counts
+/// all of them; moduli of another method are relied on only if none was found.
 bool fully_counted(const Moduli& m) {
   return m.method == ModuliMethod::factor || (m.n_mechanisms == 0 && m.n_negative == 0);
 }

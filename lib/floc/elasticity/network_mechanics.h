@@ -10,12 +10,12 @@
 
 namespace floc {
 
-/// Response of each contact of a network to an isotropic and a deviatoric step of stress.
+/// Changes of the contact forces of a network in an isotropic and in a deviatoric step of stress.
 template <int Dim>
 struct ContactMechanics {
-  /// Response to an isotropic step; absent if the stress does work on a mechanism.
+  /// Response to an isotropic step of stress; absent if the stress does work on a mechanism.
   std::optional<StepResponse<Dim>> isotropic;
-  /// Response to a deviatoric step; absent if the stress does work on a mechanism.
+  /// Response to a deviatoric step of stress; absent if the stress does work on a mechanism.
   std::optional<StepResponse<Dim>> deviatoric;
   Percolation percolation;
   /// For each contact, whether its forces change in at least one of the two steps of stress; empty if both responses
@@ -23,36 +23,37 @@ struct ContactMechanics {
   std::vector<bool> backbone;
 };
 
-/// Computes the response of each contact to both steps of stress, and the percolation of the network.
+/// Computes the response of each contact to an isotropic and to a deviatoric step of stress, and the percolation of the
+/// network.
 /// @param moduli  moduli of the same network
 template <int Dim>
 ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
 
-/// Counts and ratios that describe how far the contacts of a network determine its forces (docs/physics.md, "Stability
-/// and mechanisms").
+/// Numbers that describe how far the contacts of a network determine its forces (docs/physics.md, "Stability and
+/// mechanisms").
 struct NetworkMechanics {
   double rattler_fraction = 0.0;  ///< x0: number of rattlers over number of grains
-  /// Coordination number without rattlers: twice the number of touching contacts between grains, over the number of
-  /// grains that are not rattlers. Contacts of rattlers are not counted.
+  /// Coordination number without rattlers: twice the number of touching contacts between grains that are not rattlers,
+  /// over the number of these grains.
   double z_star = 0.0;
-  /// Dimensionless shear modulus G/(K_N Phi (1 - x0)), with the mean K_N of touching contacts, the solid fraction Phi
-  /// and the rattler fraction x0; in 3D multiplied by the largest diameter. Absent without contacts.
+  /// Dimensionless shear modulus G/(K_N Phi (1 - x0)), with the mean normal stiffness K_N of touching contacts, the
+  /// solid fraction Phi and the rattler fraction x0; in 3D multiplied by the largest diameter. Absent without contacts.
   std::optional<double> G_star;
   int n_dead_ends = 0;   ///< number of grains that hang on a single contact, or on a chain of such grains
-  int n_components = 0;  ///< number of connected parts of the network, dead ends removed
+  int n_components = 0;  ///< number of connected parts of the network after the dead ends have been removed
   Indeterminacy indeterminacy;
-  /// share of touching contacts that hold 95 % of the energy of the isotropic step
+  /// smallest share of the touching contacts that hold 95 % of the elastic energy of the isotropic step of stress
   std::optional<double> energy_share_95;
-  /// share of touching contacts that hold 95 % of the energy of the deviatoric step
+  /// smallest share of the touching contacts that hold 95 % of the elastic energy of the deviatoric step of stress
   std::optional<double> energy_share_95_deviatoric;
-  std::optional<double>
-      backbone_share;  ///< share of contacts in the mechanical backbone, see mechanical_backbone()
+  /// share of contacts in the mechanical backbone, see mechanical_backbone()
+  std::optional<double> backbone_share;
   /// Share of contacts in the scalar backbone, see Percolation; absent without contacts.
   std::optional<double> scalar_backbone_share;
   int n_percolating = 0;  ///< number of directions in which the network percolates through the periodic cell
 };
 
-/// Computes the counts and ratios of NetworkMechanics.
+/// Computes the numbers of NetworkMechanics.
 /// @param moduli, contacts  moduli and contact_mechanics() of the same network
 template <int Dim>
 NetworkMechanics network_mechanics(const Packing<Dim>& packing, const ContactNetwork<Dim>& network,

@@ -7,28 +7,28 @@
 
 namespace floc {
 
-/// Unknowns of the stiffness matrix K that are solved for, all in the unit of length: rotations are multiplied by the
-/// grain's size.
+/// Unknowns of the stiffness matrix K that are solved for; the rest are free motions. They are all lengths: rotations
+/// are multiplied by the grain's size.
 struct ReducedUnknowns {
-  std::vector<int>
-      row;  ///< row of the reduced system for each unknown of K; -1 if the unknown is not solved for
-  std::vector<int> unknown;  ///< unknown of K for each row of the reduced system
-  Eigen::VectorXd length;    ///< scale of each row: unknown of K = length * value in the row
+  std::vector<int> row;  ///< for each unknown of K, its row in the reduced system; -1 if it is not solved for
+  std::vector<int> unknown;  ///< for each row of the reduced system, its unknown of K
+  /// for each row of the reduced system, the unknown of K divided by the value solved for
+  Eigen::VectorXd length;
 };
 
-/// Selects the unknowns of the stiffness matrix to solve for.
-/// @param kept  one entry per unknown: whether to solve for it, see FreeMotions::kept
+/// Selects the unknowns of the stiffness matrix that are solved for.
+/// @param kept  for each unknown of the stiffness matrix, whether it is solved for, see FreeMotions::kept
 template <int Dim>
 ReducedUnknowns reduce_unknowns(const ContactNetwork<Dim>& network, const std::vector<bool>& kept);
 
-/// Returns the lower triangle of the stiffness matrix of the grains in the reduced unknowns, divided by `unit`
-/// (force/length).
-/// @param grains  lower triangle of the stiffness matrix in all unknowns, see StiffnessMatrix
+/// Returns the lower triangle of the stiffness matrix of the grains, for the reduced unknowns and divided by `unit`.
+/// @param grains  lower triangle of the stiffness matrix for all unknowns, see StiffnessMatrix
+/// @param unit    stiffness (force/length)
 Eigen::SparseMatrix<double> reduce(const Eigen::SparseMatrix<double>& grains, const ReducedUnknowns& unknowns,
                                    double unit);
 
-/// Returns the grain to which each row of the reduced system belongs, in ascending order, as groups for
-/// SymmetricFactor.
+/// Returns, for each row of the reduced system, the number of its grain, in ascending order. SymmetricFactor uses these
+/// numbers as groups.
 template <int Dim>
 std::vector<int> grain_of_rows(const ReducedUnknowns& unknowns);
 

@@ -20,15 +20,16 @@
 namespace floc {
 namespace {
 
-/// Stiffness of the relaxed strains that counts as zero, as a share of the affine stiffness: the strain is then a
-/// mechanism.
+/// Eigenvalue of the stiffness of the strains, after relaxation of the grains, that counts as zero, as a share of the
+/// stiffness of affine motion: the strain is then a mechanism.
 constexpr double kVanishingStrain = 1e-11;
 /// Condition number above which a Cholesky factor may hide a mechanism, so that the eigenvalues are counted instead.
 constexpr double kSuspiciousCondition = 1e12;
 /// Assumed largest eigenvalue of a stiffness matrix scaled to a diagonal of 1. In packings it is 2 to 4.
 constexpr double kLargestEigenvalue = 4.0;
 
-/// Returns whether any contact has a negative normal stiffness. @param contacts  contacts of a network or a packing
+/// Returns whether any contact has a negative normal stiffness.
+/// @param contacts  contacts of a network or of a packing
 bool has_negative_stiffness(const auto& contacts) {
   return std::any_of(contacts.begin(), contacts.end(), [](const auto& c) { return c.kn < 0.0; });
 }
@@ -37,21 +38,23 @@ int count_below(const Eigen::MatrixXd& symmetric, double bound) {
   return static_cast<int>((symmetric_eigenvalues(symmetric).array() < bound).count());
 }
 
-/// Stiffness matrix of grains and strains, divided by the largest contact stiffness, without free motions.
+/// Stiffness matrix of grains and strains, divided by the largest contact stiffness, without the unknowns of free
+/// motions.
 struct ReducedStiffness {
-  Eigen::SparseMatrix<double> grains;  // stiffness matrix of the grains, lower triangle
-  std::vector<int> group;              // grain of each row of `grains`
+  Eigen::SparseMatrix<double> grains;  // block of the grains, lower triangle
+  std::vector<int> group;              // number of the grain of each row of `grains`
   Eigen::MatrixXd border, boundary;
-  double vanishing = 0.0;   // absolute eigenvalue of the relaxed strain stiffness that counts as zero
-  double unresolved = 0.0;  // absolute eigenvalue of `grains` below which the sign is not significant
-  int n_unstable_ends = 0;  // number of negative eigenvalues of the dead ends, which are not in `grains`
+  // largest absolute eigenvalue that counts as zero in the stiffness of the strains after relaxation of the grains
+  double vanishing = 0.0;
+  double unresolved = 0.0;  // absolute value below which the sign of an eigenvalue of `grains` is not certain
+  int n_unstable_ends = 0;  // number of negative eigenvalues of the dead ends, which `grains` does not contain
 };
 
-/// Returns how far below zero taking the symmetric part of the tangent matrix may move the eigenvalue of a mechanism,
-/// in units of the largest contact stiffness. Let K = S + A with A antisymmetric. Then K v = 0 gives S v = -A v: A
-/// couples v to stiff motions (stiffness k), which changes v.S v = 0 by -|A v|^2/k. A comes from tangential forces and
-/// moments alone and is of the order of F_T/r. An instability from geometric terms is of the order of F_T/r itself, not
-/// of its square over k.
+/// Returns how far below zero the eigenvalue of a mechanism may be because the symmetric part of the tangent matrix is
+/// tested, in units of the largest contact stiffness. Let the tangent matrix be K = S + A with S symmetric and A
+/// antisymmetric. Then K v = 0 gives S v = -A v. A couples v to stiff motions (stiffness k), which changes v.S v = 0 by
+/// -|A v|^2/k. A comes from tangential forces F_T and moments alone and is of the order of F_T/r with the branch length
+/// r. A real instability from geometric terms is of the order of F_T/r itself, not of its square over k.
 template <int Dim>
 double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   double largest = 0.0;
@@ -89,10 +92,10 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
   return out;
 }
 
-/// Tests the stability by a factor. By Haynsworth's theorem, the inertia of the stiffness matrix is the sum of the
-/// inertia of the grains' block and that of its Schur complement, the stiffness of the strains after relaxation of the
-/// grains. No refinement is needed, because the rounded factor is exact for a nearby matrix.
-/// @return result of the test; if the factor would be too expensive, the reason
+/// Tests the stability by a factor. By Haynsworth's theorem, the stiffness matrix has as many negative eigenvalues as
+/// the grains' block and its Schur complement together; the Schur complement is the stiffness of the strains after
+/// relaxation of the grains. No refinement is needed, because the rounded factor is exact for a nearby matrix.
+/// @return result of the test; if the factor would be too expensive, the reason without a result
 Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& options) {
   SymmetricFactor factor;
   factor.set_matrix(k.grains, k.group);
@@ -108,7 +111,7 @@ Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& opti
   return {n_negative + count_below(relaxed, -k.vanishing), ""};
 }
 
-/// Stiffness matrix scaled to a diagonal of 1, given by its products with vectors.
+/// Stiffness matrix of grains and strains scaled to a diagonal of 1, given by its products with vectors.
 class ScaledStiffness {
  public:
   explicit ScaledStiffness(const ReducedStiffness& k) : grains_(k.grains), border_(k.border) {
@@ -124,7 +127,7 @@ class ScaledStiffness {
 
   Eigen::Index order() const { return diagonal_.size(); }
   bool has_negative_diagonal(double vanishing) const { return diagonal_.minCoeff() < -vanishing; }
-  /// Returns the number of floating-point operations of one product.
+  /// Returns the number of floating-point operations of one product of the matrix with a vector.
   double operations() const {
     return 4.0 * static_cast<double>(grains_.nonZeros()) + 4.0 * static_cast<double>(border_.size());
   }
@@ -146,7 +149,8 @@ class ScaledStiffness {
 Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& options,
                             const std::string& no_factor) {
   if (k.n_unstable_ends > 0)
-    return {k.n_unstable_ends, no_factor + "some grains are held only by an attraction across a gap"};
+    return {k.n_unstable_ends,
+            no_factor + "some grains are held only by an attraction across a gap, which is unstable"};
   const ScaledStiffness scaled(k);
   PositivityOptions test;
   test.bound = options.bound;
@@ -156,7 +160,7 @@ Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& o
             fmt::format("not tested: {}and {} steps of an iterative test would take {:.0e} operations",
                         no_factor, steps, steps * scaled.operations())};
   if (scaled.has_negative_diagonal(k.vanishing))
-    return {1, no_factor + "an unknown has a negative diagonal stiffness"};
+    return {1, no_factor + "the stiffness matrix has a negative diagonal entry"};
   const Positivity found = test_positivity(scaled.order(), scaled, test);
   if (found.negative)
     return {
@@ -166,10 +170,11 @@ Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& o
             no_factor, found.steps)};
   const bool far_enough = found.bound <= test.bound;
   return {far_enough ? std::optional<int>(0) : std::nullopt,
-          fmt::format(
-              "{}{}no eigenvalue below -{:.1e} (with the diagonal scaled to one) was found in {} steps of an "
-              "iterative test",
-              far_enough ? "" : "not tested to the required tolerance: ", no_factor, found.bound, found.steps)};
+          fmt::format("{}{}no eigenvalue below -{:.1e} of the stiffness matrix (its diagonal scaled to 1) was "
+                      "found in {} steps of an "
+                      "iterative test",
+                      far_enough ? "" : "not tested to the required tolerance: ", no_factor, found.bound,
+                      found.steps)};
 }
 
 template <int Dim>

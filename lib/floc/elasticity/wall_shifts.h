@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Relaxes the common displacement of the two walls of each axis, with the grains, until both walls bear the same
-/// force. These unknowns are eliminated from the response; they are its last columns, one per entry of
-/// `network.wall_axes`, after the strains.
+/// Relaxes the wall shifts, the common displacements of the two walls of each axis, together with the grains, until
+/// both walls of an axis bear the same force. It eliminates these unknowns from the response, in which they are the
+/// last columns, after the strains: one per entry of `network.wall_axes`.
 template <int Dim>
 void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out);
 

@@ -16,8 +16,8 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Smallest number of samples whose scatter is used for the weights and standard errors of the fit to their
-/// mean.
+/// A fit to the mean curve of at least this many samples takes its weights and standard errors from the scatter of the
+/// samples.
 constexpr Eigen::Index kMinSamples = 3;
 
 const char* name_of(Law law) {
@@ -33,7 +33,7 @@ Weighting weighting_of(const ConsolidationCurve& curve, const ConsolidationOptio
   return curve.samples.cols() >= kMinSamples ? Weighting::scatter : Weighting::relative;
 }
 
-/// Returns the deviation of each sample from the mean of the samples, as a matrix of points x samples.
+/// Returns the deviation of each sample (columns) from the mean of the samples, at each point of the curve (rows).
 Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
   return samples.colwise() - samples.rowwise().mean();
 }
@@ -55,7 +55,7 @@ Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   return smooth.cwiseMax(kMinRelativeVariance * smooth.mean());
 }
 
-/// Returns the weights of the residuals of the points, scaled so that their mean square is one.
+/// Returns the weight of the residual of each point of a curve, scaled so that the mean square of the weights is one.
 Eigen::VectorXd weights_of(const ConsolidationCurve& curve, const Eigen::VectorXd& y, Weighting weighting) {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(y.size());
   if (weighting == Weighting::relative) weights = y.cwiseInverse();
@@ -81,8 +81,8 @@ struct Window {
 };
 
 Window given_window(const ConsolidationCurve& curve, std::pair<double, double> window) {
-  // Relative tolerance of the bounds of the window: a bound rounded to a few digits still includes the point
-  // whose pressure was rounded.
+  // Relative tolerance of the bounds of the window: a bound typed with a few digits still includes the point whose
+  // pressure it was rounded from.
   constexpr double kTyped = 1e-3;
   const auto inside = [&](double P) {
     return P >= window.first * (1 - kTyped) && P <= window.second * (1 + kTyped);
@@ -92,7 +92,8 @@ Window given_window(const ConsolidationCurve& curve, std::pair<double, double> w
           static_cast<int>(std::count_if(begin, curve.P_star.end(), inside)), 0};
 }
 
-/// Returns the window of points to which a consolidation law is fitted, from the regimes of the curve.
+/// Returns the window of points to which a consolidation law is fitted: the regimes that the law describes, of a curve
+/// of `n` points.
 Window window_of(Law law, const Regimes& regimes, int n) {
   const int k = regimes.n_plateau;
   if (law == Law::full) return {k, n - k, k};
@@ -114,7 +115,7 @@ ConsolidationFit refused(Law law, std::string why) {
   return fit;
 }
 
-/// Fits a consolidation law to points. With a robust loss, recomputes the weights from the residuals and fits
+/// Fits a consolidation law to points. With a robust loss function, recomputes the weights from the residuals and fits
 /// again until the solution no longer changes.
 std::optional<LawSolution> solve_robustly(Law law, LawPoints& points, Loss loss) {
   auto solution = solve_law(law, points);
@@ -175,15 +176,15 @@ std::string bounds_in_words(const FittedParameter& p) {
   return "not bounded";
 }
 
-/// Returns the range of the values of a parameter: solid fractions lie between 0 and 1, other parameters are
-/// not negative.
+/// Returns the physical range of a parameter of a consolidation law: solid fractions lie between 0 and 1, other
+/// parameters are not negative.
 PhysicalRange range_of(const std::string& name) {
   const bool is_fraction = name == "Phi_max" || name == "Phi0";
   return {0.0, is_fraction ? 1.0 : std::numeric_limits<double>::infinity()};
 }
 
-/// Adds the parameters of a fit, with their intervals and warnings, to the result.
-/// @param last_phi  solid fraction at the highest pressure fitted; lower bound of Phi_max if the fit has none
+/// Adds the parameters of a fitted consolidation law, with their intervals and with warnings, to the result `fit`.
+/// @param last_phi  solid fraction at the highest pressure fitted; lower bound of Phi_max if the fit gives no Phi_max
 void add_parameters(const LawEstimate& estimate, const Covariance& covariance, double last_phi,
                     ConsolidationFit& fit) {
   const std::vector<Quantity> quantities = quantities_of(estimate);
@@ -209,8 +210,8 @@ void add_parameters(const LawEstimate& estimate, const Covariance& covariance, d
   fit.correlation = correlation_of(quantities, n_free, covariance.matrix);
 }
 
-/// Adds the parameters of data that end before P1*, the pressure at which regime III begins: lambda of the law
-/// that the data can identify, and bounds of the parameters of regime III.
+/// Adds the parameters of a fit to data that end before P1*, the pressure at which regime III begins: lambda of the law
+/// that the data can identify, and lower bounds of Phi_max and P1*.
 void bound_regime_three(const LawEstimate& reported, const Covariance& covariance, double last_phi,
                         ConsolidationFit& fit) {
   const std::vector<Quantity> quantities = quantities_of(reported);
@@ -241,18 +242,19 @@ void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
   const double correlation = r.head(n - 1).dot(r.tail(n - 1)) / r.squaredNorm();
   const bool is_rounding = fit.rms < 1e-9;
   if (is_rounding || correlation < 2.0 / std::sqrt(static_cast<double>(n))) return;
-  fit.warnings.push_back(
-      fmt::format("neighbouring residuals are correlated ({:.2f}): the curve moves in steps, or does not "
-                  "follow this law, so that the standard errors are too small; fit the mean of several "
-                  "samples, whose scatter gives better errors",
-                  correlation));
+  fit.warnings.push_back(fmt::format(
+      "neighbouring residuals are correlated (coefficient {:.2f}): the curve moves in steps, or does not "
+      "follow this law, so that the standard errors are too small; fit the mean of several "
+      "samples, whose scatter gives better errors",
+      correlation));
 }
 
-/// Warns if the plateau of regime I is not level, as in the recompression of a soil. P0* is the pressure at
-/// which the mean level of the plateau meets the line of regime II; on such a plateau the line through its
-/// points meets that line at another pressure, which the warning gives.
+/// Warns if the plateau of regime I is not level, as in the recompression of a soil. The fit takes for P0* the pressure
+/// at which the mean level of the plateau meets the line of regime II. The warning gives the pressure at which a
+/// sloping line through the points of the plateau meets the line of regime II.
 void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
-  constexpr double kLevel = 0.1;  // smallest slope worth a warning, as a share of lambda
+  // Smallest slope of the plateau worth a warning, as a share of the slope lambda of regime II
+  constexpr double kLevel = 0.1;
   constexpr double kSignificant = 3.0;
   const LawPoints& plateau = estimate.plateau;
   if (estimate.law == Law::power || plateau.size() < 3) return;
@@ -266,14 +268,14 @@ void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
   const double log_P =
       (law_value(estimate.law, estimate.solution.theta, first, first) + lambda * first - line.coefficients[0]) /
       (lambda - slope);
-  fit.warnings.push_back(
-      fmt::format("the plateau of regime I is not level: 1/Phi falls by {:.2g} for each unit of ln P* there, "
-                  "{:.0f} % of lambda; the lines of "
-                  "the two regimes meet at P* = {:.4g}",
-                  slope, 100.0 * slope / lambda, std::exp(log_P)));
+  fit.warnings.push_back(fmt::format(
+      "the plateau of regime I is not level: 1/Phi falls by {:.2g} for each unit of ln P* there, "
+      "which is {:.0f} % of lambda; lines through the plateau and through regime II meet at P* = {:.4g}",
+      slope, 100.0 * slope / lambda, std::exp(log_P)));
 }
 
-/// Fits the law again on windows with one end moved by one point, and warns if lambda depends on the window.
+/// Fits the law again after moving one end of the window of fitted points by one point, for both ends and both
+/// directions. Warns if lambda changes by more than its standard error.
 void shift_window(const LawEstimate& estimate, const LawPoints& all, const Window& window,
                   ConsolidationFit& fit) {
   if (estimate.law == Law::power) return;
@@ -302,12 +304,14 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
     if (!s.lambda ||
         std::abs(*s.lambda - *lambda->value) > std::max(*lambda->standard_error, 1e-6 * *lambda->value))
       fit.warnings.push_back(fmt::format(
-          "lambda depends on the window of pressures: {} with the {}, {:.4g} as fitted",
+          "lambda depends on the window of pressures: {} for a window with the {}, {:.4g} for the window "
+          "fitted",
           s.lambda ? fmt::format("{:.4g}", *s.lambda) : "no regime II is left", s.change, *lambda->value));
 }
 
-/// Adds to the covariance of the coordinates theta of a fit their spread over other windows of points, weighted
-/// by the probabilities of other ends of the regimes.
+/// Adds the uncertainty of the ends of the regimes to the covariance of the coordinates theta of a fit. For every other
+/// probable end of a regime, the law is fitted again to the window that ends there, and the squared change of theta is
+/// added, weighted by the probability of this end.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
   struct Other {
@@ -349,8 +353,8 @@ std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covar
   return parts;
 }
 
-/// Returns the estimate of the consolidation law that the points can identify: the line of regime II if they
-/// show no bend of the full law, otherwise the law that was fitted.
+/// Returns the estimate of the consolidation law that the points can identify: the line of regime II if the points do
+/// not show the bend of the full law, otherwise the law that was fitted.
 LawEstimate identifiable_estimate(LawEstimate estimate) {
   if (estimate.law == Law::full && !detects_regime_three(estimate.points, estimate.solution) &&
       !detects_bend(estimate.points, estimate.solution)) {

@@ -15,23 +15,23 @@
 
 namespace floc {
 
-/// Weights of the points of a consolidation curve, named after the errors that 1/Phi (Phi is the solid
+/// Weights of the points of a consolidation curve in a fit. Each value names the errors that 1/Phi (Phi is the solid
 /// fraction) is assumed to have.
 enum class Weighting {
-  automatic,  ///< `scatter` for a mean of three samples or more, otherwise `relative`
+  automatic,  ///< `scatter` if the curve is a mean of three samples or more, otherwise `relative`
   uniform,    ///< equal errors at all points
   relative,   ///< errors in proportion to 1/Phi, the volume of the sample per volume of its grains
-  scatter,    ///< errors of the mean over several samples, from the scatter between the samples
+  scatter,    ///< errors of a mean over several samples, computed from the scatter between these samples
 };
 
 struct ConsolidationOptions {
   ConsolidationLaw law = ConsolidationLaw::full;
-  /// Lowest and highest reduced pressure of the points fitted. If absent, the regimes are searched for: the
-  /// full law is then fitted from the end of the plateau on, the line to regime II, the power law to regime
-  /// III.
+  /// Lowest and highest reduced pressure P* of the points to fit. If absent, the regimes of the curve are searched for:
+  /// I (plateau), II (line in ln P*) and III (power law). The full law is then fitted to regimes II and III, the line
+  /// to regime II, the power law to regime III.
   std::optional<std::pair<double, double>> window;
-  /// Whether P0* is set to the first pressure fitted. Otherwise it is the pressure at which the plateau of
-  /// regime I meets the line of regime II.
+  /// Whether P0*, the pressure at which regime II begins, is set to the first pressure fitted. Otherwise P0* is the
+  /// pressure at which the plateau of regime I meets the line of regime II.
   bool hold_P0 = false;
   Weighting weighting = Weighting::automatic;
   Loss loss = Loss::squared;
@@ -46,29 +46,31 @@ struct ConsolidationOptions {
 /// Consolidation curve of one sample, or mean curve of several samples: points in the order of growing
 /// pressure.
 struct ConsolidationCurve {
-  std::vector<double> P_star;  ///< reduced pressure aP/F0, > 0
-  std::vector<double> phi;     ///< solid fraction, > 0
-  Eigen::MatrixXd samples;  ///< for a mean curve, 1/Phi of each sample (pressures x samples); otherwise empty
+  /// Reduced pressure P*, such as a P/F0 in 2D (diameter a, pull-off force F0), > 0.
+  std::vector<double> P_star;
+  std::vector<double> phi;  ///< solid fraction, > 0
+  /// For a mean curve, 1/Phi of each sample (one row per pressure, one column per sample); otherwise empty.
+  Eigen::MatrixXd samples;
 };
 
-/// Value of lambda if one end of the fitted window of points moves by one row of the table.
+/// Value of lambda, the slope of regime II, if one end of the window of fitted points moves by one point of the curve.
 struct WindowShift {
-  std::string
-      change;  ///< end that moves: "first row earlier", "first row later", "last row earlier" or "last row later"
-  /// Value of lambda from the fit on the changed window; absent if fewer than three points of regime II are
-  /// left.
+  /// End that moves: "first row earlier", "first row later", "last row earlier" or "last row later".
+  std::string change;
+  /// Value of lambda from the fit to the moved window; absent if fewer than three points of regime II are left in it.
   std::optional<double> lambda;
 };
 
-/// Parts of the standard error of a parameter of the consolidation law.
+/// The two parts of the standard error of a parameter of the consolidation law; their squares add up to the square of
+/// the error.
 struct ErrorParts {
   std::string name;      ///< name of the parameter
-  double scatter = 0.0;  ///< part from the scatter between samples or from the residuals
-  /// Part from the uncertain ends of the regimes: spread of the parameter over their probable places.
+  double scatter = 0.0;  ///< part from the scatter between samples or from the residuals of the fit
+  /// Part from the uncertain ends of the regimes: spread of the parameter over the points at which the regimes may end.
   double regimes = 0.0;
 };
 
-/// Result of the fit of a consolidation law, or the reason why there is none.
+/// Result of the fit of a consolidation law, or the reason why there is no fit.
 struct ConsolidationFit {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
   ConsolidationLaw law = ConsolidationLaw::full;
@@ -80,46 +82,54 @@ struct ConsolidationFit {
   /// Last reduced pressure of the plateau of regime I; 0 if there is no plateau.
   double plateau_high = 0.0;
   std::vector<FittedParameter> parameters;  ///< parameters of the law, the fitted ones first
-  std::vector<std::string> correlated;      ///< names of the rows and columns of `correlation`
-  Eigen::MatrixXd correlation;              ///< correlation of the fitted parameters
-  double rms = 0.0;                         ///< root mean square residual of 1/Phi over the points fitted
-  /// Law whose coordinates `theta` are: the line if the points show no bend of the full law, otherwise `law`.
+  /// Names of the parameters, in the order of the rows of `correlation`.
+  std::vector<std::string> correlated;
+  Eigen::MatrixXd correlation;  ///< correlation matrix of the fitted parameters
+  double rms = 0.0;             ///< root mean square residual of 1/Phi over the points fitted
+  /// Law that `theta` describes: the line of regime II if the points do not show the bend of the full law, otherwise
+  /// `law`.
   ConsolidationLaw reported_law = ConsolidationLaw::full;
-  Eigen::VectorXd theta;                       ///< coordinates of the solution, see LawSolution
+  Eigen::VectorXd theta;                       ///< solution, in the coordinates that LawSolution defines
   Eigen::VectorXd fitted;                      ///< values of 1/Phi by the fitted law at the points fitted
-  Eigen::VectorXd weights;                     ///< weights of the points fitted, as used in the solution
-  Weighting weighting = Weighting::automatic;  ///< weighting used
-  /// True if the standard errors are from the scatter between samples, false if from residuals.
+  Eigen::VectorXd weights;                     ///< weights with which the points were fitted
+  Weighting weighting = Weighting::automatic;  ///< weighting that the fit used
+  /// True if the standard errors are from the scatter between samples, false if they are from the residuals of the fit.
   bool errors_from_samples = false;
   std::vector<ErrorParts> error_parts;  ///< parts of the standard error of each parameter that has one
-  std::vector<std::string> profiled;    ///< parameters whose interval is from the profile likelihood
-  /// Values of lambda on shifted windows, if the table has enough rows.
+  /// Names of the parameters whose 95 % interval is from the profile likelihood.
+  std::vector<std::string> profiled;
+  /// Values of lambda after an end of the window has moved by one point; moves beyond the ends of the curve are left
+  /// out.
   std::vector<WindowShift> window_shifts;
   int n_bootstrapped = 0;  ///< number of bootstrap fits that have a regime II
-  /// Mean, standard deviation and percentiles 2.5 and 97.5 of the bootstrap fits.
+  /// Mean, standard deviation and percentiles 2.5 and 97.5 of each parameter over the bootstrap fits.
   std::vector<FittedParameter> bootstrap;
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
-  /// Returns the value of 1/Phi by the fitted law at ln P* = `log_P`. @pre found()
+  /// Returns 1/Phi, the inverse solid fraction, by the fitted law at the reduced pressure P* with ln P* = `log_P`. @pre
+  /// found()
   double value(double log_P) const;
   /// Returns the parameter with the given name, or null if the law has no such parameter.
   const FittedParameter* find(const std::string& name) const;
 };
 
-/// Fits a consolidation law to a curve of the solid fraction Phi against the reduced pressure P*, by weighted
-/// and, if requested, robust least squares in 1/Phi.
+/// Fits a consolidation law to a curve of the solid fraction Phi against the reduced pressure P*, by weighted least
+/// squares in 1/Phi, with a robust loss function if the options choose one.
 ///
-/// Standard errors: for a single curve from the covariance at the solution, scaled by the residual variance;
-/// for a mean of three samples or more from the scatter of the samples, carried through the linearised fit
-/// sample by sample, so that the correlation of errors along the curve is taken into account. If the regimes
-/// were searched for, the spread of the parameters over the probable ends of the regimes is added. Intervals:
-/// from Student's t in ln(parameter) or 1/Phi; for alpha and Phi_max from the profile likelihood. Bootstrap:
-/// for a mean, samples are drawn (one fewer than there are, which makes the variance unbiased); for a single
-/// curve, residuals are drawn. If the data end before P1*, the pressure at which regime III begins, the fit
-/// gives bounds of P1* and Phi_max and no value of alpha. There is no fit to too few points, to points of
-/// regime I alone, or to a solid fraction that does not grow with pressure; `failure_reason` then gives the
-/// reason.
+/// Standard errors of a fit to a single curve follow from the covariance at the solution, scaled by the residual
+/// variance. For a mean of three samples or more they follow from the scatter of the samples: the deviation of each
+/// sample from the mean is carried through the linearised fit, which takes the correlation of errors along the curve
+/// into account. If the regimes were searched for, the spread of the parameters over the probable ends of the regimes
+/// is added.
+///
+/// Intervals follow from Student's t in ln(parameter), or in 1/Phi for Phi0; for alpha and Phi_max they follow from the
+/// profile likelihood. The bootstrap draws samples of a mean curve (one fewer than there are, which makes the variance
+/// unbiased) or residuals of a single curve.
+///
+/// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max and no
+/// value of alpha. There is no fit if the points are too few, if all lie in regime I, or if the solid fraction does not
+/// grow with pressure; `failure_reason` then gives the reason.
 /// @pre All pressures and solid fractions are positive and finite, and the pressures grow.
 /// @throws InputError with the faults of the options if they are not valid
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,

@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Draws samples with replacement, one fewer than there are. Returns their mean 1/Phi at the points of the
-/// plateau, then at the points of the window.
+/// Draws samples with replacement, one fewer than there are. Returns the mean of 1/Phi over the drawn samples, first at
+/// the points of the plateau, then at the points of the window.
 Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& random) {
   const Eigen::Index n_drawn = samples.cols() - 1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.rows());
@@ -21,8 +21,8 @@ Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& rando
   return sum / static_cast<double>(n_drawn);
 }
 
-/// Residuals from which the bootstrap draws, each enlarged by its leverage so that all have the residual
-/// variance, and the fitted values to which they are added.
+/// Residuals from which the bootstrap draws, and fitted values to which it adds the drawn residuals. Each residual is
+/// enlarged according to the leverage of its point, so that all have the residual variance.
 struct ResidualPool {
   Eigen::VectorXd fitted, weight, residuals;
 
@@ -71,8 +71,8 @@ Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, 
   for (const Quantity& q : quantities_of(estimate)) names.push_back(q.name);
   std::vector<std::vector<double>> values(names.size());
   Resampled found;
-  // All fits use the pressures, the weights and the ends of the regimes of the estimate: the bootstrap gives
-  // the scatter of the parameters for one choice of the regimes. A fit that leaves fewer than three points to
+  // All bootstrap fits use the pressures, the weights and the ends of the regimes of the original fit: the bootstrap
+  // gives the scatter of the parameters for one choice of the regimes. A fit that leaves fewer than three points to
   // regime II has no lambda and is not counted.
   for (int k = 0; k < n; ++k) {
     check_interruption();

@@ -10,16 +10,17 @@ namespace floc {
 
 /// Result of a bootstrap: a summary of fits of one law to resampled data.
 struct Resampled {
-  int n = 0;                                ///< number of fits that have a regime II
-  std::vector<FittedParameter> parameters;  ///< mean, standard deviation and percentiles 2.5 and 97.5
+  int n = 0;  ///< number of fits that leave at least three points in regime II
+  /// Mean, standard deviation and percentiles 2.5 and 97.5 of each parameter over these fits.
+  std::vector<FittedParameter> parameters;
 };
 
-/// Repeats a fit on resampled data (bootstrap). For a mean curve, draws samples with replacement, one fewer
-/// than there are, which makes the variance unbiased. For a single curve, draws its residuals, each enlarged by
-/// its leverage.
-/// @param samples  values of 1/Phi at the points of plateau and window, points x samples; empty for a single
-/// curve
-/// @param n        number of fits, > 0
+/// Repeats a fit on resampled data (bootstrap). For a mean curve, each fit is made to the mean of samples drawn with
+/// replacement, one fewer than there are, which makes the variance unbiased. For a single curve, each fit is made to
+/// the fitted values plus drawn residuals, each enlarged according to the leverage of its point.
+/// @param samples  values of 1/Phi of each sample (columns) at the points of the plateau, then of the window (rows);
+/// empty for a single curve
+/// @param n        number of bootstrap fits, > 0
 [[nodiscard]] Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, int n,
                                  std::uint64_t seed);
 

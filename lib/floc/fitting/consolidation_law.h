@@ -4,18 +4,19 @@
 
 namespace floc {
 
-/// Returns the function g of the consolidation law, the bracket in Eq. 9 of [GRC2008], at x = ln(P*/P1*):
+/// Returns the function g of the consolidation law, the bracket in Eq. 9 of [GRC2008], at x = ln(P*/P1*). P* is the
+/// reduced pressure, and P1* the reduced pressure at which regime III begins:
 ///
 ///   g(x) = ln{ e^x [1 - exp(-u)]^(1/alpha) },  u = exp(-alpha x) = (P1*/P*)^alpha
 ///
-/// Far below P1*, g tends to x, and far above to -u/(2 alpha). T is any scalar type (`double`, Ceres' Jet). The
-/// result is exact to rounding from P*/P1* = 1e-12 to 1e12, where the formula as printed loses all digits.
-/// @param alpha  > 0
+/// Far below P1*, g tends to x, and far above to -u/(2 alpha). T is any scalar type (`double`, Ceres' Jet). The result
+/// is exact to rounding from P*/P1* = 1e-12 to 1e12, where the formula as printed in [GRC2008] loses all digits.
+/// @param alpha  exponent of the power law in regime III, > 0
 template <class T>
 T consolidation_bracket(const T& x, const T& alpha) {
   using std::exp, std::expm1, std::log, std::log1p;
   const T log_u = -alpha * x;
-  // Here exp(-u) is below the smallest double.
+  // Here exp(-u) is below the smallest double, so that g = x.
   if (log_u > T(6.7)) return x;
   const T u = exp(log_u);
   if (u > T(1.0)) return x + log1p(-exp(-u)) / alpha;
@@ -30,15 +31,15 @@ T consolidation_bracket(const T& x, const T& alpha) {
 ///
 ///   1/Phi = 1/Phi_max - lambda g(ln(P*/P1*))
 ///
-/// The function g is consolidation_bracket(). The law is Eq. 9 of [GRC2008] with 1/Phi0 = 1/Phi_max + lambda
-/// ln(P1*/P0*), for any P0*.
+/// The function g is consolidation_bracket(). This is Eq. 9 of [GRC2008], which contains 1/Phi0 = 1/Phi_max + lambda
+/// ln(P1*/P0*) instead of 1/Phi_max; the pressure P0* may have any value.
 struct ConsolidationLawParameters {
   double lambda;   ///< plasticity index, > 0
   double alpha;    ///< exponent of the power law in regime III, > 0
   double phi_max;  ///< limit of the solid fraction at high pressure
-  double P1_star;  ///< reduced pressure at which regime III takes over, > 0
+  double P1_star;  ///< reduced pressure at which regime III begins, > 0
 
-  /// Returns 1/Phi at the reduced pressure P* > 0.
+  /// Returns 1/Phi, the inverse solid fraction, at the reduced pressure P* > 0.
   double inverse_phi(double P_star) const {
     return 1.0 / phi_max - lambda * consolidation_bracket(std::log(P_star / P1_star), alpha);
   }

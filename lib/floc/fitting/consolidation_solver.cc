@@ -99,8 +99,8 @@ std::vector<Start> full_starts(const LawPoints& points) {
   const Eigen::VectorXd& log_P = points.log_P;
   const double first = log_P[0];
   const double end = log_P[log_P.size() - 1] + 1.0;
-  // The starting values of ln P1* are half a unit apart, which is close enough to find the minimum, so that
-  // tables over a wide range of pressures need more of them.
+  // The starting values of ln P1* are half a unit apart, close enough to find the minimum. A curve over a wide range of
+  // pressures therefore needs more starting values.
   const int n_P1 = std::clamp(static_cast<int>(std::ceil((end - first) / 0.5)) + 1, 16, 128);
   for (const double alpha_log : grid(std::log(0.2), std::log(6.0), 10))
     for (const double log_P1 : grid(first, end, n_P1)) {
@@ -143,7 +143,8 @@ std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd
   const std::vector<Residual> residuals = residuals_of<Residual>(points);
   const std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
   auto found = minimize(residuals, start, {}, held);
-  // The solver is less exact with limits, so it uses them only if it fails, or leaves the limits, without them.
+  // The solver is less exact with limits of the parameters. It therefore runs without limits first, and with limits
+  // only if it then fails or goes beyond them.
   if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
   if (!found) return std::nullopt;
   return LawSolution{std::move(found->theta), std::move(found->residuals), std::move(found->jacobian),
@@ -182,7 +183,7 @@ std::optional<double> residual_of_power_law(const LawPoints& points) {
   const Eigen::VectorXd places = grid(std::log(0.1), std::log(8.0), 12);
   Eigen::Index best = 0;
   places.unaryExpr(left).minCoeff(&best);
-  // Golden-section search between the neighbours of the best grid point.
+  // Golden-section search for the best ln alpha between the neighbours of the best grid point.
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kRounds = 20;
   double low = places[std::max<Eigen::Index>(best - 1, 0)];
@@ -251,8 +252,8 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
     const double left = minimize_law(law, points, end);
-    // A solution far beyond the limits is not used, because no minimum within the limits can be found from
-    // there.
+    // A solution beyond the limits of alpha and P1* does not replace the starting point, because no minimum within the
+    // limits can be found from there.
     if (left < start.sum_of_squares && within(limits, end)) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);

@@ -5,7 +5,8 @@
 
 namespace floc {
 
-/// Consolidation law to fit (docs/physics.md, "Consolidation laws"; all in 1/Phi).
+/// Consolidation law to fit, for the solid fraction Phi at the reduced pressure P* (docs/physics.md, "Consolidation
+/// laws").
 enum class ConsolidationLaw {
   log,    ///< regime II: 1/Phi = 1/Phi0 - lambda ln(P*/P0*)
   power,  ///< regime III: 1/Phi = 1/Phi_max + A (P*)^-alpha
@@ -28,44 +29,46 @@ struct LawPoints {
   }
 };
 
-/// Least-squares solution of one law on given points. The coordinates theta keep every parameter in its range
-/// (y is 1/Phi, P_first the first pressure, g the function consolidation_bracket()):
+/// Least-squares solution of one law on given points. The coordinates theta keep lambda, alpha, A1 and P1 positive (y
+/// is 1/Phi, P_first the first pressure fitted, A1 the value of y - 1/Phi_max at this pressure, g the function
+/// consolidation_bracket()):
 ///   log    theta = (ln lambda, y1)                          y = y1 - lambda ln(P/P_first)
 ///   power  theta = (ln A1, ln alpha, 1/Phi_max)             y = 1/Phi_max + A1 (P/P_first)^-alpha
 ///   full   theta = (ln lambda, ln alpha, 1/Phi_max, ln P1)  y = 1/Phi_max - lambda g(ln P - ln P1)
 struct LawSolution {
   Eigen::VectorXd theta;
-  Eigen::VectorXd residuals;  ///< weighted, model minus data
+  Eigen::VectorXd residuals;  ///< weighted residuals of the points, law minus data
   /// Derivatives of the weighted residuals with respect to theta; empty if a coordinate was held fixed.
   Eigen::MatrixXd jacobian;
   double sum_of_squares = 0.0;  ///< sum of squares of the weighted residuals
 };
 
-/// Returns the value of 1/Phi by a consolidation law at ln P* = `log_P`; `log_P_first` is ln P* of the first
-/// point that the law was fitted to.
+/// Returns 1/Phi, the inverse solid fraction, by a consolidation law at the reduced pressure P* with ln P* = `log_P`;
+/// `log_P_first` is ln P* of the first point that the law was fitted to.
 double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first);
 
-/// Fits a consolidation law. Starting points are found by linear least squares on a grid of the nonlinear
-/// parameters; the best few are followed to their minimum, and the best minimum is refined to rounding by
-/// Levenberg-Marquardt (Ceres). The solution is absent if no starting point has a positive lambda (A for the
-/// power law), that is, if the solid fraction does not grow with pressure.
+/// Fits a consolidation law. Starting points are found by linear least squares on a grid of the nonlinear parameters;
+/// from the best few of them the solver descends to a minimum, and the best minimum is refined to rounding by
+/// Levenberg-Marquardt (Ceres). The solution is absent if no starting point has a positive lambda (A for the power
+/// law), that is, if the solid fraction does not grow with pressure.
 /// @pre There are more points than parameters.
 [[nodiscard]] std::optional<LawSolution> solve_law(ConsolidationLaw law, const LawPoints& points);
 
-/// Fits a consolidation law from one starting point, to rounding.
+/// Fits a consolidation law to rounding, from the coordinates `start` on.
 /// @param held  index of a coordinate of theta to hold fixed; -1 to fit all
 [[nodiscard]] std::optional<LawSolution> solve_law_from(ConsolidationLaw law, const LawPoints& points,
                                                         const Eigen::VectorXd& start, int held = -1);
 
-// The functions below are meant for searches over many windows: they are fast, and accurate to about half the
-// digits.
+// The functions below are meant for searches over many windows: they are fast, but accurate only to about half of the
+// digits of a double.
 
 /// Returns the coordinates of a consolidation law at the best of the minima reached from the `n_tried` best
 /// starting points. The result is absent if no starting point has a positive lambda (A for the power law).
 [[nodiscard]] std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoints& points,
                                                           int n_tried);
 
-/// Moves theta to the nearest minimum of the sum of squares. @return the sum of squares there
+/// Moves theta to the nearest minimum of the sum of squared residuals of a consolidation law.
+/// @return the sum of squares at the minimum
 double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
 
 /// Return the sum of squared residuals of the line of regime II, or of the power law, by linear least squares

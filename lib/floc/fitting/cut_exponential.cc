@@ -8,14 +8,14 @@ namespace {
 
 constexpr int kMinValues = 10;
 
-/// Returns the mean of a variable with density ~ exp(-t x) on [0, 1], to rounding for any t.
+/// Returns the mean of a random variable x with density ~ exp(-t x) on [0, 1], accurate to rounding for any t.
 double mean_in_unit(double t) {
-  // The first neglected term of the series is below rounding.
+  // For small t the formula loses digits, and a series is used, whose first neglected term is below rounding.
   if (std::abs(t) < 1e-2) return 0.5 - t / 12.0 + t * t * t / 720.0;
   return 1.0 / t - 1.0 / std::expm1(t);
 }
 
-/// Returns the variance of a variable with density ~ exp(-t x) on [0, 1].
+/// Returns the variance of a random variable x with density ~ exp(-t x) on [0, 1].
 double variance_in_unit(double t) {
   if (std::abs(t) < 1e-1) return 1.0 / 12.0 - t * t / 240.0 + t * t * t * t / 6048.0;
   const double s = std::sinh(std::clamp(0.5 * t, -300.0, 300.0));
@@ -56,8 +56,9 @@ ExponentEstimate fit_exponent(const std::vector<CutSample>& windows) {
       if (w.n > 0) left += w.n * mean_of(b, w);
     return left;
   };
-  // The function falls with b. If it has no root within a factor kFar of the exponent of a whole tail, all
-  // values lie at one end of their windows, and the likelihood has no maximum.
+  // excess(b) falls with b, and its root is the maximum of the likelihood. If there is no root within a factor kFar of
+  // n/sum, the exponent for windows without an upper end, then all values lie at one end of their windows, and the
+  // likelihood has no maximum.
   const double tail = fit.n / sum;
   constexpr double kFar = 1e6;
   double low = has_tail ? tail / kFar : -kFar * tail, high = kFar * tail;

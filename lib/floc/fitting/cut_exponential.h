@@ -8,13 +8,13 @@ namespace floc {
 struct CutSample {
   double width = 0.0;  ///< width of the window, > 0; infinite if the window has no upper end
   int n = 0;           ///< number of values in the window
-  double mean = 0.0;   ///< mean of these values, measured from the lower end of the window
+  double mean = 0.0;   ///< mean distance of these values from the lower end of the window
 };
 
 /// Returns the summary of the values from low to high, both included. @param high  may be infinite
 CutSample cut_sample(const std::vector<double>& values, double low, double high);
 
-/// Estimate of the exponent b of a distribution P(x) ~ exp(-b x), in units of 1/x.
+/// Estimate of the exponent b of a distribution P(x) ~ exp(-b x), in the unit of 1/x.
 struct ExponentEstimate {
   bool found = false;  ///< false if there are fewer than ten values, or if the likelihood has no maximum
   int n = 0;           ///< number of values in all windows
@@ -22,9 +22,10 @@ struct ExponentEstimate {
   double error = 0.0;  ///< standard error, from Fisher's information
 };
 
-/// Estimates one exponent b shared by several windows by maximum likelihood, given the number n of values in
-/// each window. The estimate solves: sum over the windows of n (m(b) - mean) = 0, where m(b) = 1/b - w/(exp(b
-/// w) - 1) is the mean expected in a window of width w.
+/// Estimates one exponent b shared by several windows by maximum likelihood; the number n of values in each window is
+/// taken as given. The estimate is the root b of: sum over the windows of n (m(b) - mean) = 0. Here `mean` is the mean
+/// of the values in a window, from its lower end, and m(b) = 1/b - w/(exp(b w) - 1) is the mean expected in a window of
+/// width w.
 [[nodiscard]] ExponentEstimate fit_exponent(const std::vector<CutSample>& windows);
 
 }  // namespace floc

@@ -25,9 +25,9 @@ constexpr int kParameters = 7;
 constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 
-/// Residual of the void ratio e of one sample. Pressures at which the plateau is evaluated are measured in
-/// their geometric mean over the samples, because the plateau exists at this mean, but not always at the
-/// reference pressure p_D.
+/// Residual of the void ratio e of one sample. The pressure at which the plateau is evaluated is divided by its
+/// geometric mean over the samples, because the law has a plateau at this mean, but not always at the reference
+/// pressure p_D.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
   double log_p;  ///< ln of the pressure at which the plateau is evaluated, over its geometric mean
@@ -41,10 +41,11 @@ using Residuals = std::vector<CompactionResidual>;
 
 /// Samples to which the law of dynamic compaction is fitted, and reference values of the law.
 struct CompactionData {
-  std::vector<int> rows;  ///< indices of the samples of `residuals`
+  std::vector<int> rows;  ///< index of the sample of each residual
   Residuals residuals;
-  double log_p_D = 0.0;  ///< ln of p_D over the geometric mean pressure of the plateau
-  double log_x_1 = 0.0;  ///< ln x at eta* = 1, with x = eta*/eta_m
+  /// Ln of p_D over the geometric mean of the pressures at which the plateau is evaluated.
+  double log_p_D = 0.0;
+  double log_x_1 = 0.0;  ///< ln x at eta* = 1, with x = eta*/eta_m and eta* = sc/sqrt(p se)
 
   CompactionData without(const std::vector<int>& left_out) const {
     CompactionData rest{{}, {}, log_p_D, log_x_1};
@@ -59,8 +60,9 @@ double plateau_pressure(const CompactedSample& s, PlateauPressure plateau) {
   return plateau == PlateauPressure::own ? s.p : s.sc * s.sc / s.se;
 }
 
-/// Adds the parameters De and C of the plateau to a starting point by a linear fit of e_r/(e - e_min) = 1/De +
-/// C ln p, for given e_min and S. Returns false if the fit gives no positive De.
+/// Sets the parameters De and C of the plateau in a starting point `theta`, which already has e_min and the power laws
+/// of e_r. They follow from a linear fit of e_r/(e - e_min) = 1/De + C ln p. Returns false if this fit gives no
+/// positive De.
 bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   const auto n = static_cast<Eigen::Index>(data.size());
   Eigen::MatrixXd columns(n, 2);
@@ -85,8 +87,8 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   return true;
 }
 
-/// Returns starting points that cover the range of e_min, of the exponents a and b and of the place where their
-/// two power laws cross. The parameters published in [SVI2024] are among them.
+/// Returns starting points of the fit that cover the ranges of e_min, of the exponents a and b, and of the prefactors
+/// of the two power laws. The parameters published in [SVI2024] are among them.
 std::vector<Eigen::VectorXd> starts_of(const Residuals& data) {
   const auto less = [](const auto& r, const auto& s) { return r.e < s.e; };
   const auto [low, high] = std::minmax_element(data.begin(), data.end(), less);
@@ -123,9 +125,10 @@ std::optional<LeastSquaresSolution> solve(const Residuals& data) {
 
 /// Misfit of each sample in a robust fit, which serves to flag the samples that do not lie on the plateau.
 struct RobustView {
-  Eigen::VectorXd misfit;      ///< void ratio e minus its value by the law
-  double deviation = 0.0;      ///< standard deviation of the misfit of a sample that follows the law
-  std::vector<bool> may_flag;  ///< true for samples that may be flagged: above the plateau, or at eta* > 1
+  Eigen::VectorXd misfit;  ///< void ratio e minus its value by the law
+  double deviation = 0.0;  ///< standard deviation of the misfit of a sample that follows the law
+  /// True for samples that may be flagged: above the plateau of the law, or at eta* = sc/sqrt(p se) > 1.
+  std::vector<bool> may_flag;
 };
 
 /// Fits the law with weights that are recomputed from the residuals until the solution no longer changes.
@@ -153,7 +156,7 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   constexpr double kNormal = 1.4826;  // standard deviation over median absolute value of a normal variable
-  // The deviation is at least the rounding of a table with ten digits.
+  // The standard deviation is taken to be at least the rounding of a table with ten digits.
   view.deviation = std::max(kNormal * *middle, 1e-10);
   const Eigen::VectorXd& t = solution->theta;
   for (const CompactionResidual& r : data.residuals) {
@@ -163,8 +166,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   return view;
 }
 
-/// Returns the indices of the samples that miss the plateau of the law by more than the given number of
-/// standard deviations.
+/// Returns the indices of the samples beside the plateau: those with view.may_flag that miss the law by more than
+/// `n_deviations` standard deviations.
 std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
   std::vector<int> rows;
   for (std::size_t k = 0; k < data.rows.size(); ++k)
@@ -192,8 +195,8 @@ Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   return G;
 }
 
-/// Returns the standard errors of the coordinates. Each sum runs only over the parameters on which the
-/// coordinate depends, because the others may have infinite variance.
+/// Returns the standard errors of coordinates(). The variance of a coordinate is summed only over the parameters theta
+/// on which it depends, because other parameters may have infinite variance.
 Parameters errors_of(const Eigen::MatrixXd& G, const Eigen::MatrixXd& covariance) {
   Parameters errors;
   for (int k = 0; k < kParameters; ++k) {
@@ -224,22 +227,23 @@ std::optional<double> variance_between_runs(const std::vector<CompactedSample>& 
   return dof > 0 ? std::optional(sum / dof) : std::nullopt;
 }
 
-/// Fit of the law of dynamic compaction, with the errors of its coordinates.
+/// Fit of the law of dynamic compaction, with the values of coordinates() and their errors.
 struct CompactionEstimate {
   CompactionData data;
   LeastSquaresSolution solution;
   double variance = 0.0;       ///< variance of the residuals
   double scatter_share = 1.0;  ///< share of `variance` that is scatter between repeated runs
   Eigen::MatrixXd covariance;  ///< covariance of theta, from the residuals
-  /// Coordinates, and their errors from the residuals and from the choice of the samples left out.
+  /// Values of coordinates(), their errors from the residuals (`scatter`), and their errors from the choice of the
+  /// samples left out (`spread`).
   Parameters value, scatter, spread;
 
   int dof() const { return static_cast<int>(data.rows.size()) - kParameters; }
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// Returns the root mean square changes of the fitted coordinates if more or fewer samples are left out because
-/// they miss the plateau.
+/// Returns the root mean square change of each fitted coordinate if more samples, or fewer, are left out because they
+/// miss the plateau.
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();
@@ -272,15 +276,16 @@ FittedParameter parameter_of(const CompactionEstimate& e, int k) {
   return from_logarithm(name, e.value[k], e.error(k), t95);
 }
 
-/// Replaces the interval of the parameter A or a by the interval of the profile likelihood of its coordinate of
-/// theta.
+/// Replaces the interval of the parameter A or a by the interval that the profile likelihood of ln A or ln a gives.
 void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
   const double error = e.error(k);
-  // With a smaller error the sum of squares is rounding, and the interval from the covariance is kept.
+  // With a standard error this small, changes of the sum of squares are only rounding, and the interval from the
+  // covariance is kept.
   if (!std::isfinite(error) || error < 1e-9) return;
   const double t95 = student_t_95(e.dof());
   const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
-  // Parameters that differ from the solution by more than a factor of a hundred have no meaning for the law.
+  // The search for the ends of the interval stops at a factor of a hundred from the solution, because the parameters
+  // beyond have no meaning for the law.
   const double reach = std::log(100.0);
   const double center = e.value[k];
   const ProfileSearch search{
@@ -298,8 +303,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   });
   p.low95 = p.high95 = std::nullopt;
   fit.profiled.push_back(p.name);
-  // Along a valley of nearly equal solutions the solver stops early, and the profile is wrongly narrow. An
-  // interval narrower than this share of the interval of the covariance is not trusted.
+  // Smallest trusted width of the interval, as a share of its width by the covariance. Along a valley of nearly equal
+  // solutions the solver stops early, which makes the interval wrongly narrow.
   constexpr double kFollowed = 0.1;
   const double width = 2.0 * t95 * error;
   p.identified = false;
@@ -311,8 +316,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
                  *p.high95 < kIdentifiedFactor * *p.value;
 }
 
-/// Returns the parts of the standard error of a parameter, converted from the parts of the error of its
-/// coordinate.
+/// Returns the parts of the standard error of a parameter, converted from the parts of the error of its coordinate in
+/// coordinates().
 CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedParameter& p) {
   const double all = e.error(k);
   const double unit = all > 0.0 ? *p.standard_error / all : 0.0;
@@ -320,8 +325,8 @@ CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedPa
           unit * e.scatter[k] * std::sqrt(1.0 - e.scatter_share), unit * e.spread[k]};
 }
 
-/// Returns the number of samples that determine the first power law A x^a: dense samples, with e_r < 1/2, in
-/// which it is larger than the second.
+/// Returns the number of samples that determine the first power law A x^a: dense samples, with e_r < 1/2, in which A
+/// x^a is larger than the second power law (1/s_m - A) x^b.
 int n_of_first_power(const CompactionEstimate& e) {
   const Eigen::VectorXd& t = e.solution.theta;
   const double a = std::exp(t[5]), step = std::exp(t[6]);
@@ -332,8 +337,8 @@ int n_of_first_power(const CompactionEstimate& e) {
 }
 
 void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
-  // Two samples determine the prefactor and the exponent of the first power law, a third separates it from the
-  // second.
+  // Two samples determine the prefactor and the exponent of the first power law, a third separates it from the second
+  // power law.
   const bool sees_first_power = n_of_first_power(e) >= 3;
   for (int k = 0; k < kParameters; ++k) {
     FittedParameter p = parameter_of(e, k);
@@ -361,14 +366,14 @@ void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
   }
   const Eigen::MatrixXd G = gradients(e.solution.theta, e.data.log_p_D);
   Eigen::MatrixXd c = G * e.covariance * G.transpose();
-  // The correlations of De have the opposite sign of those of 1/De, because 1/De falls as De grows.
+  // Row and column 1 are correlations of 1/De; those of De have the opposite sign, because 1/De falls as De grows.
   c.row(1) *= -1.0, c.col(1) *= -1.0;
   const Eigen::VectorXd scale = c.diagonal().cwiseSqrt().cwiseInverse();
   fit.correlation = scale.asDiagonal() * c * scale.asDiagonal();
 }
 
-/// Returns the samples to fit, at which the pressure of the plateau is at least p_0. Adds the indices of the
-/// others to the result.
+/// Returns the samples to fit: those whose plateau is evaluated at a pressure of at least p_0. Adds the indices of all
+/// other samples to fit.below_p_0.
 CompactionData data_of(const std::vector<CompactedSample>& samples, const CompactionReference& reference,
                        double p_0, CompactionFit& fit) {
   CompactionData data;
@@ -392,13 +397,14 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   return data;
 }
 
-/// Warns about the samples left out of the fit, and compares the residuals of the others with the scatter of
-/// repeated runs.
+/// Warns about the samples left out of the fit, and compares the residuals of the fitted samples with the scatter
+/// between repeated runs.
 void describe(const std::vector<CompactedSample>& samples, CompactionEstimate& estimate, CompactionFit& fit) {
   if (!fit.beside_plateau.empty())
     fit.warnings.push_back(
-        fmt::format("{} of the {} samples miss the law by more than four standard deviations, above its "
-                    "plateau or at eta* > 1: they are flagged as beside the plateau and not fitted",
+        fmt::format("{} of the {} samples lie above the plateau of the law or at eta* > 1, and miss the law by "
+                    "more than four "
+                    "standard deviations: they are flagged as beside the plateau and not fitted",
                     fit.beside_plateau.size(), samples.size()));
   fit.rms = std::sqrt(estimate.solution.sum_of_squares / static_cast<double>(fit.used.size()));
   const auto between_runs = variance_between_runs(samples, fit.used);
@@ -434,7 +440,8 @@ CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples
     fit.warnings.push_back(fmt::format("{} of the {} samples have {} below {:.4g} and are left out",
                                        fit.below_p_0.size(), samples.size(), name, p_0));
   const auto too_few = [&](const char* which) {
-    return fmt::format("there are {} samples{}, but the law needs {}", fit.used.size(), which, kParameters + 1);
+    return fmt::format("there are {} samples{}, but a fit of the law needs {}", fit.used.size(), which,
+                       kParameters + 1);
   };
   fit.used = data.rows;
   if (fit.used.size() <= kParameters) {

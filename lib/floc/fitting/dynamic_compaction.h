@@ -14,14 +14,15 @@ namespace floc {
 struct CompactedSample {
   double e;   ///< void ratio, > 0
   double p;   ///< pressure, > 0
-  double sc;  ///< cohesion f_c/d^2 (force over squared diameter), > 0, in the unit of p
+  double sc;  ///< cohesion f_c/d^2 (pull-off force f_c over squared diameter), > 0, in the unit of p
   double se;  ///< stiffness k_n/d (normal stiffness of a contact over diameter), > 0, in the unit of p
 };
 
 /// Pressure at which the plateau of the law is evaluated for a sample.
 enum class PlateauPressure {
-  own,       ///< pressure p of the sample
-  critical,  ///< p_crit = sc^2/se, the pressure at which eta* = 1, as the law is printed in [SVI2024]
+  own,  ///< pressure p of the sample
+  /// Pressure p_crit = sc^2/se at which eta* = sc/sqrt(p se) is 1, as in the law printed in [SVI2024].
+  critical,
 };
 
 /// Reference values of the law of dynamic compaction. They are chosen, not fitted: other values change only the
@@ -29,10 +30,10 @@ enum class PlateauPressure {
 struct CompactionReference {
   /// Pressure at which the plateau of the void ratio is e_min + De, in the unit of p; 0.01 MPa in [SVI2024].
   double p_D = 0.01;
-  double eta_m = 0.045;  ///< value of eta* at which (1 - e_r)/e_r = s_m; 0.045 in [SVI2024]
-  /// Samples are fitted only if the pressure of their plateau is at least p_0. If p_0 is 0, there is no limit
-  /// for PlateauPressure::own. For `critical` the limit is then p_D, because the published plateau has a pole
-  /// not far below p_D.
+  double eta_m = 0.045;  ///< value of eta* = sc/sqrt(p se) at which (1 - e_r)/e_r = s_m; 0.045 in [SVI2024]
+  /// Samples are fitted only if their plateau is evaluated at a pressure of at least p_0. If p_0 is 0, there is no
+  /// limit for PlateauPressure::own. For `critical` the limit is then p_D, because the published plateau has a pole not
+  /// far below p_D.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 
@@ -40,13 +41,14 @@ struct CompactionReference {
   std::vector<std::string> validate() const;
 };
 
-/// Returns the void ratio e by the law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31), for any scalar type
-/// T:
+/// Returns the void ratio e by the law of dynamic compaction ([SVI2024], Eqs 13-17, 29-31), for any scalar type T:
 ///
 ///   e = e_min + e_r De/(1 + C De ln(p/p_D))
 ///   e_r = S/(1 + S),   S = A x^a + (1/s_m - A) x^b,   x = eta*/eta_m,   eta* = sc/sqrt(p se)
 ///
-/// @param theta  coordinates e_min, ln De, C, ln A, ln(1/s_m - A), ln a, ln(b - a)
+/// @param theta           coordinates e_min, ln De, C, ln A, ln(1/s_m - A), ln a, ln(b - a)
+/// @param log_p_over_p_D  ln(p/p_D), with p the pressure at which the plateau is evaluated (PlateauPressure)
+/// @param log_x           ln x, with eta* at the pressure p of the sample
 template <class T>
 T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
   using std::exp;
@@ -57,31 +59,35 @@ T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
   return theta[0] + De / (1.0 + theta[2] * De * log_p_over_p_D) * S / (1.0 + S);
 }
 
-/// Parts of the standard error of a parameter.
+/// Parts of the standard error of a parameter of the law of dynamic compaction; their squares add up to the square of
+/// the error.
 struct CompactionErrorParts {
   std::string name;      ///< name of the parameter
-  double scatter = 0.0;  ///< scatter between repeated runs; without such runs, scatter of the residuals
-  double law = 0.0;      ///< misfit of the law beyond the scatter of repeated runs; 0 without such runs
+  double scatter = 0.0;  ///< part from the scatter between repeated runs; without such runs, from the residuals
+  /// Part from the misfit of the law beyond the scatter of repeated runs; 0 without such runs.
+  double law = 0.0;
   /// Part from the choice of the samples that are flagged as beside the plateau and left out.
   double plateau = 0.0;
 };
 
-/// Result of a fit of the law of dynamic compaction, or the reason why there is none.
+/// Result of a fit of the law of dynamic compaction, or the reason why there is no fit.
 struct CompactionFit {
   std::string failure_reason;               ///< reason why there is no fit; empty if there is one
   std::vector<FittedParameter> parameters;  ///< parameters e_min, De, C, A, s_m, a, b of the law
-  Eigen::MatrixXd correlation;              ///< correlation of the parameters, in their order
-  std::vector<int> used;                    ///< indices of the samples fitted
-  /// Indices of samples left out because the pressure of their plateau is below p_0.
+  /// Correlation matrix of the parameters, in the order of `parameters`.
+  Eigen::MatrixXd correlation;
+  std::vector<int> used;  ///< indices of the samples fitted
+  /// Indices of samples left out because their plateau is evaluated at a pressure below p_0.
   std::vector<int> below_p_0;
-  std::vector<int> beside_plateau;  ///< indices of samples left out because they miss the plateau
+  std::vector<int> beside_plateau;  ///< indices of samples left out because they miss the plateau of the law
   double rms = 0.0;                 ///< root mean square residual of the void ratio e
-  /// True if the part `scatter` of the errors is from repeated runs (equal p, sc and se), false if it is from
-  /// the residuals.
+  /// True if CompactionErrorParts::scatter is from repeated runs (equal p, sc and se), false if it is from the
+  /// residuals.
   bool errors_from_runs = false;
   /// Parts of the standard error of each parameter that has one.
   std::vector<CompactionErrorParts> error_parts;
-  std::vector<std::string> profiled;  ///< parameters whose interval is from the profile likelihood
+  /// Names of the parameters whose 95 % interval is from the profile likelihood.
+  std::vector<std::string> profiled;
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
@@ -89,13 +95,13 @@ struct CompactionFit {
 
 /// Fits the law of dynamic compaction by least squares in the void ratio e, from starting points on a grid.
 ///
-/// Samples beside the plateau are flagged and not fitted. These are samples above the plateau, or at eta* > 1,
-/// that miss the law of a robust fit to all samples by more than four standard deviations of its residuals.
-/// Standard errors: from the covariance at the solution, scaled by the residual variance, and from the change
-/// of the parameters if samples are flagged from 2.5 or from 6 deviations on instead of four. Intervals: from
-/// Student's t in e_min, 1/De, C and the logarithms of the other parameters; for A and a from the profile
-/// likelihood. There is no fit with fewer than eight samples (see `failure_reason`). Parameters that the
-/// samples do not identify have no value, and a warning names them.
+/// Samples beside the plateau are flagged and not fitted. These are samples above the plateau, or at eta* > 1, that
+/// miss the law of a robust fit to all samples by more than four standard deviations of its residuals. Standard errors
+/// follow from the covariance at the solution, scaled by the residual variance, and from the change of the parameters
+/// if samples are flagged from 2.5 or from 6 standard deviations on instead of four. Intervals follow from Student's t
+/// in e_min, 1/De, C and the logarithms of the other parameters; for A and a from the profile likelihood. There is no
+/// fit with fewer than eight samples (see `failure_reason`). Parameters that the samples do not identify have no value,
+/// and a warning names them.
 /// @throws InputError with the faults of the reference values if they are not valid
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);

@@ -15,14 +15,15 @@
 namespace floc {
 namespace {
 
-/// Returns the bulk modulus between the neighbouring points i and i + 1 of a branch; y is ln Phi.
+/// Returns the bulk modulus between the neighbouring points i and i + 1 of a branch of a load path; y is ln Phi, with
+/// Phi the solid fraction.
 double secant(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index i) {
   return (P[i + 1] - P[i]) / (y[i + 1] - y[i]);
 }
 
-/// Returns true if ln Phi against P is curved: the quadratic term of a fitted parabola exceeds its error and
+/// Returns true if ln Phi against P is curved: the quadratic term of a fitted parabola exceeds both its error and
 /// rounding.
-/// @param n_errors  number of standard errors that the quadratic term must exceed; if absent, those of a 95 %
+/// @param n_errors  number of standard errors that the quadratic term must exceed; if absent, the half width of a 95 %
 /// interval
 bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, std::optional<double> n_errors = {}) {
   if (P.size() < 4) return false;
@@ -51,7 +52,7 @@ FittedPart line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eige
   return {first, n, fit_linear(columns, y.segment(first, n))};
 }
 
-/// Returns whether the line fitted to the whole branch has a positive modulus.
+/// Returns whether the line fitted to a whole branch has a positive modulus, so that Phi falls with the pressure.
 bool falls_as_a_whole(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   return line_through(P, y, 0, P.size()).fit.coefficients[1] > 0.0;
 }
@@ -66,8 +67,8 @@ std::pair<double, double> secants(const Eigen::VectorXd& P, const Eigen::VectorX
   return {low, high};
 }
 
-/// Returns whether all moduli between neighbouring points of a part of a branch are within 15 % of the modulus
-/// of its fitted line.
+/// Returns whether all moduli between neighbouring points of a part of a branch are within 15 % of the modulus of the
+/// line fitted to this part.
 bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   constexpr double kEqual = 0.15;
   const auto [low, high] = secants(P, y, part);
@@ -81,11 +82,13 @@ bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const 
 }
 
 /// Returns the longest straight part at either end of a branch; of two parts of equal length, the part at low
-/// pressures. If the line through the whole branch has no positive modulus, Phi must fall at every step of the
-/// part.
+/// pressures. If the line through the whole branch has no positive modulus, Phi must fall from every point of the part
+/// to the next lower pressure.
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
-  constexpr double kErrors = 2.0;  // standard errors; a 95 % interval from few points would hide any curvature
+  // Number of standard errors beyond which a part of the branch counts as curved; a 95 % interval from few points would
+  // hide any curvature.
+  constexpr double kErrors = 2.0;
   const bool falls = P[0] > P[P.size() - 1], whole = falls_as_a_whole(P, y);
   for (Eigen::Index n = P.size(); n >= kFewest; --n)
     for (const bool at_end : {falls, !falls}) {
@@ -103,8 +106,9 @@ FittedParameter not_identified(const std::string& name) {
   return bounded_below(name, std::nullopt);
 }
 
-/// Sets the parameters B and phi_unloaded from the line through a part of a branch. If the branch is curved and
-/// the part nearly straight, the interval of B is widened to contain every modulus between neighbouring points.
+/// Sets the parameters B (bulk modulus) and phi_unloaded (solid fraction at zero pressure) from the line through a part
+/// of a branch. If the branch is curved and this part nearly straight, the interval of B is widened to contain every
+/// modulus between neighbouring points.
 void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part,
                     ElasticFit& fit) {
   const double t95 = student_t_95(part.fit.dof);
@@ -128,7 +132,7 @@ void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const Fi
     fit.parameters[1] = not_identified("phi_unloaded");
 }
 
-/// Returns the reason why there is no modulus of the whole branch, in words.
+/// Returns the reason why the whole branch has no single modulus, in words.
 std::string words_of_curved(bool falls, const ElasticFit& fit) {
   if (!falls) return "the branch is not elastic as a whole: its solid fraction grows as the pressure falls";
   return fmt::format(

@@ -15,12 +15,12 @@ struct FittedParameter {
   bool identified = true;                ///< whether the data determine the parameter to within a factor of ten
 };
 
-/// Returns the parameter exp(c) from c and its standard error. The interval is symmetric in c.
+/// Returns the parameter exp(c) from c and the standard error of c. The interval is symmetric in c.
 /// @param t95  half width of a 95 % interval in standard errors
 FittedParameter from_logarithm(const std::string& name, double c, double error, double t95);
 
-/// Returns the parameter 1/y from y > 0 and its standard error. The interval is symmetric in y, and has no
-/// upper end if it reaches y = 0.
+/// Returns the parameter 1/y from y > 0 and the standard error of y. The interval is symmetric in y. It has no upper
+/// end in 1/y if it reaches zero in y.
 FittedParameter from_inverse(const std::string& name, double y, double error, double t95);
 
 /// Returns a parameter that may have either sign, with an interval symmetric about its value.
@@ -36,7 +36,7 @@ struct PhysicalRange {
 
 /// Limits the interval of a parameter to its physical range. A value outside the range, from a law that does
 /// not describe the data, is removed, and the parameter counts as not identified.
-/// @return the reason of the removal, in words; empty if the value is inside
+/// @return the reason why the value was removed, in words; empty if the value is inside the range
 std::string keep_in_range(const PhysicalRange& range, FittedParameter& p);
 
 /// Returns a parameter for which the data give at most a lower bound.

@@ -26,16 +26,16 @@ double log_likelihood(const ForceLaw& law, double parameter, const std::vector<d
   return sum;
 }
 
-/// Returns the parameter of largest log-likelihood by golden-section search; the log-likelihood has one
-/// maximum.
+/// Returns the parameter of a force law for which the forces f have the largest log-likelihood, by golden-section
+/// search; the log-likelihood has one maximum.
 double maximize(const ForceLaw& law, const std::vector<double>& f) {
   constexpr double kGolden = 0.6180339887498949;
   double low = law.low, high = law.high;
   double inner = high - kGolden * (high - low), outer = low + kGolden * (high - low);
   double at_inner = log_likelihood(law, inner, f), at_outer = log_likelihood(law, outer, f);
   while (high - low > 1e-9 * (law.high - law.low)) {
-    // If the parameter is outside the range of the law, at its upper end, the log-likelihood is -infinity. The
-    // comparison then discards that side.
+    // Beyond the largest parameter for which the law is a probability density, the log-likelihood is -infinity, so that
+    // this comparison discards the upper side.
     if (at_inner >= at_outer) {
       high = outer, outer = inner, at_outer = at_inner;
       inner = high - kGolden * (high - low);
@@ -49,8 +49,8 @@ double maximize(const ForceLaw& law, const std::vector<double>& f) {
   return 0.5 * (low + high);
 }
 
-/// Returns the parameter between the maximum of the log-likelihood and `end` at which it has fallen by
-/// `kDrop95`; absent if it does not fall so far.
+/// Returns the parameter between `best`, the maximum of the log-likelihood, and `end` at which the log-likelihood has
+/// fallen by kDrop95; absent if it does not fall so far.
 std::optional<double> interval_end(const ForceLaw& law, const std::vector<double>& f, double best, double end) {
   const double wanted = log_likelihood(law, best, f) - kDrop95;
   if (log_likelihood(law, end, f) > wanted) return std::nullopt;
@@ -62,7 +62,8 @@ std::optional<double> interval_end(const ForceLaw& law, const std::vector<double
   return inside;
 }
 
-/// Returns the largest difference between the cumulative distribution of the sorted forces and that of a law.
+/// Returns the Kolmogorov-Smirnov distance: the largest difference between the cumulative distribution of the sorted
+/// forces and the cumulative distribution of a law.
 template <class Cumulative>
 double distance_of(const std::vector<double>& sorted, const Cumulative& cumulative) {
   const auto n = static_cast<double>(sorted.size());
@@ -86,8 +87,8 @@ double normalize(std::vector<double>& forces) {
   return mean;
 }
 
-/// Returns the p-value of a fit: the share of `n_draws` random samples of `n` forces whose distance from their
-/// own fit is at least `found`.
+/// Returns the p-value of a fit: the share of `n_draws` random samples of `n` forces whose Kolmogorov-Smirnov distance
+/// from the law fitted to the sample itself is at least `found`.
 template <class Draw, class Distance>
 double share_as_far(const ForceFitOptions& options, int n, double found, const Draw& draw,
                     const Distance& distance) {
@@ -160,8 +161,8 @@ ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>
   fit.mean = threshold;
   const auto cumulative = [](double f) { return -std::expm1(-f); };
   const double scale = normalize(excess);
-  // For n exponentially distributed excesses the maximum-likelihood estimate of f_0 is their mean, and the
-  // standard error of its logarithm is 1/sqrt(n).
+  // For n exponentially distributed excesses over the threshold, the maximum-likelihood estimate of f_0 is the mean
+  // excess, and the standard error of ln f_0 is 1/sqrt(n).
   fit.parameters = {from_logarithm("f_0", std::log(scale), 1.0 / std::sqrt(n), kNormal95)};
   fit.log_likelihood = -n * (1.0 + std::log(scale));
   fit.distance = distance_of(excess, cumulative);

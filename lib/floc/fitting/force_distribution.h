@@ -11,55 +11,61 @@
 
 namespace floc {
 
-// Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. For networks in
-// compression, f is measured in its mean, so that the distributions have norm and mean 1.
+// Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. For networks in compression, f
+// is the force over the mean force, so that the distributions have norm and mean 1.
 
 /// Distribution of the contact force f >= 0 with one free parameter.
 struct ForceLaw {
   const char* name;
-  const char* parameter;                              ///< name of the free parameter
-  double low, high;                                   ///< range of the free parameter
-  std::function<double(double, double)> log_density;  ///< ln of the probability density, of (parameter, f)
-  std::function<double(double, double)> cumulative;   ///< cumulative probability, of (parameter, f)
+  const char* parameter;  ///< name of the free parameter
+  double low, high;       ///< range of the free parameter
+  /// Ln of the probability density of the force f, as a function of (parameter, f).
+  std::function<double(double, double)> log_density;
+  /// Cumulative probability of the force f, as a function of (parameter, f).
+  std::function<double(double, double)> cumulative;
   std::function<double(double, RandomStream&)> draw;  ///< random force from the law with the given parameter
 };
 
-/// Returns the law P(f) = k f^-alpha for f < 1, k exp[beta (1 - f)] above, with beta^2 = (1-alpha)(2-alpha) and
-/// 1/k = 1/(1-alpha) + 1/beta. The free parameter is alpha < 1.
+/// Returns the law with the probability density P(f) = k f^-alpha for f < 1 and k exp[beta (1 - f)] for larger f, with
+/// beta^2 = (1-alpha)(2-alpha) and 1/k = 1/(1-alpha) + 1/beta. The free parameter is alpha < 1.
 const ForceLaw& power_exponential();
 
-/// Returns the law P(f) = a (1 - b exp(-f^2)) exp(-beta f), in which a and b follow from norm and mean 1. The
-/// free parameter is beta.
+/// Returns the law with the probability density P(f) = a (1 - b exp(-f^2)) exp(-beta f), in which a and b follow from
+/// norm and mean 1. The free parameter is beta.
 const ForceLaw& quadratic_exponential();
 
-/// Fit of a force distribution by maximum likelihood and its quality, or the reason why there is none.
+/// Fit of a force distribution by maximum likelihood and the quality of the fit, or the reason why there is no fit.
 struct ForceFit {
   /// Name of the law: power_exponential, quadratic_exponential, tail_positive or tail_negative.
   std::string form;
   std::string failure_reason;               ///< reason why there is no fit; empty if there is one
   std::vector<FittedParameter> parameters;  ///< parameters of the law, the fitted one first
   int n = 0;                                ///< number of forces fitted
-  double mean = 0.0;                        ///< mean force, in which f is measured; for a tail, its threshold
-  double log_likelihood = 0.0;              ///< log-likelihood of the forces (natural logarithm)
+  /// Mean of the forces; for an exponential tail, the threshold where it begins.
+  double mean = 0.0;
+  double log_likelihood = 0.0;  ///< log-likelihood of the forces (natural logarithm)
   /// Kolmogorov-Smirnov distance: largest difference between the cumulative distributions of the forces and the
   /// law.
   double distance = 0.0;
-  /// Share of random samples from the fitted law that have a distance at least as large from their own fit.
+  /// Share of random samples from the fitted law whose distance from the law fitted to the sample itself is at least
+  /// `distance`.
   double p_value = 0.0;
 
   bool found() const { return failure_reason.empty(); }
 };
 
 struct ForceFitOptions {
-  /// Number of samples drawn for the p-value; 200 samples determine a p-value near 0.05 to 0.015.
+  /// Number of random samples drawn for the p-value; with 200 samples, a p-value near 0.05 has a standard error of
+  /// 0.015.
   int n_draws = 200;
   std::uint64_t seed = 1;
 
   static constexpr WholeRange kDraws{.least = 1, .most = 100000};
 };
 
-/// Fits a distribution of forces in compression by maximum likelihood, with an interval from the likelihood
-/// ratio. There is no fit with fewer than 10 forces. @param forces  > 0, in any unit
+/// Fits a distribution of forces in compression by maximum likelihood, with a 95 % interval from the likelihood ratio.
+/// There is no fit with fewer than 10 forces.
+/// @param forces  compressive forces, > 0, in any unit
 /// @throws InputError if options.n_draws is not in ForceFitOptions::kDraws
 [[nodiscard]] ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
                                               const ForceFitOptions& options);

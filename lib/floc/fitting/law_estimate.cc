@@ -18,15 +18,17 @@ double residual_variance(const LawEstimate& estimate) {
   return estimate.solution.sum_of_squares / static_cast<double>(dof);
 }
 
-/// Returns the unit vector of coordinate `k`: the gradient of this coordinate.
+/// Returns the gradient of coordinate `k` with respect to all `n` coordinates: a unit vector.
 Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
   return Eigen::VectorXd::Unit(n, k);
 }
 
-/// Adds Phi0 and P0*, the solid fraction and pressure at which the line of regime II begins. This is where the
-/// line meets the plateau; without a plateau, P0* is the first pressure and only Phi0 is added. The line passes
-/// through y = 1/Phi at ln P* = log_P; `to_y` and `to_log_P` are the gradients of y and log_P with respect to
-/// the coordinates.
+/// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with their
+/// gradients. If there is a plateau, the line begins where it meets the plateau. Without a plateau, P0* is the first
+/// pressure, and only Phi0 is added.
+///
+/// The line is given by one of its points, at ln P* = log_P and 1/Phi = y; `to_log_P` and `to_y` are the gradients of
+/// log_P and y with respect to the coordinates of the fit.
 void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
                              const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
   const double lambda = std::exp(e.solution.theta[0]);
@@ -43,8 +45,8 @@ void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::Ve
       {"Phi0", true, y - lambda * distance, to_y + lambda * to_log_P - lambda * distance * unit(n, 0)});
 }
 
-/// Returns the function of the smallest sum of squares at a fixed value of one coordinate. Each call starts
-/// from the solution of the call before.
+/// Returns a function of the value at which one coordinate is held: it fits the other coordinates and returns the
+/// smallest sum of squares. Each call starts from the solution of the call before.
 ProfileFunction profile_of(const LawEstimate& estimate, int coordinate) {
   return [&estimate, coordinate, theta = estimate.solution.theta](double value) mutable {
     Eigen::VectorXd start = theta;
@@ -79,9 +81,8 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
   const double first = e.points.log_P[0];
   std::vector<Quantity> found;
-  // Each parameter is a function of the coordinates (see LawSolution). Its gradient serves fitted_parameter()
-  // to compute its standard error. P0* and Phi0 follow from the other parameters and from the level of the
-  // plateau.
+  // Each parameter is a function of the coordinates (see LawSolution). From its gradient, fitted_parameter() computes
+  // its standard error. P0* and Phi0 follow from the other parameters and from the level of the plateau.
   switch (e.law) {
     case Law::log:
       found.push_back({"lambda", false, theta[0], unit(n, 0)});
@@ -142,7 +143,8 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
 
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance) {
   double variance = 0.0;
-  // The sum runs only over the coordinates on which the parameter depends: others may have infinite variance.
+  // The sum runs only over the coordinates on which the parameter depends, because other coordinates may have infinite
+  // variance.
   for (int i = 0; i < quantity.gradient.size(); ++i)
     for (int j = 0; j < quantity.gradient.size(); ++j)
       if (quantity.gradient[i] != 0.0 && quantity.gradient[j] != 0.0)
@@ -157,7 +159,8 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const double center = estimate.solution.theta[coordinate];
   const double t95 = student_t_95(covariance.dof);
   const double error = std::sqrt(covariance.matrix(coordinate, coordinate));
-  // With a smaller error the sum of squares is rounding, and the interval follows from the covariance.
+  // Standard error below which changes of the sum of squares are only rounding; the interval then follows from the
+  // covariance.
   constexpr double kRounding = 1e-9;
   if (error < kRounding) return {center - t95 * error, center + t95 * error};
   const Covariance own = covariance_from_residuals(estimate);

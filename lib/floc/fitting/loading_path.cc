@@ -32,7 +32,8 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
       step = PathStep::unloading;
     else if (turned)
       step = P > largest * (1 + kSamePressure) ? PathStep::later_virgin : PathStep::reloading;
-    // P* = 0 before the first positive pressure belongs to the assembly, P* = 0 after it to an unloading.
+    // A row with P* = 0 belongs to the assembly if it comes before the first positive pressure, otherwise to an
+    // unloading.
     turned = turned || step == PathStep::unloading || step == PathStep::test || (P == 0.0 && largest > 0.0);
     largest = std::max(largest, P);
     before = P;

@@ -15,7 +15,7 @@ enum class PathLoad {
   isotropic,
   /// One axis is driven, the others keep their lengths; P_star may be the stress on the driven axis.
   oedometric,
-  other,  ///< the axes are loaded differently in any other way; the row is no consolidation
+  other,  ///< any other load that differs between the axes; the row is no point of a consolidation curve
 };
 
 /// One row of the table of a load path.
@@ -42,17 +42,17 @@ enum class PathStep {
 /// names of branches.
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
 
-/// A row of a load path whose pressure does not fit its branch, and a description of the pressure expected
-/// there.
+/// Index of a row of a load path whose pressure does not fit its branch, and a description of the pressure expected in
+/// this row.
 struct PathFault {
   int row;
   std::string expected;
 };
 
-/// Returns the first row whose pressure does not fit its branch, or nothing. In consecutive rows with one
-/// branch name, the pressures must strictly grow, strictly fall, or all be equal. If branches have no names, no
-/// two consecutive pressures may be equal. Rows with different loads on the axes always fit, because the stress
-/// on a strained axis may fall.
+/// Returns the first row whose pressure does not fit its branch, or nothing. In consecutive rows with one branch name,
+/// the pressures must strictly grow, strictly fall, or all be equal. If branches have no names, no two consecutive
+/// pressures may be equal. Rows with different loads on the axes always fit, because the stress on an axis with imposed
+/// strain may fall.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows of a load path as a consolidation curve.
@@ -61,9 +61,9 @@ struct Loading {
   std::vector<int> rows;  ///< index of the row of each point
 };
 
-/// Returns the rows of the first loading; with `virgin`, also the rows of later loadings beyond the largest
-/// earlier pressure. The first loading is found from the pressures. If the branches are named and one is named
-/// "load", it consists of the rows of "assembly" and of the first consecutive rows of "load" only.
+/// Returns the rows of the first loading; with `virgin`, also the rows of later loadings beyond the largest earlier
+/// pressure. The first loading is found from the pressures. If one of the branches has the name "load", the first
+/// loading consists only of the rows of the branch "assembly" and of the first consecutive rows of the branch "load".
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
 /// A loading that starts again after an unloading.

@@ -22,8 +22,8 @@ Eigen::MatrixXd columns_of_lines(const Eigen::ArrayXd& x, double bend) {
   return columns;
 }
 
-/// Fits two lines of 1/Phi against ln P that meet at ln P_c = `bend`. The coefficients are y_c, -kappa and
-/// kappa - lambda.
+/// Fits two lines to 1/Phi as a function of x = ln P, which meet at ln P_c = `bend`: y_c - kappa (x - bend) below the
+/// bend, y_c - lambda (x - bend) above. The coefficients of the fit are y_c, -kappa and kappa - lambda.
 LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend) {
   return fit_linear(columns_of_lines(x, bend), y);
 }
@@ -39,8 +39,8 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
-/// Sum of squared residuals of two lines that meet at a bend, as a function of the place of the bend on a fine
-/// grid, because it may have several minima.
+/// Sum of squared residuals of two lines that meet at a bend, as a function of the place of the bend. It is computed on
+/// a fine grid, because it may have several minima.
 struct BendProfile {
   static constexpr int kSteps = 4000;
   Eigen::VectorXd bend, left;
@@ -63,7 +63,7 @@ PreconsolidationFit refused(std::string why) {
 
 PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std::vector<double>& phi) {
   assert(P.size() == phi.size());
-  constexpr int kMinPressures = 5;  // one more than the four parameters fitted
+  constexpr int kMinPressures = 5;  // one more than the number of parameters fitted: P_c, y_c, kappa and lambda
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures)
     return refused(fmt::format(
@@ -88,16 +88,17 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
         "the reloading branch does not bend towards a steeper line: it does not reach the preconsolidation "
         "pressure");
   PreconsolidationFit fit;
-  // Correlated residuals count as a smaller number of independent residuals.
+  // Largest correlation of neighbouring residuals that counts. Correlated residuals count as a smaller number of
+  // independent residuals, which would be zero at a correlation of 1.
   constexpr double kMostCorrelated = 0.9;
   const double r = correlation_of_neighbours(y - columns_of_lines(x, bend) * lines.coefficients);
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));
   const double within = lines.sum_of_squares + fewer * t95 * t95 * variance;
   if (r > 0.0)
-    fit.warnings.push_back(
-        fmt::format("neighbouring residuals are correlated ({:.2f}), because the bend is round or the curve "
-                    "moves in steps: the interval of P_c is widened to allow for this",
-                    r));
+    fit.warnings.push_back(fmt::format(
+        "neighbouring residuals are correlated (coefficient {:.2f}), because the bend is round or the curve "
+        "moves in steps: the interval of P_c is widened to allow for this",
+        r));
   Eigen::Index low = profile.best, high = profile.best;
   for (Eigen::Index k = 0; k < profile.left.size(); ++k)
     if (profile.left[k] <= within) low = std::min(low, k), high = std::max(high, k);

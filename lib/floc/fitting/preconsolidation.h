@@ -7,10 +7,11 @@
 
 namespace floc {
 
-/// Pressure at which a reloaded packing begins to yield again, or the reason why it cannot be determined.
+/// Pressure at which a reloaded packing begins to yield again, or the reason why there is no fit.
 struct PreconsolidationFit {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
-  /// Preconsolidation pressure P_c, kappa (slope -d(1/Phi)/dlnP on reloading) and lambda (slope beyond P_c).
+  /// Parameters P_c (preconsolidation pressure), kappa (slope -d(1/Phi)/dlnP on reloading, with Phi the solid fraction)
+  /// and lambda (slope beyond P_c).
   std::vector<FittedParameter> parameters;
   double rms = 0.0;  ///< root mean square residual of 1/Phi
   std::vector<std::string> warnings;

@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns the loading that ends at the row `turn`: this row and the rows before it along which the pressure
-/// grows or is constant.
+/// Returns the loading that ends at the row `turn`: this row, and the rows before it from which on the pressure grows
+/// or is constant.
 Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   int first = turn;
   while (first > 0 && rows[first - 1].P_star > 0.0 && rows[first - 1].P_star <= rows[first].P_star) --first;

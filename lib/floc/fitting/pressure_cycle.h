@@ -7,15 +7,16 @@
 
 namespace floc {
 
-/// Returns the work of the pressure on a packing along a load path, per unit volume of its grains (stress):
+/// Returns the work of the pressure on a packing along a load path, per unit volume of its grains (stress). With P the
+/// pressure and Phi the solid fraction, it is
 ///
 ///   -integral of P d(1/Phi), by the trapezoidal rule between the points
 ///
-/// This work times the volume of a grain, pi a^3/6 for spheres, is the work per grain. For a cycle from P0 up
-/// and back to P0 the work is the integral of (1/Phi_up - 1/Phi_down) dP minus P0 (1/Phi_end - 1/Phi_start).
+/// This work times the volume of a grain, pi a^3/6 for spheres, is the work per grain. For a cycle that starts and ends
+/// at the pressure P0, the work is the integral of (1/Phi_up - 1/Phi_down) dP minus P0 (1/Phi_end - 1/Phi_start).
 double work_of_path(const ConsolidationCurve& path);
 
-/// A loading and the unloading after it.
+/// A loading and the unloading that follows it.
 struct PressureCycle {
   Loading up;    ///< rows from the lowest pressure to the largest
   Loading down;  ///< rows from the largest pressure on

@@ -6,10 +6,10 @@
 namespace floc {
 namespace {
 
-/// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of
-/// the solution. The crossing is bracketed by growing steps, the first of which is `step` (signed), then found
-/// by false position in the square root of the increase of the sum of squares, which is nearly linear. The
-/// result is absent if the profile does not reach this value before `end`, or before the solver fails.
+/// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of the
+/// solution. Growing steps, the first of which is `step` (signed), first bracket this coordinate. It is then found by
+/// false position in the square root of the increase of the sum of squares, which is nearly linear in the coordinate.
+/// The result is absent if the profile does not reach `search.allowed` before `end`, or before the solver fails.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);

@@ -13,21 +13,22 @@ struct ProfileInterval {
 
 /// Settings of the search for the ends of a ProfileInterval.
 struct ProfileSearch {
-  double center;             ///< coordinate at the solution
+  double center;             ///< value of the coordinate at the solution
   double least;              ///< sum of squares at the solution
   double allowed;            ///< sum of squares at the ends of the interval, > least
   double low_end, high_end;  ///< limits of the search: values of the coordinate beyond them have no meaning
   double step;               ///< first step away from the solution, > 0
 };
 
-/// Function that returns the smallest sum of squares with the coordinate fixed at a value; infinite if the
-/// solver fails. It may start the solver from the solution of the call before.
+/// Profile of the sum of squares: a function of the value at which a coordinate is held, which returns the smallest sum
+/// of squares over all other coordinates; infinite if the solver fails. It may start the solver from the solution of
+/// the call before.
 using ProfileFunction = std::function<double(double value)>;
 
-/// Finds the ends of the interval, at which the profile of the sum of squares reaches `search.allowed`, to 1e-3
-/// of the width of the interval.
-/// @param profile_from_solution  returns a profile whose first call starts from the solution of the fit; called
-/// once for each side
+/// Finds the ends of a ProfileInterval, at which the profile of the sum of squares reaches `search.allowed`, to 1e-3 of
+/// the width of the interval.
+/// @param profile_from_solution  function that returns a profile whose first call starts from the solution of the fit;
+/// it is called once for each end of the interval
 [[nodiscard]] ProfileInterval profile_interval(const ProfileSearch& search,
                                                const std::function<ProfileFunction()>& profile_from_solution);
 

@@ -13,12 +13,12 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Residuals of 1/Phi below this value are rounding of the numbers in the table, and do not distinguish between
-/// laws.
+/// Residuals of 1/Phi below this value are rounding of the numbers in a table, so that they do not distinguish between
+/// consolidation laws.
 constexpr double kRounding = 1e-9;
 
-/// Returns the Bayesian information criterion of a least-squares fit, up to a constant that depends on the data
-/// only.
+/// Returns the Bayesian information criterion of a least-squares fit, up to a constant that depends only on the data.
+/// @param n_free  number of fitted parameters
 double information(double sum_of_squares, int n, int n_free) {
   const double floor = n * kRounding * kRounding;
   return n * std::log(std::max(sum_of_squares, floor) / n) + n_free * std::log(n);
@@ -28,7 +28,7 @@ int n_below(const LawPoints& points, double log_P) {
   return static_cast<int>((points.log_P.array() < log_P).count());
 }
 
-/// Returns the weighted sum of squared residuals of 1/Phi if a constant is fitted.
+/// Returns the weighted sum of squared residuals of a constant fitted to 1/Phi (Phi is the solid fraction).
 double residual_of_constant(const LawPoints& points) {
   if (points.size() == 0) return 0.0;
   const Eigen::ArrayXd w2 = points.weight.array().square();
@@ -36,8 +36,8 @@ double residual_of_constant(const LawPoints& points) {
   return (w2 * (points.y.array() - mean).square()).sum();
 }
 
-/// A possible place of a change between regimes, with the information criterion of the fit that splits the
-/// curve there.
+/// A possible place of the change between two regimes, before point `first`, with the information criterion of the fit
+/// that splits the curve there.
 struct Place {
   int first;
   double information;
@@ -47,8 +47,8 @@ bool less_information(const Place& a, const Place& b) {
   return a.information < b.information;
 }
 
-/// Returns the most probable place of a change, and all other places with their probabilities; `shift` is added
-/// to all indices.
+/// Returns the most probable of the possible places of a change between regimes, and all places more probable than 1 %;
+/// `shift` is added to all indices.
 ChangePoint change_among(std::vector<Place> places, int shift) {
   constexpr double kWorthNaming = 0.01;
   std::stable_sort(places.begin(), places.end(), less_information);
@@ -81,8 +81,8 @@ double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen:
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
-/// Returns the end of the plateau before point `k` with its information criterion; `left` is the sum of squared
-/// residuals of the law on the points after the plateau.
+/// Returns the place of a plateau end before point `k`, with the information criterion of this choice; `left` is the
+/// sum of squared residuals of the law on the points after the plateau.
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
   // The end of the plateau counts as one more fitted parameter.
   return {k, information(left + residual_of_plateau(law, points, k, theta), points.size(),
@@ -101,8 +101,8 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   int n_failed = 0;
   for (int k = 0; n - k > n_parameters(Law::full) && n_failed < kGiveUp; ++k) {
     const LawPoints rest = points.range(k, n - k);
-    // The fit to one point fewer starts from the solution before, and also from a new starting point, in case
-    // the point left out had hidden the bend of the law.
+    // Each fit leaves out one point more, the first one, than the fit before. It starts from the solution of the fit
+    // before, and also from a new starting point, because the point left out may have hidden the bend of the law.
     double left = kInfinity;
     if (theta) left = minimize_law(Law::full, rest, *theta);
     if (auto other = start_of_law(Law::full, rest, theta ? 1 : 4)) {
@@ -127,8 +127,8 @@ std::vector<Place> ends_before_line(const LawPoints& points) {
   return places;
 }
 
-/// Returns the possible beginnings of regime III of a consolidation curve. The points before follow a line in
-/// ln P*, the points after follow a power law. Each law has at least one point more than parameters.
+/// Returns the possible beginnings of regime III of a consolidation curve. The points before follow a line in ln P*,
+/// the points after follow a power law. Each of the two is fitted to at least one point more than it has parameters.
 std::vector<Place> onsets_of_three(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
@@ -141,7 +141,7 @@ std::vector<Place> onsets_of_three(const LawPoints& points) {
   return places;
 }
 
-/// Returns the weighted sum of squared residuals of 1/Phi if a linear function of P* is fitted.
+/// Returns the weighted sum of squared residuals of a linear function of the reduced pressure P* fitted to 1/Phi.
 double residual_of_elasticity(const LawPoints& points) {
   Eigen::MatrixXd columns(points.size(), 2);
   columns.col(0) = points.weight;

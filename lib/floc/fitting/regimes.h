@@ -16,12 +16,13 @@ struct ChangePlace {
 /// Change from one regime of consolidation to the next, between two neighbouring points.
 struct ChangePoint {
   int first;  ///< index of the first point after the most probable change
-  /// Range of `first` over the most probable places, which have 95 % of the probability.
+  /// Range of `first` over the most probable places, which together have 95 % of the probability.
   int low95, high95;
   std::vector<ChangePlace> places;  ///< all places more probable than 1 %, the most probable first
 };
 
-/// Regimes of a consolidation curve of 1/Phi: a plateau (I), a line in ln P* (II), a power law of P* (III).
+/// Regimes of a consolidation curve of 1/Phi against the reduced pressure P* (Phi is the solid fraction): a plateau
+/// (I), a line in ln P* (II), a power law of P* (III).
 struct Regimes {
   /// True if a constant, or 1/Phi linear in P* (elastic), explains the points better than any law of
   /// consolidation.
@@ -33,12 +34,15 @@ struct Regimes {
   int end_of_two = 0;  ///< index after the last point of regime II
 };
 
-/// Finds the regimes of a consolidation curve by a change-point search with least squares. At the end of the
-/// plateau, a constant followed by the full law (or by the line of regime II, if this explains the points
-/// better) has the smallest Bayesian information criterion. The level of the plateau must be a value of the law
-/// between the last point of the plateau and the next point. At the beginning of regime III, a line followed by
-/// a power law has the smallest criterion for the points after the plateau. The probability of a place is in
-/// proportion to exp(-criterion/2).
+/// Finds the regimes of a consolidation curve by a change-point search with least squares: each change is put where the
+/// fit has the smallest Bayesian information criterion.
+///
+/// 1. At the end of regime I, the points are fitted by a constant followed by the full law (or by the line of regime
+/// II, if this explains the points better). The constant must be a value of the law between the last point of the
+/// plateau and the next point.
+/// 2. At the beginning of regime III, the points after the plateau are fitted by a line followed by a power law.
+///
+/// The probability of a place is in proportion to exp(-criterion/2).
 /// @return the regimes; absent if no choice leaves three points for regime II
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 

@@ -8,12 +8,14 @@ namespace floc {
 /// to the standard deviation of a normal distribution.
 enum class Loss {
   squared,  ///< least squares
-  huber,    ///< linear for residuals beyond 1.345 scales: 95 % efficient for normal errors
-  /// Logarithmic for residuals beyond 2.385 scales: also 95 % efficient, and outliers have almost no weight.
+  huber,    ///< linear for residuals beyond 1.345 times their scale: 95 % efficient for normal errors
+  /// Logarithmic for residuals beyond 2.385 times their scale: 95 % efficient for normal errors, and outliers have
+  /// almost no weight.
   cauchy,
 };
 
-/// Returns the weights with which least squares of the weighted residuals minimises the loss.
+/// Returns one weight per residual. A fit minimises the loss if it minimises the sum of squares of weight * residual,
+/// with the weights computed from its own residuals.
 Eigen::VectorXd loss_weights(Loss loss, const Eigen::VectorXd& residuals);
 
 }  // namespace floc

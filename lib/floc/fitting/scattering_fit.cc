@@ -18,8 +18,8 @@ constexpr int kMinBins = 6;
 /// Value of chi squared per degree of freedom above which a warning says that the data do not follow the law.
 constexpr double kFarOff = 9.0;
 
-/// Residual of ln I in one bin of wave numbers, over its standard deviation. The parameters theta are ln I0, ln
-/// xi and dF.
+/// Residual of ln I in one bin of wave numbers, over the standard deviation of ln I, with I the scattered intensity.
+/// The parameters theta are ln I0, ln xi and dF.
 struct ScatteringResidual {
   static constexpr int kParameters = 3;
   double k, log_I, weight;
@@ -32,8 +32,8 @@ struct ScatteringResidual {
   }
 };
 
-/// Returns the mean of ln of the average of n exponential variables of mean 1: digamma(n) - ln n (Abramowitz
-/// and Stegun 6.3.18, and the recurrence for small n).
+/// Returns the mean of ln X, with X the average of n exponential random variables of mean 1: digamma(n) - ln n
+/// (Abramowitz and Stegun 6.3.18, and the recurrence for small n).
 double log_bias(double n) {
   double shift = 0.0, m = n;
   for (; m < 6.0; m += 1.0) shift -= 1.0 / m;
@@ -84,9 +84,9 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   const std::vector<ScatteringResidual> data = residuals_of(points, low, high);
   fit.n_points = static_cast<int>(data.size());
   if (fit.n_points < kMinBins) {
-    fit.failure_reason =
-        fmt::format("there are {} bins of wave numbers k between {:.4g} and {:.4g}, but the law needs {}",
-                    fit.n_points, low, high, kMinBins);
+    fit.failure_reason = fmt::format(
+        "there are {} bins of wave numbers k between {:.4g} and {:.4g}, but a fit of the law needs {}",
+        fit.n_points, low, high, kMinBins);
     return fit;
   }
   fit.low = data.front().k;
@@ -130,7 +130,7 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
     fit.warnings.push_back(fmt::format("{} is not identified by these data", p.name));
     p.value = p.standard_error = p.low95 = p.high95 = std::nullopt;
   }
-  // Slope of scattering by smooth surfaces in 3D (Porod's law), the steepest possible.
+  // Largest possible dF: smooth surfaces in 3D scatter with the steepest possible slope (Porod's law).
   constexpr double kPorod = 4.0;
   if (const std::string beyond = keep_in_range({0.0, kPorod}, fit.parameters[2]); !beyond.empty())
     fit.warnings.push_back(beyond);

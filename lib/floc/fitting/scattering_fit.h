@@ -15,8 +15,8 @@ struct ScatteredPoint {
   std::int64_t n_vectors;  ///< number of independent wave vectors in the bin, >= 1
 };
 
-/// Fit of the scattering law of fractal aggregates of finite size (docs/physics.md, "Structure"), or the reason
-/// why there is none. With k the wave number, the law is
+/// Fit of the scattering law of fractal aggregates of finite size (docs/physics.md, "Structure"), or the reason why
+/// there is no fit. With k the wave number, the law is
 ///
 ///   I(k) = I0 / [1 + (k xi/(2 pi))^2]^(dF/2)
 struct ScatteringFit {
@@ -25,21 +25,21 @@ struct ScatteringFit {
   double low = 0.0, high = 0.0;             ///< smallest and largest wave number k of the bins fitted
   int n_points = 0;
   double rms = 0.0;  ///< root mean square residual of ln I
-  /// Chi squared per degree of freedom: squared residuals over the variance of speckles; near 1 if the data
-  /// follow the law.
+  /// Chi squared per degree of freedom: mean of squared residuals of ln I over their variance by speckles; near 1 if
+  /// the data follow the law.
   double chi_square = 0.0;
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Returns the intensity I(k) by the scattering law.
+/// Returns the intensity I(k) by the scattering law of ScatteringFit.
 double scattered_intensity(double I0, double xi, double dF, double k);
 
-/// Fits the scattering law by least squares in ln I to the bins with low <= k <= high. The intensity at one
-/// wave vector has the exponential distribution of speckles, so that a mean over n wave vectors has the
-/// relative variance 1/n. Its logarithm has a bias, which is removed. Standard errors follow from this
-/// variance, or from the residuals if these are larger. There is no fit with fewer than six bins.
+/// Fits the scattering law by least squares in ln I to the bins with low <= k <= high. The intensity at one wave vector
+/// has the exponential distribution of speckles, so that a mean over n wave vectors has the relative variance 1/n. The
+/// logarithm of this mean has a bias, which is removed. Standard errors follow from this variance, or from the
+/// residuals if these are larger. There is no fit with fewer than six bins.
 /// @throws InputError unless `low` and `high` are finite numbers with low < high
 [[nodiscard]] ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double low, double high);
 

@@ -20,8 +20,8 @@ double beyond_corner(const Vec<3>& t) {
   for (int k = 0; k < 3; ++k) {
     const double a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     const double rho = std::sqrt(1.0 - a * a);
-    // Gauss-Bonnet terms of the plane x = a: the geodesic curvature of its arc on the sphere, and the angle at the end
-    // of the arc on the plane y = b.
+    // Gauss-Bonnet terms of the arc in which the plane x = a cuts the sphere: its geodesic curvature, and the angle at
+    // its end on the plane y = b.
     sphere -= a * (std::acos(std::min(1.0, b / rho)) - std::asin(std::min(1.0, c / rho)));
     sphere -= std::acos(std::max(-1.0, -a * b / (rho * std::sqrt(1.0 - b * b))));
     faces += a * rho * rho * beyond_corner(Vec<2>(std::min(1.0, b / rho), std::min(1.0, c / rho)));

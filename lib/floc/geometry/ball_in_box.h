@@ -8,8 +8,9 @@ namespace floc {
 /// error is about 1e-15 radius^Dim.
 ///
 /// By the divergence theorem, the part of a unit ball beyond the three planes x = a, y = b, z = c >= 0 has the volume
-/// (S - a A_a - b A_b - c A_c)/3. A_a, A_b, A_c are the areas of its flat faces, which are parts of disks beyond two
-/// lines; S is the area of its spherical face, by the Gauss-Bonnet theorem. A box is a signed sum of eight such parts.
+/// (S - a A_a - b A_b - c A_c)/3. A_a, A_b, A_c are the areas of the flat faces of this part, each a part of a disk
+/// beyond two lines. S is the area of its spherical face, by the Gauss-Bonnet theorem. The intersection with a box is a
+/// signed sum of eight such parts, one for each corner (in 2D, four).
 /// @param centre, radius  centre and radius of the ball (length)
 /// @param low, high       corners of the box, whose edges are along the axes (length); infinite coordinates are allowed
 template <int Dim>

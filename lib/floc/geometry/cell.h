@@ -12,13 +12,13 @@ template <int Dim>
 struct Cell {
   /// Lattice vectors of the cell, one per row (length).
   Mat<Dim> matrix = Mat<Dim>::Identity();
-  /// Time derivative of `matrix` (length/time).
+  /// Time derivative of the lattice vectors in `matrix` (length/time).
   Mat<Dim> velocity = Mat<Dim>::Zero();
 
   /// Returns the area (2D) or volume (3D), which is positive also for a left-handed lattice.
   double volume() const { return std::abs(matrix.determinant()); }
 
-  /// Returns the displacement image * matrix of a periodic image (length).
+  /// Returns the displacement by `image` lattice vectors to a periodic image: image * matrix (length).
   Vec<Dim> shift(const Vec<Dim, int>& image) const {
     return matrix.transpose() * image.template cast<double>();
   }

@@ -7,7 +7,7 @@
 namespace floc {
 
 /// Number of components of a tangential displacement: one in 2D, along the tangent; three in 3D, as a vector in space
-/// normal to the contact normal, so that no pair of tangents has to be chosen.
+/// normal to the contact normal, so that no two tangents have to be chosen.
 template <int Dim>
 inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
 
@@ -42,7 +42,7 @@ inline RotationVector<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force)
   return cross<T>(RotationVector<3, T>(arm), force);
 }
 
-/// Returns the tangential component of a relative displacement, in the contact's frame.
+/// Returns the tangential component of a relative displacement at a contact with normal n, in the frame of the contact.
 template <class T>
 inline Shear<2, T> to_shear(const Vec<2, T>& n, const Vec<2, T>& displacement) {
   return Shear<2, T>(tangent(n).dot(displacement));
@@ -52,18 +52,19 @@ inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
   return displacement - n * n.dot(displacement);
 }
 
-/// Returns the vector in space for a tangential quantity given in the contact's frame.
+/// Returns a tangential displacement (or force), given in the frame of a contact with normal n, as a vector in space.
 template <class T>
 inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
   return tangent(n) * shear[0];
 }
 template <class T>
 inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
-  // component by component, because GCC would copy the whole vector through memory
+  // component by component, because GCC would otherwise copy the whole vector through memory
   return {shear[0], shear[1], shear[2]};
 }
 
-/// Returns the rolling part of a relative rotation: in 2D the whole rotation, in 3D its part normal to n.
+/// Returns the rolling part of a relative rotation: in 2D the whole rotation, in 3D its part normal to the contact
+/// normal n.
 template <class T>
 inline RotationVector<2, T> rolling_part(const Vec<2, T>&, const RotationVector<2, T>& rotation) {
   return rotation;

@@ -13,18 +13,20 @@ class FrameTurn {
  public:
   FrameTurn() = default;
   /// @param normal     unit normal after the step
-  /// @param along      displacement of the branch in the step along the normal, over the branch length after the step
-  /// @param across     displacement of the branch in the step normal to the normal, over the same length
+  /// @param along      displacement of the branch vector in the step: its component along the normal, over the branch
+  /// length after the step
+  /// @param across     displacement of the branch vector in the step: its part normal to the normal, over the branch
+  /// length after the step
   /// @param spins      sum of the spins of the two grains (radians/time)
   /// @param time_step  duration of the step (time)
   FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
             const T& time_step)
       : n_(normal), across_(across) {
-    // n0 = (n1 - tilt)/sqrt(1 + tilt^2), tilt = across/(1 - along).
+    // The old normal is n0 = (n1 - w)/sqrt(1 + w^2), with n1 the new normal and w = across/(1 - along) = tilt across.
     const T tilt = T(1) + along * (T(1) + along * (T(1) + along));
     const T across_squared = across.squaredNorm();
     const T s = tilt * tilt * across_squared;
-    // (n0 + n1)/(1 + n0.n1) = n1 - tilt/(1 + sqrt(1 + tilt^2))
+    // With w = tilt across, the mean normal is (n0 + n1)/(1 + n0.n1) = n1 - w/(1 + sqrt(1 + w^2)) = n1 - lean across.
     lean_ = tilt * (T(0.5) - s * (T(0.125) - T(0.0625) * s));
     along_middle_ = along - lean_ * across_squared;
     mean_normal_ = n_ - lean_ * across;
@@ -39,14 +41,15 @@ class FrameTurn {
   /// them.
   const Vec<3, T>& mean_normal() const { return mean_normal_; }
 
-  /// Returns the slip of the two surfaces in the step: measured across the mean normal m, then projected across the new
-  /// normal n1. With the displacement d of the branch it is P1 Pm (d - s x m), where Pi u = u - ni ni.u projects across
-  /// ni.
+  /// Returns the slip of the two surfaces in the step: the part normal to the mean normal m, projected onto the plane
+  /// normal to the new normal n1. With d the displacement of the branch vector it is P1 Pm (d - s x m). P1 and Pm
+  /// project onto the planes normal to n1 and to m.
   /// @param length    length of the branch after the step
   /// @param surfaces  s, displacement of the surface of grain i relative to grain j by rotation: sum of arms times
-  ///                  rotations
+  /// rotations
   Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
-    // m = n1 - lean across, so that P1 Pm d = (1 + lean m.d) across and P1 (s x m) = (s + lean (s.n1) across) x n1.
+    // With the mean normal m = n1 - lean across, the two terms of the slip are P1 Pm d = (1 + lean m.d) across and P1
+    // (s x m) = (s + lean (s.n1) across) x n1, where P1 and Pm project onto the planes normal to n1 and to m.
     const RotationVector<3, T> about = surfaces + (lean_ * surfaces.dot(n_)) * across_;
     return (length * (T(1) + lean_ * along_middle_)) * across_ - cross<T>(about, n_);
   }
@@ -61,8 +64,8 @@ class FrameTurn {
   Vec<3, T> n_, mean_normal_;
   T cos_, sin_;
   Vec<3, T> across_;
-  T lean_;          // coefficient in the mean normal m = n1 - lean across
-  T along_middle_;  // displacement of the branch along m over the branch length
+  T lean_;          // coefficient `lean` in the mean normal m = n1 - lean across
+  T along_middle_;  // displacement of the branch vector along m over the branch length
 };
 
 }  // namespace floc

@@ -23,9 +23,9 @@ struct ReducedLattice {
 };
 
 /// Reduces a lattice by the method of Lagrange and Gauss, pair by pair in 3D: each vector is shortened by whole
-/// multiples of the others until none becomes shorter. The cost of a neighbour search depends on the widths of the
-/// cell; the reduction keeps it low even if the original cell is strongly slanted. Lattices whose vectors are already
-/// short do not change.
+/// multiples of the others until none becomes shorter. The cost of a neighbour search depends on the widths of the cell
+/// between opposite faces; the reduction keeps the cost low even if the original cell is strongly slanted. Lattices
+/// whose vectors are already short do not change.
 template <int Dim>
 ReducedLattice<Dim> reduced_lattice(const Cell<Dim>& cell) {
   ReducedLattice<Dim> lattice{cell};

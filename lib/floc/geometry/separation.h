@@ -7,7 +7,7 @@ namespace floc {
 
 /// Point or vector whose coordinates are double-double numbers (unevaluated sums of two doubles). A single double
 /// resolves a coordinate to half a unit in the last place, which matters for a stiff contact: 40 diameters a from the
-/// origin the error is 4e-15 a, or a force of 4e-6 F0 at a dimensionless stiffness kappa = 1e9.
+/// origin the error is 4e-15 a, or a force of 4e-6 F0 at a stiffness of 1e9 F0/a, with F0 the pull-off force.
 template <int Dim>
 struct DoubleDoubleVec {
   DoubleDouble component[Dim];
@@ -46,9 +46,9 @@ DoubleDoubleVec<Dim> difference(const DoubleDoubleVec<Dim>& to, const DoubleDoub
   return r;
 }
 
-/// Returns the gap between two round surfaces, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj) (length).
-/// The second form, with squares in double-double arithmetic, is accurate to a few units in the last place of
-/// the gap itself, not of the distance.
+/// Returns the gap between the surfaces of two balls, |r| - (Ri + Rj) = (r^2 - (Ri + Rj)^2)/(|r| + Ri + Rj), with r the
+/// vector between their centres (length). The second form, with squares in double-double arithmetic, is accurate to a
+/// few units in the last place of the gap itself, not of the distance.
 template <int Dim>
 double surface_gap(const DoubleDoubleVec<Dim>& r, double radius_i, double radius_j) {
   const DoubleDouble radii = exact_sum(radius_i, radius_j);

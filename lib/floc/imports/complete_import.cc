@@ -13,21 +13,23 @@
 namespace floc {
 namespace {
 
-/// Default tolerance of the equilibrium of a packing of another program, in the units of EquilibriumTolerance. Such
-/// packings are usually relaxed to unbalanced forces of 1e-3. Besides, the contact points of other programs differ from
-/// the contact points of floc by up to the overlap, which leaves moments of this order.
+/// Default tolerance of force, moment and stress in the equilibrium of a packing of another program, in the units of
+/// EquilibriumTolerance. Such packings are usually relaxed to unbalanced forces of 1e-3. In addition, the contact
+/// points of other programs differ from those of floc by up to the overlap, which leaves moments of this order.
 constexpr double kForeignTolerance = 1e-3;
 
-/// Returns the tolerances of the equilibrium of an imported packing. Those of force, moment and stress are the
-/// tolerance given by the user. If none is given, they are the defaults of floc if the file gives the imposed stress,
-/// otherwise kForeignTolerance. The tolerance of the energy is proportional to the tolerance of the force.
+/// Returns the tolerances of the equilibrium of an imported packing. The tolerances of force, moment and stress are
+///   1. the tolerance that the user gives
+///   2. without it, the default of floc if the file gives the imposed stress
+///   3. otherwise kForeignTolerance.
+/// The tolerance of the energy is proportional to the tolerance of the force.
 EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional<double>& tolerance) {
   const EquilibriumTolerance own;
   const double force = tolerance.value_or(imported.target_stress_known ? own.force : kForeignTolerance);
   return {force, force, force, own.energy * (force / own.force)};
 }
 
-/// Checks the solid fraction. @throws InputError if it is above 1, which is impossible for hard grains
+/// Checks the solid fraction of a packing. @throws InputError if it is above 1, which is impossible for hard grains
 template <int Dim>
 void refuse_impossible_density(const std::string& place, const Packing<Dim>& packing) {
   const double phi = solid_fraction(packing);

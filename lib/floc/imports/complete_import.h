@@ -8,20 +8,24 @@
 
 namespace floc {
 
-/// Data about a packing of another program that the user gives in addition to the file of the packing.
+/// Data that the user gives about a packing of another program, in addition to the file of the packing.
 struct ImportCompletion {
-  std::string law_place;            ///< place where the law is given, for messages
-  std::vector<double> stress;       ///< imposed stress on each axis; empty: from the file, or from the contacts
-  std::string stress_place;         ///< place where the stress is given, for messages
-  std::optional<double> tolerance;  ///< tolerance of the equilibrium; if absent, the format decides
+  std::string law_place;  ///< option that gives the contact law, for messages
+  /// Imposed stress on each axis; empty: the imposed stress in the file or, if there is none, the stress of the contact
+  /// forces.
+  std::vector<double> stress;
+  std::string stress_place;  ///< option that gives the stress, for messages
+  /// Tolerance of the equilibrium; if absent, the default of floc or, if the file gives no imposed stress, a larger
+  /// value.
+  std::optional<double> tolerance;
 };
 
-/// Completes the state of an imported packing with data that an analysis needs and the file lacks: contacts, imposed
-/// stress, tolerances, residuals, and the version of floc.
-/// @param place     file or array that contains the packing, for messages
+/// Completes the state of a packing of another program with the data that its file lacks and an analysis needs:
+/// contacts, imposed stress, tolerances, residuals, and the version of floc.
+/// @param place  file or array that contains the packing, for messages
 /// @param imported  packing as it was read from its file
-/// @param state     state to complete, a copy of the state in `imported`
-/// @return a remark for the user; empty if there is none
+/// @param state  state to complete, a copy of the state in `imported`
+/// @return a sentence for the user, which says that liquid bridges were computed; empty if there is nothing to say
 /// @throws InputError for a law that does not apply to the dimension of the packing, a solid fraction above 1, overlaps
 /// too large for the law, or a stress with a wrong number of components
 template <int Dim>

@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Smallest difference between a listed normal force and the law, relative to the mean normal force, that is reported.
-/// Programs print six digits or more, so smaller differences can be rounding errors.
+/// Smallest difference between a listed normal force and the normal force of the law that is reported, relative to the
+/// mean normal force. Programs print six digits or more, so smaller differences can be rounding errors.
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
@@ -37,8 +37,8 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
         listed.n_other_image, listed.n_read));
 }
 
-/// Reports listed stiffnesses that differ from the stiffnesses of the law. This is not an inconsistency if the
-/// stiffnesses of the law are the means of the listed stiffnesses.
+/// Reports listed stiffnesses that differ from the stiffnesses of the law. They are no inconsistency if the stiffnesses
+/// of the law were computed as the means of the listed stiffnesses.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
   std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
@@ -69,8 +69,8 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
-/// Reports a packing without any contacts. Usually a length (radius, cell) is wrong, so the message names a likely
-/// cause.
+/// Reports that a packing has no contacts. The reason is usually a wrong length (radius, cell), so the message names a
+/// likely one.
 template <int Dim>
 void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
   if (!packing.contacts.empty()) return;

@@ -7,15 +7,17 @@
 
 namespace floc {
 
-/// Summary of a packing that was read from a file of another program, in lines of text.
+/// Summary, in lines of text, of a packing that was read from a file of another program.
 struct ConversionSummary {
-  std::vector<std::string> lines;            ///< contacts read and kept, and their comparison with the law
+  /// Numbers of contacts read and kept, and comparison of the contact forces with the law.
+  std::vector<std::string> lines;
   std::vector<std::string> inconsistencies;  ///< sentences about contradictions in the data of the packing
 };
 
-/// Compares the contacts that a file lists with the positions and radii of the grains, and the listed forces with the
-/// contact law. Returns an empty summary for a state of floc, for which `floc verify` makes this comparison.
-/// @param state  state in `imported` after complete_import()
+/// Summarises an imported packing: compares the contacts that its file lists with the positions and radii of the
+/// grains, and the listed forces with the contact law. Returns an empty summary for a state file of floc, for which
+/// `floc verify` makes this comparison.
+/// @param state  state of `imported`, completed by complete_import()
 template <int Dim>
 ConversionSummary summarize(const Imported& imported, const State<Dim>& state);
 

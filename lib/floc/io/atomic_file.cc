@@ -16,8 +16,9 @@
 namespace floc {
 namespace {
 
-/// Syncs the directory of a file, so that a renaming of the file survives a power cut. A directory that cannot be read
-/// or synced is not an error. @return false, with errno set, if the system reports any other error
+/// Syncs the directory of the file `path` to the disk, so that a renaming of the file survives a power cut. A directory
+/// that cannot be read, or that does not support syncing, is not an error.
+/// @return false, with errno set, if the system reports any other error
 bool sync_directory_of(const std::string& path) {
   std::filesystem::path directory = std::filesystem::path(path).parent_path();
   if (directory.empty()) directory = ".";
@@ -40,11 +41,12 @@ IoError refused(const std::string& path, int error) {
           std::string("cannot be written: ") + std::strerror(error != 0 ? error : EIO)};
 }
 
-/// Writes content to the stream `path`. @param content  produces the content: it is called with a function that writes
-/// one piece of the content to the stream
+/// Writes content to the stream `path`.
+/// @param content  function that produces the content piece by piece; its argument is a function that writes one piece
+/// to the stream
 void write_to_stream(const std::string& path,
                      const std::function<void(const std::function<void(std::string_view)>&)>& content) {
-  std::fflush(stdout);  // earlier output of the program comes before the content
+  std::fflush(stdout);  // so that earlier output of the program precedes the content
   Descriptor stream(path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (!stream.valid()) throw refused(path, errno);
   content([&](std::string_view piece) {
@@ -83,7 +85,9 @@ void AtomicFile::commit() {
   if (::fsync(descriptor()) != 0 || !opened_.close() || std::rename(part_->path().c_str(), path_.c_str()) != 0)
     throw cannot_be_written(errno);
   part_->keep();
-  if (!sync_directory_of(path_)) throw IoError(path_, std::string("cannot be synced: ") + std::strerror(errno));
+  if (!sync_directory_of(path_))
+    throw IoError(
+        path_, std::string("the directory of this file cannot be synced to the disk: ") + std::strerror(errno));
 }
 
 void write_bytes_atomically(const std::string& path, std::string_view bytes) {

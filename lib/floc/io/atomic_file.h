@@ -11,45 +11,49 @@
 
 namespace floc {
 
-/// Replaces the content of a file atomically. The content is written to `path` + ".part"; commit() syncs this file,
-/// renames it to `path` and syncs the directory. After an interruption at any moment, even a power cut, `path` holds
-/// either the whole old content or the whole new content. Output to a device, to a pipe or, for "-", to standard output
-/// is first collected in a temporary file.
+/// Replaces the content of the file `path` atomically: at any moment, even after a power cut, `path` holds either its
+/// whole old content or its whole new content. The new content is written to the file `path` + ".part"; commit() syncs
+/// this file, renames it to `path` and syncs the directory. If `path` is a stream (a device, a pipe or "-", standard
+/// output), the new content is collected in a temporary file, and commit() copies it to the stream.
 class AtomicFile {
  public:
-  /// Opens the file that collects the content. @param path  file to be replaced, or "-" for standard output
+  /// Opens the ".part" file or, if `path` is a stream, the temporary file.
+  /// @param path  file to be replaced, or stream; "-" is standard output
   /// @throws InputError for an empty path, or the path of a directory
-  /// @throws IoError with the message of the system if nothing can be written there
+  /// @throws IoError with the error message of the system if this file cannot be opened for writing
   explicit AtomicFile(std::string path);
   /// Removes the ".part" file unless commit() has renamed it. Without commit(), `path` keeps its old content.
   ~AtomicFile() = default;
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Path of the file that holds the content before commit(). Other code may write to this file as well.
+  /// Path of the ".part" or temporary file, which holds the new content before commit(). Other code, such as the HDF5
+  /// library, may write to this file directly.
   const std::string& working_path() const { return temporary_ ? temporary_->path() : part_->path(); }
-  /// File descriptor of the file working_path(), open for reading and writing.
+  /// File descriptor of the file at working_path(), open for reading and writing.
   int descriptor() const { return temporary_ ? temporary_->descriptor() : opened_.get(); }
 
-  /// Appends bytes to the content. @throws IoError if they cannot be written
+  /// Appends bytes to the new content. @throws IoError if the bytes cannot be written
   void append(std::string_view bytes);
 
-  /// Replaces the file `path` by the content collected so far or, if `path` is a stream, writes the content to it.
-  /// @throws IoError with the message of the system if the content cannot be written
+  /// Replaces the file `path` by the new content or, if `path` is a stream, writes the new content to the stream.
+  /// @throws IoError with the error message of the system if the new content cannot be written
   void commit();
 
-  /// Returns the error for a `path` that cannot be written. @param error  errno of the call that failed
+  /// Returns the exception that reports that `path` cannot be written. @param error  errno of the system call that
+  /// failed
   IoError cannot_be_written(int error) const;
 
  private:
   std::string path_;
   std::unique_ptr<TemporaryFile> temporary_;
-  std::optional<TransientFile> part_;  ///< the ".part" file, which commit() renames
+  /// The ".part" file, which commit() renames to `path`; absent if `path` is a stream.
+  std::optional<TransientFile> part_;
   Descriptor opened_;
 };
 
-/// Replaces the content of a file by `bytes` atomically (see AtomicFile). If `path` is a stream, the bytes are written
-/// to it directly, without a temporary file.
+/// Replaces the content of the file `path` by `bytes` atomically (see AtomicFile). If `path` is a stream (a device, a
+/// pipe or "-", standard output), the bytes are written to the stream directly, without a temporary file.
 /// @throws InputError, IoError under the conditions of AtomicFile
 void write_bytes_atomically(const std::string& path, std::string_view bytes);
 

@@ -8,12 +8,13 @@
 
 namespace floc {
 
-/// Reads contacts from the file `options.contacts`; the file of the grains may have any format. The format of the
-/// contacts is recognised from the content of their file: a `dump local` of LAMMPS, a list of interactions of YADE or,
-/// otherwise, a csv table with the columns of read_contacts(). `options.contact_columns` renames the columns of a
-/// LAMMPS dump or of a csv table.
-/// @param timestep  time step of the grains. Of a LAMMPS dump, the frame with this time step is read, or the last frame
-/// if no time step is given.
+/// Reads contacts from the file `options.contacts`. The file of the grains is another file, which may have any format.
+/// The format of the file of contacts is recognised from its content: a `dump local` of LAMMPS, a list of interactions
+/// of YADE or, otherwise, a csv table with the columns of read_contacts(). `options.contact_columns` renames the
+/// columns of a LAMMPS dump or of a csv table.
+/// @param dimension  dimension of the packing, 2 or 3
+/// @param timestep  time step of the grains, if their file gives one. In a LAMMPS dump, the last frame with this time
+/// step is read or, without a time step, the last frame.
 /// @return the contacts; nothing if `options.contacts` is empty
 /// @throws InputError naming file, line and column
 std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// Splits one line of a table into its cells. `place` names the line in messages.
+/// Splits one line of a csv file into its cells. @param place  name of the line in messages
 std::vector<std::string> split(const std::string& place, std::string_view line, char separator) {
   std::vector<std::string> cells;
   for (bool more = true; more;) {
@@ -49,21 +49,22 @@ char separator_of(std::string_view header) {
   return ',';
 }
 
-/// Returns a hint for the message about a row with a wrong number of cells; empty if no reason is apparent.
+/// Returns a likely reason why a row has a wrong number of cells, as the end of the error message; empty if no reason
+/// is apparent.
 const char* count_hint(const std::vector<std::string>& cells, const CsvTable& table, char separator) {
   const auto is_number = [](const std::string& cell) { return parse_number<double>(cell).has_value(); };
   const std::size_t n_columns = table.columns().size();
   const bool may_be_decimal_commas =
       separator == ',' && cells.size() > n_columns && cells.size() <= 2 * n_columns;
   if (may_be_decimal_commas && std::all_of(cells.begin(), cells.end(), is_number))
-    return "; numbers are written with a decimal point, not a comma";
+    return "; write numbers with a decimal point, not a comma";
   if (table.n_rows() == 0 && std::none_of(cells.begin(), cells.end(), is_number))
     return "; if the line above this one is a title, remove it or put # before it";
   return "";
 }
 
-/// Returns a hint for the message about a missing column, from the first lines of the table; empty if no reason is
-/// apparent.
+/// Returns a likely reason why a table lacks the column `name`, as the end of the error message; empty if no reason is
+/// apparent from the first lines of the table.
 std::string header_hint(const CsvTable& table, const std::string& name) {
   const std::vector<std::string>& columns = table.columns();
   if (columns.size() == 1 && columns[0].find_first_of(" \t") != std::string::npos)

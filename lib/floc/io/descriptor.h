@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// Owns a file descriptor.
+/// Owns a file descriptor of the operating system; the destructor closes it.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -22,18 +22,18 @@ class Descriptor {
 
   bool valid() const { return fd_ >= 0; }
   int get() const { return fd_; }
-  /// Closes the descriptor. Some errors of earlier writes are reported only by this call. @return false, with errno
-  /// set, if the system reports an error
+  /// Closes the file descriptor. The system reports some errors of earlier writes only when the descriptor is closed.
+  /// @return false, with errno set, if the system reports an error
   bool close();
 
  private:
   int fd_;
 };
 
-/// A new, empty file in the directory of temporary files. The destructor removes it.
+/// A temporary file, created empty in the directory of temporary files. The destructor removes it.
 class TemporaryFile {
  public:
-  /// Creates the file. @throws IoError with the message of the system if the file cannot be created
+  /// Creates the file. @throws IoError with the error message of the system if the file cannot be created
   TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -46,8 +46,8 @@ class TemporaryFile {
   Descriptor descriptor_;
 };
 
-/// Writes all bytes at the current position of a file descriptor. @return false, with errno set, if the system reports
-/// an error
+/// Writes all of `bytes` at the current position of the file descriptor `fd`.
+/// @return false, with errno set, if the system reports an error
 bool write_all(int fd, std::string_view bytes);
 
 }  // namespace floc

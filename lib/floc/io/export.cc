@@ -17,7 +17,8 @@ void write_own_state(const std::string& path, const AnyState& any) {
   std::visit([&](const auto& state) { write_state(path, state); }, any);
 }
 
-/// Writes a state to the file `path` as text. The template parameter `text` converts the state into this text.
+/// Writes a state to the file `path` as text. The template parameter `text` is the function that converts the state to
+/// this text.
 template <std::string (*text)(const AnyState&)>
 void write_text(const std::string& path, const AnyState& state) {
   write_bytes_atomically(path, text(state));
@@ -45,8 +46,8 @@ const ExportFormat& find_export_format(const std::string& keyword, const std::st
                          format.description);
   }
   if (keyword.empty())
-    throw InputError(path, fmt::format("the format is not known from the extension: expected a name that ends "
-                                       "in one of {}, or the option --to",
+    throw InputError(path, fmt::format("the extension of this file name does not determine a format: expected "
+                                       "a name that ends in one of {}, or the option --to",
                                        known));
   throw InputError("--to", fmt::format("\"{}\" is not a format; the formats are {}", keyword, known));
 }

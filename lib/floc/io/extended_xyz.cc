@@ -18,7 +18,7 @@
 namespace floc {
 namespace {
 
-/// One frame of an extended XYZ file: its comment line, and one line for each grain (`rows`).
+/// One frame of an extended XYZ file: its comment line and, in `rows`, one line for each grain.
 struct XyzFrame {
   int line = 0;  ///< number of the first line of the frame in the file, from 1
   std::string comment;
@@ -53,7 +53,8 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
   return frames;
 }
 
-/// Returns the keys of the comment line of a frame with their values: key=value, or key="value with spaces".
+/// Returns the keys of the comment line of a frame and their values. The line contains them as key=value or key="value
+/// with spaces".
 std::map<std::string, std::string> keys_of(const std::string& place, std::string_view text) {
   std::map<std::string, std::string> keys;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
@@ -68,14 +69,15 @@ std::map<std::string, std::string> keys_of(const std::string& place, std::string
     if (quoted && end == std::string_view::npos)
       throw InputError(place,
                        key + ": the value of this key begins with a quotation mark but has no closing one");
-    if (!keys.emplace(key, text.substr(0, end)).second) throw InputError(place, key + " is given twice");
+    if (!keys.emplace(key, text.substr(0, end)).second)
+      throw InputError(place, key + ": this key is given twice");
     text.remove_prefix(std::min(end == std::string_view::npos ? text.size() : end + 1, text.size()));
   }
   return keys;
 }
 
-/// Returns the names of the columns that a value "name:type:count:..." of the key Properties describes. Three columns
-/// pos are named x, y and z.
+/// Returns the names of the columns of a frame. @param properties  value of the key Properties, "name:type:count:...";
+/// pos:R:3 stands for the three columns x, y and z, and name:type:n for name1 to namen if n > 1
 std::vector<std::string> columns_of(const std::string& place, const std::string& properties) {
   std::vector<std::string> fields;
   std::istringstream in(properties);

@@ -8,12 +8,13 @@
 
 namespace floc {
 
-/// Place of one item of a file, such as a line, for messages. It consists of a text and the number of the item. All
-/// items of a file share the text, because a file may hold millions of items.
+/// Place of a line of a file, or of an entry of an array in a file, for messages. It consists of a text and the number
+/// of the line or entry. All places in a file share the text, because a file may have millions of lines.
 class FileLine {
  public:
   FileLine() = default;
   /// @param before  text before the number: "file:" for a line of a file, "array, point " for an entry of an array
+  /// @param number  number of the line or entry
   FileLine(std::shared_ptr<const std::string> before, int number)
       : before_(std::move(before)), number_(number) {}
 

@@ -22,7 +22,7 @@ T checked(T result) {
   return result;
 }
 
-/// Owns an HDF5 identifier.
+/// Owns an HDF5 identifier; the destructor releases it by calling `close`.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -40,16 +40,16 @@ class Handle {
   Close close_;
 };
 
-/// Configures the HDF5 library. Its printing of errors is switched off, because failures are reported by exceptions.
-/// Its clean-up at the end of the program is switched off as well, because the clean-up would repeat a write that
-/// failed on a full disk, and crash.
+/// Configures the HDF5 library. It prints no errors, because exceptions report them. It does not clean up at the end of
+/// the program, because its clean-up would repeat a write that failed on a full disk, and crash.
 void begin_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Returns the access properties of a file. Small arrays are not buffered, because an error in writing the buffer
-/// when the file is closed would be lost. The library does not lock files; the program locks them itself where needed.
+/// Returns the HDF5 access properties with which files are opened. Small arrays are not buffered, because an error in
+/// writing the buffer when the file is closed would be lost. The library does not lock files; floc locks them itself
+/// where needed.
 Handle file_access() {
   const hid_t access = checked(H5Pcreate(H5P_FILE_ACCESS));
   checked(H5Pset_sieve_buf_size(access, 0));
@@ -68,7 +68,8 @@ Handle scalar() {
   return {checked(H5Screate(H5S_SCALAR)), H5Sclose};
 }
 
-/// Returns creation properties of an HDF5 object that keep its time of creation out of the file.
+/// Returns the HDF5 properties for the creation of an object (file, group or dataset) without recording its time of
+/// creation, so that files do not depend on the clock.
 Handle untimed(hid_t property_class) {
   const hid_t properties = checked(H5Pcreate(property_class));
   H5Pset_obj_track_times(properties, false);
@@ -134,11 +135,12 @@ void write_array(hid_t file, const std::string& path, const Shape& shape, const 
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
 }
 
-/// Number of rows of an array that are written or read at a time, so that buffers stay small.
+/// Number of rows of an array that are written or read at a time. It is limited so that the buffers stay small.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
-/// Calls visit(number of the first row, number of values, HDF5 dataspace in memory, dataspace in the file) for each
-/// block of rows of an array with this shape.
+/// Calls visit(first, n, memory, file) for each block of rows of an array with the given shape. `first` is the number
+/// of the first row of the block, n the number of values in the block, `memory` the HDF5 dataspace of a buffer for
+/// these values, and `file` the HDF5 dataspace of the array, in which the block is selected.
 template <class Visit>
 void for_each_block(const Shape& shape, const Visit& visit) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
@@ -176,17 +178,21 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
   return extent;
 }
 
-/// Checks that an array is not longer than its file, so that no memory is allocated for a damaged length.
-/// @throws InputError naming `place` if the array is longer
+/// Checks that an array is not larger than the file that contains it. Otherwise a damaged file could make floc allocate
+/// far too much memory. @param bytes  size of the array
+/// @throws InputError naming `place` if the array is larger than the file
 void check_length(hid_t file, const std::string& place, double bytes) {
   hsize_t size = 0;
   checked(H5Fget_filesize(file, &size));
   if (bytes > static_cast<double>(size))
-    throw InputError(place, fmt::format("the dataset claims {:.3g} bytes in a file of {} bytes", bytes, size));
+    throw InputError(
+        place,
+        fmt::format("the dataset is said to have {:.3g} bytes, but the whole file has {} bytes", bytes, size));
 }
 
-/// Opens a dataset. @throws InputError unless the dataset exists, has this shape, and holds real numbers or integers as
-/// T does
+/// Opens an array, a dataset of numbers of the type T.
+/// @throws InputError naming `place` unless the dataset exists, has the given shape, and holds real numbers (if T is
+/// double) or integers (otherwise)
 template <class T>
 Handle open_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape) {
   Handle dataset = open_dataset(file, place, path);
@@ -236,7 +242,9 @@ void read_attribute(hid_t file, const std::string& place, const std::string& pat
     throw InputError(place, fmt::format("attribute {} cannot be read", name));
 }
 
-/// Returns a string of variable or fixed length, which `read(type, buffer)` reads from a dataset or an attribute.
+/// Returns a string that is stored in a dataset or an attribute, with variable or fixed length.
+/// @param type  HDF5 type of the stored string
+/// @param read  function read(type, buffer) that reads the string from the dataset or the attribute into a buffer
 template <class Read>
 std::string text_of_dataset(hid_t type, const Read& read) {
   if (H5Tis_variable_str(type) > 0) {

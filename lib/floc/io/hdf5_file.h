@@ -9,26 +9,26 @@
 
 namespace floc {
 
-/// Failure of the HDF5 library: the disk is full or, when reading, the content of the file is damaged.
+/// Failure of the HDF5 library to write a file (the disk is full) or to read a file (its content is damaged).
 class Hdf5Failure : public std::runtime_error {
  public:
   Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
 
-  /// errno at the failure; it is meaningful if a system call failed.
+  /// Value of errno after the failure; it is meaningful only if a system call of the HDF5 library failed.
   int error() const { return error_; }
 
  private:
   int error_;
 };
 
-/// Shape of an array, slowest index first.
+/// Shape of an array: the number of its entries along each of its dimensions, slowest index first.
 using Shape = std::vector<std::uint64_t>;
 
-/// Writes an HDF5 file. The bytes do not depend on the clock: the same calls give the same bytes.
-/// Members throw Hdf5Failure if the HDF5 library fails.
+/// Writes an HDF5 file. The bytes of the file do not depend on the clock: the same calls give the same bytes. All
+/// member functions throw Hdf5Failure if the HDF5 library fails.
 class Hdf5Writer {
  public:
-  /// @param path  file to write; an existing file is replaced
+  /// @param path  path of the file to write; an existing file is replaced
   explicit Hdf5Writer(const std::string& path);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
@@ -39,8 +39,9 @@ class Hdf5Writer {
   void array(const std::string& path, const Shape& shape, const std::vector<double>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::int32_t>& values);
   void array(const std::string& path, const Shape& shape, const std::vector<std::uint8_t>& values);
-  /// Writes an array in blocks of rows, which avoids a second copy of the data.
-  /// @param fill  called with the number of the first row of a block; sets the values of the block
+  /// Writes an array block by block, where a block is a range of rows, so that no copy of the whole array is needed.
+  /// @param fill  function that writes the values of one block into its second argument; its first argument is the
+  /// number of the first row of the block
   template <class T>
   void rows(const std::string& path, const Shape& shape,
             const std::function<void(std::uint64_t, std::span<T>)>& fill);
@@ -52,18 +53,18 @@ class Hdf5Writer {
   void attribute(const std::string& path, const std::string& name, std::int64_t value);
   void attribute(const std::string& path, const std::string& name, std::uint64_t value);
 
-  /// Adds a second name for an existing array; the values are not copied.
+  /// Gives an existing array a second path in the file; its values are not copied.
   void link(const std::string& path, const std::string& second_path);
 
-  /// Completes the file. Nothing can be added afterwards.
+  /// Completes and closes the file. Nothing can be added to it afterwards.
   void close();
 
  private:
-  std::int64_t file_;  ///< HDF5 identifier of the file; -1: closed
+  std::int64_t file_;  ///< HDF5 identifier of the file; -1 after close()
 };
 
-/// Reads an HDF5 file. Every fault of its content is reported as an InputError that names file and dataset.
-/// @pre the file is known to be undamaged, because the HDF5 library can crash on a damaged file
+/// Reads an HDF5 file. Every fault of its content is reported as an InputError that names the file and the dataset.
+/// @pre the file is undamaged (SealedFile checks this), because the HDF5 library can crash on a damaged file
 class Hdf5Reader {
  public:
   /// @param place  name of the file in messages
@@ -73,19 +74,19 @@ class Hdf5Reader {
   Hdf5Reader(const Hdf5Reader&) = delete;
   Hdf5Reader& operator=(const Hdf5Reader&) = delete;
 
-  /// Returns "file:/path", the place of one dataset in messages.
+  /// Returns the place of a group or dataset in messages, "file:/path".
   std::string place(const std::string& path) const { return path == "/" ? place_ : place_ + ":/" + path; }
 
   bool has(const std::string& path) const;
 
-  /// Number of rows of an array.
+  /// Number of rows of an array, which is the number of entries along its first dimension.
   std::uint64_t n_rows(const std::string& path) const;
 
   void array(const std::string& path, const Shape& shape, std::vector<double>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const;
   void array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const;
-  /// Reads an array in blocks of rows.
-  /// @param take  called with the number of the first row of a block and the values of the block
+  /// Reads an array block by block, where a block is a range of rows.
+  /// @param take  function that is called for each block with the number of its first row and its values
   template <class T>
   void rows(const std::string& path, const Shape& shape,
             const std::function<void(std::uint64_t, std::span<const T>)>& take) const;

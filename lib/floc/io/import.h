@@ -10,49 +10,67 @@
 
 namespace floc {
 
-/// Options for reading a file of another program: data that the file may lack and the user supplies.
+/// Options for reading a file of another program. They give data that the file may lack.
 struct ImportOptions {
   std::optional<Law> law;
-  /// Lattice vectors, one per row (length); their number is the dimension.
+  /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. Empty: the
+  /// cell in the file is used.
   std::vector<std::vector<double>> cell;
-  /// Maps the names that floc uses for columns of grains to the names in the file ("x" -> "X"). Columns that are not in
-  /// this map have the same name in the file.
+  /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
+  /// A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> columns;
-  std::string contacts;  ///< file of contacts; empty: contacts are found from the geometry
-  /// Maps the names that floc uses for columns of contacts to the names in the file, like `columns`.
+  /// Path of a file that lists the contacts; empty: contacts are found from the positions and radii.
+  std::string contacts;
+  /// Maps the names that floc uses for columns of contacts to the names of these columns in the file `contacts`. A
+  /// column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> contact_columns;
   std::optional<int> dimension;  ///< 2 or 3; if absent, settle_space() decides
-  /// Number of the packing in its file, from 0; if absent, the default of the format.
+  /// Number of the packing (or frame) to read from a file with several packings, from 0. If absent, the format
+  /// determines whether the first or the last packing is read.
   std::optional<int> index;
-  std::string units = "reduced";  ///< "reduced" or "SI"
-  /// If the law has no adhesion, tensile contacts are dropped (true) or an error (false).
+  std::string units = "reduced";  ///< unit system of the file, "reduced" or "SI"
+  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, such contacts are an
+  /// error.
   bool drop_tensile = false;
 };
 
-/// Counts of the contacts that a file lists, by their treatment.
+/// Numbers of the contacts that a file lists: in total, left out, and kept with another image.
 struct ListedContactCounts {
   int n_read = 0;
-  int n_neighbors = 0;    ///< dropped, because they have no force and a gap beyond the range of the law
-  int n_tensile = 0;      ///< dropped, because they have a tensile force and the law has no adhesion
-  int n_other_image = 0;  ///< kept with the nearest image, because the listed image contradicts the positions
-  /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the law at the listed forces.
+  /// Number of contacts that were left out because they have no force and the gap between the grains exceeds the range
+  /// of the law.
+  int n_neighbors = 0;
+  /// Number of contacts that were left out because they have a tensile force and the law has no adhesion.
+  int n_tensile = 0;
+  /// Number of contacts that were kept, but at the nearest periodic image of grain id2, because the listed image
+  /// contradicts the positions.
+  int n_other_image = 0;
+  /// Sentences about the contacts whose listed stiffnesses differ from those that the contact law gives for the listed
+  /// forces.
   std::vector<std::string> stiffness_differences;
 };
 
-/// Packing that was read from a file of another program.
+/// A packing that was read from a file of another program.
 struct Imported {
-  AnyState state;  ///< state of the packing, without residuals; `provenance.source` is the file
-  std::vector<std::string> remarks;          ///< sentences for the user about choices of the reader
-  std::vector<std::string> inconsistencies;  ///< sentences for the user about choices that may be wrong
-  bool complete = false;         ///< whether the file is a state of floc, to which nothing has to be added
-  bool contacts_known = false;   ///< whether the file lists contacts; if not, they are found from the geometry
-  bool law_of_contacts = false;  ///< whether the stiffnesses of the law are the means over the listed contacts
-  ListedContactCounts listed_contacts;  ///< set if contacts_known
-  bool liquid_known = false;            ///< whether the file gives the volumes of liquid bridges
-  bool target_stress_known = false;     ///< whether the file gives the imposed stress
+  /// State of the packing; its residuals are not computed yet, and `provenance.source` is the path of the file.
+  AnyState state;
+  /// Sentences that tell the user how the file was interpreted.
+  std::vector<std::string> remarks;
+  /// Sentences that tell the user which data seem wrong or contradict each other.
+  std::vector<std::string> inconsistencies;
+  /// Whether the file is a state file of floc, which lacks no data.
+  bool complete = false;
+  /// Whether the file lists contacts; otherwise they are found from the positions and radii.
+  bool contacts_known = false;
+  /// Whether the stiffnesses of the contact law were computed as means of the listed stiffnesses.
+  bool law_of_contacts = false;
+  ListedContactCounts listed_contacts;  ///< set only if contacts_known is true
+  /// Whether the file gives the volumes of the liquid bridges.
+  bool liquid_known = false;
+  bool target_stress_known = false;  ///< whether the file gives the imposed stress
 };
 
-/// A format that can be read.
+/// A file format from which floc can read a packing.
 struct ImportFormat {
   std::string keyword;
   std::string description;
@@ -61,14 +79,15 @@ struct ImportFormat {
   Imported (*read)(const std::string& path, const ImportOptions& options);
 };
 
-/// Whether the content of a file begins with `text`, after a byte order mark if there is one.
+/// Whether the content of the file `path` begins with `text`. A byte order mark at the beginning of the file is
+/// ignored.
 bool begins_with(const std::string& path, const std::string& text);
 
-/// All formats that can be read. To add a format, add a reader in a source and a header file of its own, an entry in
-/// this list, a test that reads back a written file, and a test with malformed input.
+/// All file formats from which floc can read a packing. To add a format, add a reader in a source and a header file of
+/// its own, an entry in this list, a test that reads back a written file, and a test with malformed input.
 const std::vector<ImportFormat>& import_formats();
 
-/// Returns the format with this keyword or, if `keyword` is empty, the format that recognises the file.
+/// Returns the format with the keyword `keyword` or, if `keyword` is empty, the format that recognises the file `path`.
 /// @throws InputError listing all formats if no format matches
 const ImportFormat& find_import_format(const std::string& keyword, const std::string& path);
 

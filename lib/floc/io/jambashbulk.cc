@@ -22,7 +22,7 @@ bool is_header(std::string_view line) {
   return line.starts_with("N") && line.find("L1=") != std::string_view::npos;
 }
 
-/// Returns the numbers of a text, separated by commas, braces and white space.
+/// Returns the numbers in a text. They are separated by commas, braces and white space.
 std::vector<double> numbers(const std::string& place, std::string_view text) {
   std::vector<double> values;
   constexpr std::string_view kSeparators = ",{} \t\r";
@@ -31,24 +31,27 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
     if (text.empty()) return values;
     const std::string_view token = text.substr(0, text.find_first_of(kSeparators));
     const auto value = parse_number<double>(token);
-    if (!value) throw InputError(place, fmt::format("the text is \"{}\", expected a finite number", token));
+    if (!value)
+      throw InputError(place, fmt::format("the line contains \"{}\", expected a finite number", token));
     values.push_back(*value);
     text.remove_prefix(token.size());
   }
 }
 
-/// Returns a hint for the message about a wrong count of numbers, if commas between digits may be the reason.
+/// Returns the end of the message about a wrong count of numbers, if commas between digits may be the reason; otherwise
+/// an empty text.
 const char* comma_hint(std::string_view text) {
   const auto is_digit = [&](std::size_t at) {
     return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]));
   };
   for (std::size_t at = text.find(','); at != std::string_view::npos; at = text.find(',', at + 1))
     if (at > 0 && is_digit(at - 1) && is_digit(at + 1))
-      return "; numbers are written with a decimal point, not a comma";
+      return "; write numbers with a decimal point, not a comma";
   return "";
 }
 
 /// Returns the `count` numbers that follow "key =" in the header of a packing, up to the next key.
+/// @throws InputError naming `place` if the key is missing or occurs twice, or if it has another count of numbers
 std::vector<double> header_numbers(const std::string& place, std::string_view header, const std::string& key,
                                    std::size_t count) {
   std::vector<double> found;
@@ -62,17 +65,18 @@ std::vector<double> header_numbers(const std::string& place, std::string_view he
     };
     const auto next_key = std::find_if(value.begin(), value.end(), is_letter);
     value = value.substr(0, static_cast<std::size_t>(next_key - value.begin()));
-    if (!found.empty()) throw InputError(place, fmt::format("{} is given twice", key));
+    if (!found.empty())
+      throw InputError(place, fmt::format("{} is given twice in the header of the packing", key));
     found = numbers(place, value);
     if (found.size() != count)
-      throw InputError(
-          place, fmt::format("{} has {} numbers, expected {}{}", key, found.size(), count, comma_hint(value)));
+      throw InputError(place, fmt::format("{} in the header of the packing has {} numbers, expected {}{}", key,
+                                          found.size(), count, comma_hint(value)));
   }
   if (found.empty()) throw InputError(place, fmt::format("{} is missing in the header of the packing", key));
   return found;
 }
 
-/// Reads the lines of a file one by one, counts them, and skips comments and empty lines.
+/// Reads the lines of a file one by one, counts them, and skips comments (#) and empty lines.
 class Lines {
  public:
   explicit Lines(const std::string& path) : path_(path), in_(read_text(path)) {}
@@ -95,7 +99,7 @@ class Lines {
   int number_ = 0;
 };
 
-/// Advances `lines` to the header of the packing number `index` (from 0).
+/// Advances `lines` to the header of packing number `index` (from 0).
 void find_packing(const std::string& path, Lines& lines, int index) {
   int n_packings = 0;
   while (lines.next())
@@ -107,8 +111,8 @@ void find_packing(const std::string& path, Lines& lines, int index) {
 
 /// Reads the `n` grains that follow the header of a packing, and moves each into the periodic cell.
 Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
-  // Each row is x, y and radius of a grain. Memory for `n` grains is reserved only after that many rows were read,
-  // because the number in the header may be wrong.
+  // Each row is x, y and radius of a grain. Memory for `n` grains is allocated only after `n` lines were read, because
+  // the number in the header may be wrong.
   std::vector<Eigen::Vector3d> rows;
   while (static_cast<int>(rows.size()) < n && lines.next()) {
     if (lines.line().find('}') != std::string::npos || is_header(lines.line())) break;
@@ -120,9 +124,9 @@ Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell
     if (!(row[2] > 0.0)) throw InputError(lines.place(), fmt::format("radius = {}, must be positive", row[2]));
     const Vec<2> x(row[0], row[1]);
     if (!(cell.reduced(x).cwiseAbs().maxCoeff() < 1e9))
-      throw InputError(
-          lines.place(),
-          fmt::format("a grain at ({}, {}) lies more than 1e9 cells away from the cell", x[0], x[1]));
+      throw InputError(lines.place(),
+                       fmt::format("the grain at ({}, {}) lies more than 1e9 cells away from the periodic cell",
+                                   x[0], x[1]));
     const Vec<2> wrapped = cell.wrapped(x);
     rows.emplace_back(wrapped[0], wrapped[1], row[2]);
   }
@@ -186,8 +190,8 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.provenance.source = path;
   Imported imported;
   imported.state = std::move(state);
-  // P0 is the pressure to which jamBashbulk relaxed the packing, so the tolerance of equilibrium is as strict as for
-  // packings of floc.
+  // P0 is the pressure to which jamBashbulk relaxed the packing. Because this target stress is known, complete_import()
+  // sets tolerances of the equilibrium as strict as for packings of floc.
   imported.target_stress_known = true;
   return imported;
 }

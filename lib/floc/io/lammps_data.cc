@@ -45,7 +45,7 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   std::vector<double> values;
   std::string key;
   for (const std::string& token : tokens) {
-    // A number with a decimal comma is an error: as a part of the keyword, it would make floc ignore the line.
+    // A number with a decimal comma is an error. If it counted as a part of the keyword, floc would ignore the line.
     if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
     else if (const std::string hint = decimal_comma_hint(token); !hint.empty())
@@ -76,8 +76,9 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
     data.box.side[a] = values[1] - values[0];
     data.box_place = place;
   } else if (key.ends_with("xy xz yz")) {
-    // Other lines of the header (numbers of types, bonds, ...) do not affect the packing and are ignored. A line that
-    // describes the box must not be ignored, so a misspelt keyword or a number that is not finite is an error.
+    // Header lines that do not describe the box (numbers of types, bonds, ...) do not affect the packing and are
+    // ignored. A line that describes the box must not be ignored, so a misspelt keyword or a number that is not finite
+    // is an error.
     throw InputError(
         place,
         fmt::format("the header line has the words \"{}\", expected three finite numbers and xy xz yz", key));
@@ -137,7 +138,7 @@ DataFile read_data(const std::string& path) {
   return data;
 }
 
-/// Returns the words of the title that follow `word`, without punctuation.
+/// Returns the words that follow `word` in the title of a data file. Punctuation is left out.
 std::vector<std::string> words_after(const std::string& title, const std::string& word) {
   std::string words = title;
   std::replace_if(
@@ -181,7 +182,9 @@ bool is_lammps_data(const std::string& path) {
 Imported read_lammps_data(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
     throw InputError(
-        path, fmt::format("index = {}, but the file holds one packing, with the index 0", *options.index));
+        path,
+        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
+                    *options.index));
   if (!options.columns.empty())
     throw InputError("--columns", "the columns of a LAMMPS data file are fixed: leave this option out");
   const DataFile data = read_data(path);
@@ -231,15 +234,17 @@ Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
   return rows;
 }
 
-/// Replaces the lattice vectors, given as rows, by vectors of the same lattice whose tilts are at most half a side.
+/// Replaces the lattice vectors, which are the rows of a lower triangular matrix, by vectors of the same lattice with
+/// small tilts. A tilt is an element below the diagonal; each becomes at most half of the diagonal element (side) of
+/// its column.
 template <int Dim>
 void reduce_tilts(Mat<Dim>& rows) {
   for (int a = 1; a < Dim; ++a)
     for (int b = a - 1; b >= 0; --b) rows.row(a) -= sides_in_tilt(rows(a, b), rows(b, b)) * rows.row(b);
 }
 
-/// Describes the dimension, boundary and walls in the words of LAMMPS' commands. This text is written into the title,
-/// because the format of data files has no other place for it.
+/// Describes the dimension, boundary and walls of a packing in the words of LAMMPS' commands. The title of a data file
+/// contains this text, because the format of data files has no other place for it.
 template <int Dim>
 std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
   std::string axes, boundary;
@@ -255,7 +260,7 @@ std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
 }
 
 /// Returns the identifiers of the atoms for LAMMPS, which have to be 1 or more. The identifiers of the grains are kept
-/// if all of them are; otherwise the atoms are numbered 1, 2, ...
+/// if all of them are 1 or more; otherwise the atoms are numbered 1, 2, ...
 template <int Dim>
 std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
   std::vector<std::int64_t> numbers = grains.id;

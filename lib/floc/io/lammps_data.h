@@ -10,11 +10,12 @@ namespace floc {
 bool is_lammps_data(const std::string& path);
 
 /// Reads a data file of LAMMPS with atom_style sphere. Each line of its section Atoms contains "id type diameter
-/// density x y z [ix iy iz]". The box is taken as periodic unless the title contains "boundary" with letters other than
-/// p, as lammps_data_text() writes it. The mass of a grain is the mass of a sphere of the given density, also in 2D, as
-/// in LAMMPS. A packing is 2D if the title contains "dimension 2" or settle_space() decides so; then all z have to be
-/// equal, and the third lattice vector is ignored. `options.law` is required. `options.contacts` may name a file of
-/// contacts: see read_contact_file().
+/// density x y z [ix iy iz]". The mass of a grain is the mass of a sphere of the given density, also in 2D, as in
+/// LAMMPS. lammps_data_text() writes the dimension and the boundary into the title, the first line of the file, and
+/// this function reads them. The box is taken as periodic unless the title contains "boundary" with letters other than
+/// p. A packing is 2D if the title contains "dimension 2" or, for a title without dimension, if settle_space() decides
+/// so; then all z have to be equal, and the third lattice vector is ignored. `options.law` is required.
+/// `options.contacts` may name a file of contacts: see read_contact_file().
 /// @throws InputError naming file and line
 Imported read_lammps_data(const std::string& path, const ImportOptions& options);
 

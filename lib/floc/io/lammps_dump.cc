@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 
-/// Lines of one frame of a dump, and the first line of the next frame.
+/// Lines of one frame of a dump and, at the end, the first line of the next frame.
 class FrameText {
  public:
   /// @param first  number of the first line of the frame in the file, from 1
@@ -37,7 +37,8 @@ class FrameText {
   int number(std::size_t at) const { return first_ + static_cast<int>(at); }
   std::string place(std::size_t at) const { return fmt::format("{}:{}", path_, number(at)); }
 
-  /// Returns a line, which must exist. @param what  expected content of the line, for messages
+  /// Returns line `at` of the frame, from 0. @param what  expected content of the line, for messages
+  /// @throws InputError if the file ends before this line
   std::string_view line(std::size_t at, const std::string& what) const {
     if (at < lines_.size()) return lines_[at];
     throw InputError(path_,
@@ -57,13 +58,15 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Reads the frames of a dump one by one, because the file may exceed the memory, and keeps the last selected frame.
+/// Reads the frames of a dump one by one, because the file may exceed the memory. Keeps only the last frame that the
+/// function `wanted` selects.
 class FrameSearch {
  public:
-  /// @param wanted  returns whether to select a frame, given its number (from 0) and the text of its time step
+  /// @param wanted  function that returns whether to select a frame, given the number of the frame (from 0) and the
+  /// text of its time step
   FrameSearch(const std::string& path, std::function<bool(int, std::string_view)> wanted)
       : path_(path), wanted_(std::move(wanted)) {
-    std::string begun;  // beginning of a line that continues in the next piece
+    std::string begun;  // beginning of a line that continues in the next piece of the file
     bool first = true;
     read_pieces(path, [&](std::string_view piece) {
       if (std::exchange(first, false)) {
@@ -113,8 +116,8 @@ class FrameSearch {
   std::vector<std::string> timesteps_;
   std::optional<FrameText> found_;
   int n_lines_ = 0;
-  bool begins_ = false;  ///< whether the previous line was the first of a frame
-  bool keeps_ = false;   ///< whether the current frame is kept
+  bool begins_ = false;  ///< whether the previous line was the first line of a frame
+  bool keeps_ = false;   ///< whether the lines of the current frame are kept
 };
 
 /// One frame of a dump: time step, box, and table of grains or contacts.
@@ -122,8 +125,9 @@ struct DumpFrame {
   std::int64_t timestep = 0;
   LammpsBox box;
   std::string box_place;
-  std::vector<std::string> flags;  ///< boundary styles of x, y and z ("pp": periodic); may be fewer than three
-  std::string header;              ///< line that contains `flags`
+  /// Boundary styles of x, y and z ("pp": periodic); a malformed file may give fewer or more than three.
+  std::vector<std::string> flags;
+  std::string header;  ///< header line of the box, which contains `flags`
   CsvTable table;
 
   [[noreturn]] void refuse_header() const {
@@ -134,8 +138,8 @@ struct DumpFrame {
   }
 };
 
-/// Reads a box. Its header is the line with the index `at`. Each of the three lines that follow contains a lower and
-/// an upper bound of the orthogonal box that encloses it, and a tilt if the box is triclinic.
+/// Reads the box of a frame. Line `at` of the frame is the header of the box. Each of the three lines below it contains
+/// a lower and an upper bound, between which the box lies along one axis, and a tilt if the box is triclinic.
 void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   const bool tilted = !tokens.empty() && tokens[0] == "xy";
@@ -160,8 +164,8 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
                        fmt::format("the line has {} numbers, expected {}", rows[a].size(), what));
   }
   const double xy = tilted ? rows[0][2] : 0.0, xz = tilted ? rows[1][2] : 0.0, yz = tilted ? rows[2][2] : 0.0;
-  // The bounds of a triclinic box enclose the tilted box; its sides follow by subtracting the tilts (LAMMPS manual,
-  // Howto triclinic).
+  // The bounds of a triclinic box enclose the tilted box. Subtracting the tilts gives the bounds of its sides (LAMMPS
+  // manual, Howto triclinic).
   rows[0][0] -= std::min({0.0, xy, xz, xy + xz});
   rows[0][1] -= std::max({0.0, xy, xz, xy + xz});
   rows[1][0] -= std::min(0.0, yz);
@@ -173,15 +177,15 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   frame.box.xy = xy, frame.box.xz = xz, frame.box.yz = yz;
 }
 
-/// Reads one frame: time step, box, and table of grains or contacts.
+/// Reads one frame of a dump: time step, box, and table of grains or contacts.
 /// @param items  word before the names of the columns: "ATOMS" for grains, "ENTRIES" for contacts
 DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   DumpFrame frame;
   frame.timestep = dump.integer(1, "the time step");
   std::int64_t n = -1;
   std::size_t at = 2;
-  // The number of rows and the box may come in any order before the rows. The items TIME and UNITS, which LAMMPS writes
-  // on request, are skipped.
+  // The table comes last in a frame. The number of its rows and the box may come in any order before it. The items TIME
+  // and UNITS, which LAMMPS writes on request, are skipped.
   for (;;) {
     const std::string_view line = dump.line(at, "ITEM: " + items);
     const bool counts = line.starts_with("ITEM: NUMBER OF "), bounds = line.starts_with("ITEM: BOX BOUNDS");
@@ -209,7 +213,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   for (std::size_t row = at + 1; row <= at + static_cast<std::size_t>(n); ++row) {
     const std::string what = fmt::format("row {} of {}", row - at, n);
     const std::string_view line = dump.line(row, what);
-    // If the frame was cut short, this line is the header of the next frame, not a row.
+    // If the frame has too few rows, this line is the header of the next frame.
     if (line.starts_with("ITEM:"))
       throw InputError(dump.place(row), fmt::format("the line is \"{}\", expected {}", line, what));
     frame.table.add_row(dump.number(row), tokenize(line));
@@ -217,7 +221,8 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   return frame;
 }
 
-/// Returns the frame number `options.index` of the dump (from 0) or, without this option, the last frame.
+/// Reads the grains of a dump: the frame number `options.index` (from 0) or, without this option, the last frame.
+/// @param remarks  a sentence that says which frame was read is added to this list
 DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options,
                            std::vector<std::string>& remarks) {
   const FrameSearch search(
@@ -231,19 +236,21 @@ DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options
   return frame;
 }
 
-/// Returns the last frame of a `dump local` or, if a time step is given, the last frame with this time step.
+/// Returns the table of contacts in the last frame of a `dump local` or, if a time step is given, in the last frame
+/// with this time step.
 CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t> timestep) {
   const FrameSearch search(path, [&](int, std::string_view line) {
     return !timestep || parse_number<std::int64_t>(line) == timestep;
   });
   if (search.found()) return read_frame(*search.found(), "ENTRIES").table;
-  throw InputError(
-      path, fmt::format("the dump has no frame of time step {}, that of the grains; its time steps are {}",
-                        *timestep, fmt::join(search.timesteps(), ", ")));
+  throw InputError(path, fmt::format("the dump of contacts has no frame with time step {}, the time step of "
+                                     "the grains; the time steps in the dump are {}",
+                                     *timestep, fmt::join(search.timesteps(), ", ")));
 }
 
-/// Sets in `names` which columns are the positions: x, xu, xs or xsu (also for y and z), the first of these that the
-/// dump has. @return whether the positions are scaled, in units of the lattice vectors
+/// Finds the columns of the positions and adds them to `names` under the keys x, y and z. They are the columns x, xu,
+/// xs or xsu (y and z alike), the first of these that the dump has. If `names` has the key x already, nothing is added.
+/// @return whether the positions are scaled, that is, expressed in units of the lattice vectors
 bool find_positions(const CsvTable& table, std::map<std::string, std::string>& names) {
   for (const char* suffix : {"", "u", "s", "su"}) {
     if (names.contains("x") || !table.has(std::string("x") + suffix)) continue;
@@ -269,7 +276,7 @@ std::vector<ListedGrain> grains_of(const DumpFrame& frame, const ImportOptions& 
   return grains;
 }
 
-/// Returns cell and periodicity of a frame. Both are empty if `options.cell` replaces the box of the frame.
+/// Returns the cell and the periodicity of a frame. Both are empty if `options.cell` replaces the box of the frame.
 ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& grains,
                      const ImportOptions& options) {
   ListedSpace space;
@@ -278,8 +285,8 @@ ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& gra
   if (frame.flags.size() != 3) frame.refuse_header();
   space.cell = frame.box.vectors();
   for (const std::string& flag : frame.flags) space.periodic.push_back(flag == "pp");
-  space.boundary =
-      fmt::format("its boundary is \"{}\", expected pp in every direction", fmt::join(frame.flags, " "));
+  space.boundary = fmt::format("the boundary of the box is \"{}\", expected pp in every direction",
+                               fmt::join(frame.flags, " "));
   space.mid_plane = frame.box.has_mid_plane(grains.empty() ? 0.0 : grains.front().position[2]);
   return space;
 }

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Reads an attribute of the law that contains a keyword. @return index of the keyword in `known`
+/// Reads an attribute whose value is a keyword. @return index of the keyword in `known`
 /// @throws InputError naming the attribute if the keyword is not in `known`
 int keyword_index(const Hdf5Reader& file, const std::string& group, const std::string& attribute,
                   const std::vector<std::string>& known) {
@@ -24,11 +24,11 @@ int keyword_index(const Hdf5Reader& file, const std::string& group, const std::s
                                                   fmt::join(known, ", ")));
 }
 
-/// Returns the keys of the parameters that a file contains for a slot (a component of the contact law, such as
-/// friction), each once. These are the keys of the present model and of all models that are in every file (their
-/// parameters are zero if the law has another model).
-/// @param present  index of the model in the slot of the law, -1 if the slot is empty
-/// @param choices  true: keys of choices among keywords; false: keys of numbers
+/// Returns the keys of the parameters that a state file contains for a slot (a component of the contact law, such as
+/// friction), each key once. They are the parameters of the model in the slot, and of all models whose parameters are
+/// in every file (with the value zero if the law has another model).
+/// @param present  index of the model in the slot, -1 if the slot is empty
+/// @param choices  true: parameters whose value is a keyword; false: parameters whose value is a number
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
@@ -44,13 +44,15 @@ std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool cho
   return keys;
 }
 
-/// Returns the name of the attribute of a parameter: adhesion_force for "adhesion.force".
+/// Returns the name of the attribute that contains a parameter of a law: adhesion_force for the parameter
+/// adhesion.force.
 std::string attribute_name(const std::string& slot, const std::string& key) {
   return slot + "_" + key;
 }
 
-/// Whether files contain the keyword of this slot for every law, even if the slot is empty. They do, except for slots
-/// whose models were added to the file format later.
+/// Whether every state file has an attribute with the keyword of the model in this slot ("none" if the slot is empty).
+/// If all models of the slot were added to the file format later, only files of laws with such a model have the
+/// attribute.
 bool is_named_in_every_file(const DeclaredSlot& slot) {
   return std::any_of(slot.models.begin(), slot.models.end(),
                      [](const DeclaredModel& model) { return model.is_in_every_file; });
@@ -75,7 +77,7 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
   }
 }
 
-/// Checks that a file has the value zero or "none" for the parameters that the model in a slot does not have.
+/// Checks that a file has the value zero or "none" for those parameters of a slot that its model does not have.
 /// @param present  index of the model in the slot, -1 if the slot is empty
 /// @throws InputError naming the attribute of a parameter with another value
 void require_nothing_else(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot,

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Key that names the model of a slot, as in "friction.law=coulomb". A text needs this key only if the other keys of
-/// the slot do not identify the model.
+/// Key that names the model of a slot (a component of the contact law, such as friction), as in "friction.law=coulomb".
+/// A text needs this key only if the other keys of the slot do not determine the model.
 constexpr const char* kLaw = "law";
 
 bool has_key(const DeclaredModel& model, const std::string& key) {
@@ -41,9 +41,9 @@ std::vector<std::string> all_keys() {
   return keys;
 }
 
-/// Selects the model of a slot (a component of the contact law, such as friction) that has all of the keys given for
-/// this slot. If several models have them, a model that is compatible with the models chosen for the previous slots
-/// (`before`) is preferred, then a model of which no number is missing. If no model has all of the keys, the first
+/// Returns the model of a slot (a component of the contact law, such as friction) that has all of the keys `given` for
+/// this slot. If several models have all of them, a model that is compatible with the models chosen for the previous
+/// slots (`before`) is preferred, then a model whose numbers are all given. If no model has all of the keys, the first
 /// model of the slot is returned, so that the caller can report the wrong key.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
                                      const LawParameters& before) {
@@ -77,8 +77,8 @@ class LawText {
 
   std::string keyword(const std::string& key) const { return values_.at(key); }
 
-  /// Returns the keys given for a slot, without the name of the slot ("stiffness", not "normal.stiffness") and without
-  /// the key "law".
+  /// Returns the keys that the text gives for a slot, without the name of the slot ("stiffness", not
+  /// "normal.stiffness") and without the key "law".
   std::vector<std::string> keys_of(const std::string& slot) const {
     std::vector<std::string> keys;
     for (const auto& [key, value] : values_)
@@ -108,7 +108,7 @@ class LawText {
     if (equals == std::string_view::npos)
       throw InputError(place_, fmt::format("{} has no value, expected {}=...", key, key));
     if (!values_.emplace(key, trimmed(assignment.substr(equals + 1))).second)
-      throw InputError(place_, fmt::format("{} is given twice", key));
+      throw InputError(place_, fmt::format("the parameter {} is given twice", key));
   }
 
   std::string place_;

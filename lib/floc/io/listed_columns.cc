@@ -19,12 +19,12 @@ double positive(const CsvTable& table, int row, int column) {
   throw InputError(table.place(row), fmt::format("{} = {}, must be positive", table.columns()[column], value));
 }
 
-/// Returns the index of the column with this name, or -1 if there is no such column.
+/// Returns the index of the column that floc calls `name`, or -1 if there is no such column.
 int column_if(const NamedColumns& columns, const std::string& name) {
   return columns.has(name) ? columns.column(name) : -1;
 }
 
-/// Returns the indices of the columns name1, name2, ... (`count` columns); nothing if there is no column name1.
+/// Returns the indices of the `count` columns name1, name2, ...; an empty list if there is no column name1.
 std::vector<int> numbered(const NamedColumns& columns, const std::string& name, int count) {
   std::vector<int> found;
   if (columns.has(name + "1"))
@@ -48,7 +48,7 @@ int image_of(const CsvTable& table, int row, int column) {
   constexpr std::int64_t kFarthest = 1'000'000'000;
   const std::int64_t image = table.integer(row, column);
   if (image >= -kFarthest && image <= kFarthest) return static_cast<int>(image);
-  throw InputError(table.place(row), fmt::format("{} = {}, expected a number of cells up to 1e9",
+  throw InputError(table.place(row), fmt::format("{} = {}, expected a number of cells up to 1e9 in magnitude",
                                                  table.columns()[column], image));
 }
 
@@ -86,7 +86,8 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.force = vector_of(table, row, columns.force);
   c.normal_force = number_of(table, row, columns.normal_force);
   c.shear_force = vector_of(table, row, columns.shear_force);
-  // If the table also has shear_force1.., force1.. is the normal force alone; `force` then becomes the sum of both.
+  // If the table also has shear_force1.., the columns force1.. contain only the normal force. `force` then becomes the
+  // sum of the normal and the tangential force.
   if (c.force && c.shear_force) {
     *c.force += *c.shear_force;
     c.shear_force.reset();
@@ -108,8 +109,9 @@ void check_columns(const std::string& option, const std::string& what, const std
                    const std::map<std::string, std::string>& given) {
   for (const auto& [name, column] : given)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(option, fmt::format("\"{}\" is not a column of a {} that floc reads; the columns are {}",
-                                           name, what, fmt::join(known, ", ")));
+      throw InputError(
+          option, fmt::format("\"{}\" is not the name of a {} column that floc reads; these columns are {}",
+                              name, what, fmt::join(known, ", ")));
 }
 
 }  // namespace
@@ -128,11 +130,11 @@ void require_same_size(const FileLine& place, const SizeColumn& one, double radi
                        double other_radius) {
   constexpr double kSixDigits = 1e-5;
   if (std::abs(other_radius - radius) <= kSixDigits * radius) return;
-  throw InputError(
-      place.text(),
-      fmt::format("{} = {}, but {} = {}: these contradict each other; choose the column of the size with "
-                  "--columns radius=... or --columns diameter=...",
-                  one.name, radius / one.radius_of_one, other.name, other_radius / other.radius_of_one));
+  throw InputError(place.text(), fmt::format("{} = {}, but {} = {}: these two sizes of the grain contradict "
+                                             "each other; choose the right column with "
+                                             "--columns radius=... or --columns diameter=...",
+                                             one.name, radius / one.radius_of_one, other.name,
+                                             other_radius / other.radius_of_one));
 }
 
 std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
@@ -146,7 +148,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   for (const SizeColumn& size :
        size_columns([&](const std::string& name) { return columns.has(name); }, columns.names()))
     sizes.emplace_back(size, columns.column(size.name));
-  // Without any column for the size, this call throws the error that the column "radius" is missing.
+  // If no column gives the size, this call throws the error that the column "radius" is missing.
   if (sizes.empty()) columns.column("radius");
   const int mass = column_if(columns, "mass");
   const int id = column_if(columns, "id");
@@ -160,7 +162,8 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
     for (std::size_t k = 0; k < axis.size(); ++k) {
       const DoubleDouble x = table.double_double_number(row, axis[k]);
       grain.position[k] = x.high;
-      // If the file has a column x_low, its value replaces the remainder that follows from the digits of x.
+      // If the file has a column x_low, its value replaces x.low, which contains the digits of x beyond the precision
+      // of a double.
       grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) : x.low;
     }
     for (const auto& [size, column] : sizes) {

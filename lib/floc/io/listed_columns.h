@@ -10,10 +10,11 @@
 
 namespace floc {
 
-/// Finds the columns of a table by the names that floc uses, although the table may have other names.
+/// Finds the columns of a table by the names that floc uses for them, although they may have other names in the table.
 class NamedColumns {
  public:
-  /// @param names  maps names of floc to names of columns of the table; a name not in the map is the same in the table
+  /// @param names  maps names that floc uses to names of columns of the table; a column that is not in this map has the
+  /// name that floc uses
   NamedColumns(const CsvTable& table, std::map<std::string, std::string> names)
       : table_(table), names_(std::move(names)) {}
 
@@ -21,7 +22,8 @@ class NamedColumns {
   const std::map<std::string, std::string>& names() const { return names_; }
   bool has(const std::string& name) const { return names_.contains(name) || table_.has(name); }
 
-  /// Returns the index of a column. @throws InputError listing the columns of the table if this column is missing
+  /// Returns the index of the column that floc calls `name`.
+  /// @throws InputError listing the columns of the table if this column is missing
   int column(const std::string& name) const {
     return table_.column(names_.contains(name) ? names_.at(name) : name);
   }
@@ -31,32 +33,37 @@ class NamedColumns {
   std::map<std::string, std::string> names_;
 };
 
-/// A column that gives the size of grains.
+/// A column that gives the size of grains: a radius or a diameter.
 struct SizeColumn {
   const char* name;
-  double radius_of_one;  ///< radius of a grain with the value 1 in this column
+  /// Radius of a grain for which this column contains 1, so 1 for radii and 0.5 for diameters.
+  double radius_of_one;
 };
 
-/// Returns the columns of a table that give the size of grains. They are those of the columns radius, r and diameter
-/// that the table has or, if `given` has some of these names as keys, only the columns that it names. The first column
-/// sets the radius; the others have to agree with it (require_same_size()).
+/// Returns the columns of a table that give the size of grains: those of the columns radius, r and diameter that the
+/// table has or, if the user renamed some of these, only the renamed columns. The first column sets the radius; the
+/// others have to agree with it (require_same_size()).
+/// @param has  function that returns whether the table has a column with a given name
+/// @param given  map from names that floc uses to names of columns, given by the user
 std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&)>& has,
                                      const std::map<std::string, std::string>& given);
 
-/// Checks that two size columns give a grain the same radius.
-/// @throws InputError if the radii differ by more than the rounding to six digits, which many files have
+/// Checks that two columns, `one` and `other`, give the same radius for a grain, `radius` and `other_radius`.
+/// @param place  place of the grain in messages
+/// @throws InputError if the two radii differ by more than rounding to six digits, which many files have
 void require_same_size(const FileLine& place, const SizeColumn& one, double radius, const SizeColumn& other,
                        double other_radius);
 
 /// Reads grains from a table, one per row. The columns are x, y[, z] and radius (or r, or diameter). Optional columns
-/// are x_low, y_low[, z_low] (offsets that are added to x, y, z and are below the precision of a double), mass, and id
-/// (default: number of the row, from 0).
-/// @throws InputError naming file, line and column: a missing column, a value that is not a number, a radius or mass
-/// that is not positive, a radius and a diameter that contradict each other
+/// are mass, id (default: number of the row, from 0) and x_low, y_low[, z_low], small numbers that are added to x, y, z
+/// to give the position with more digits than one double has.
+/// @throws InputError naming file, line and column for a missing column, a value that is not a number, a radius or mass
+/// that is not positive, or a radius and a diameter that contradict each other
 std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 
-/// Reads contacts from a table, one per row. The columns are id1 and id2, the identifiers of the two grains, and these
-/// optional columns. Columns with the numbers 1.. are the components of a vector, as many as the dimension.
+/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains. The columns
+/// below are optional. Names that end in 1.. are those of several columns, the components of a vector: image1, image2
+/// and, in 3D, image3.
 ///   image1..         numbers of cells by which grain id2 is displaced along the lattice vectors
 ///   force1..         force on grain id1; the normal force alone if the table also has shear_force1..
 ///   normal_force     normal force, instead of force1..
@@ -68,12 +75,14 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 /// @throws InputError naming file, line and column
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
 
-/// Check the keys of `given`, a map of column names that the user gave with the option `option`.
-/// @throws InputError naming `option` if a key is not the name of a column of grains (of contacts) that floc reads
+/// Check that the user renamed only columns that floc reads: columns of grains or, in the second function, of contacts.
+/// @param option  name of the option with which the user renamed columns, for messages
+/// @param given  map from names that floc uses to names of columns, as the user gave it
+/// @throws InputError naming `option` if a key of `given` is not the name of such a column
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given);
 void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given);
 
-/// Splits a line at white space.
+/// Splits a line into its words, which are separated by white space.
 std::vector<std::string> tokenize(std::string_view line);
 
 }  // namespace floc

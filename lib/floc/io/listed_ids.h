@@ -9,25 +9,27 @@
 
 namespace floc {
 
-/// Returns a hint for error messages about contacts whose grains are unknown or too far apart. The hint says that the
-/// list of contacts seems to number the grains from 1, although they are numbered from 0. It is empty if this is not
-/// the case. @pre `listed` has contacts
+/// Returns the end of an error message about a contact whose grains are unknown or too far apart. It says that the list
+/// of contacts seems to number the grains from 1, although they are numbered from 0. It is empty if the list does not
+/// seem to do so. @pre `listed` has contacts
 std::string counting_hint(const ListedPacking& listed);
 
-/// Maps identifiers of grains to their indices in a listed packing, which has to outlive this object.
+/// Maps the identifiers of grains to the indices of the grains in a listed packing, which has to outlive this object.
 class Identifiers {
  public:
-  /// Collects the identifiers. @throws InputError naming the place of an identifier that is given twice
+  /// Collects the identifiers of all grains. @throws InputError naming the place of a grain if an earlier grain has the
+  /// same identifier
   explicit Identifiers(const ListedPacking& listed);
 
-  /// Returns the index of the grain with this identifier.
-  /// @param place  place of the identifier, for messages  @param name  column of the identifier, for messages
-  /// @throws InputError if no grain has the identifier
+  /// Returns the index of the grain with the identifier `id`.
+  /// @param place  place where the file mentions the identifier, for messages
+  /// @param name  name of the column that contains the identifier, for messages
+  /// @throws InputError if no grain has this identifier
   int index(const FileLine& place, const char* name, std::int64_t id) const;
 
  private:
   const ListedPacking& listed_;
-  std::vector<std::pair<std::int64_t, int>> index_;  // sorted by identifier
+  std::vector<std::pair<std::int64_t, int>> index_;  // pairs of identifier and index, sorted by identifier
 };
 
 }  // namespace floc

@@ -21,25 +21,26 @@
 namespace floc {
 namespace {
 
-/// A tangential force counts as mobilised (at the limit of friction) if it is below this limit by at most this fraction
-/// of the limit. Files print six digits or more.
+/// Largest distance of a tangential force from the limit of friction, relative to this limit, at which the force counts
+/// as mobilised (at its limit). Files print forces with six digits or more.
 constexpr double kCapTolerance = 1e-6;
-/// A tangential force below this fraction of the normal force is taken for a rounding error.
+/// A tangential force below this fraction of the normal force of the same contact is taken for a rounding error.
 constexpr double kNoShear = 1e-9;
 /// Rounding error of a scalar product, relative to the product of the lengths of the two vectors.
 constexpr double kRounding = 1e-15;
-/// Largest distance of a periodic image, in numbers of cells; larger numbers may not fit an int.
+/// Largest distance of a periodic image from the cell, in numbers of cells. Larger numbers may not fit an int.
 constexpr double kFarthest = 1e9;
 /// A force below this fraction of the largest listed force is taken for a rounding error.
 constexpr double kNoForce = 1e-9;
 /// Two grains cannot be in contact if their gap exceeds the range of the law by more than this fraction of their mean
-/// diameter. The fraction is large because a file may have few digits.
+/// radius. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
-/// Largest difference between a listed normal force and the normal component of the force listed for the same contact,
-/// relative to this force. Rounding of positions to six digits rotates the contact normal by less.
+/// Largest accepted difference between a listed normal force and the normal component of the total force listed for the
+/// same contact, relative to the total force. Rounding of positions to six digits rotates the contact normal, but
+/// changes this component by less.
 constexpr double kSameForce = 1e-3;
-/// If the volume of a cell, divided by the product of the lengths of its lattice vectors, is below this value, the
-/// vectors are parallel within rounding.
+/// The lattice vectors of a cell are parallel within rounding if the volume of the cell, divided by the product of the
+/// lengths of these vectors, is below this value.
 constexpr double kFlat = 1e-12;
 
 template <int Dim>
@@ -77,8 +78,8 @@ Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
   return grains;
 }
 
-/// Converts a displacement, in numbers of cells along each lattice vector, to integers. @throws InputError if a number
-/// exceeds kFarthest
+/// Converts a displacement, given as numbers of cells along the lattice vectors, to integers.
+/// @throws InputError naming `place` if a number exceeds kFarthest
 template <int Dim>
 Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
   if (!(cells.cwiseAbs().maxCoeff() < kFarthest))
@@ -89,16 +90,18 @@ Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells) {
   return cells.template cast<int>();
 }
 
-/// Returns the smallest distance of two opposite faces of the cell (length).
+/// Returns the smallest distance between two opposite faces of the cell (length).
 template <int Dim>
 double smallest_width(const Cell<Dim>& cell) {
-  // The columns of the inverse are normal to the faces; their length is the inverse of the distance.
+  // Each column of the inverse of the cell matrix is normal to a pair of opposite faces of the cell. Its length is the
+  // inverse of the distance between these faces.
   return 1.0 / cell.matrix.inverse().colwise().norm().maxCoeff();
 }
 
-/// Returns the periodic image of grain j that is nearest to grain i. The image that is nearest in reduced coordinates
-/// and its neighbours are compared, because in a skewed cell the nearest image can be one of these neighbours. In an
-/// extremely skewed cell, which should be reduced first, the nearest image may be missed.
+/// Returns the periodic image of grain j that is nearest to grain i, in numbers of cells. First the image with the
+/// smallest reduced coordinates relative to grain i is found. Then it is compared with its neighbours, because in a
+/// skewed cell one of these can be nearer. In an extremely skewed cell the nearest image may be missed; such a cell
+/// should be reduced first.
 template <int Dim>
 Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, int i, int j) {
   const Vec<Dim> apart = packing.grains.position[j] - packing.grains.position[i];
@@ -127,7 +130,7 @@ bool is_reversed(const Contact<Dim>& c) {
   return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
 }
 
-/// Forces of a contact that the file lists. They act on the first grain of the contact.
+/// Forces that the file lists for a contact. They act on the first grain of the contact.
 template <int Dim>
 struct GivenForces {
   std::optional<double> normal;
@@ -144,7 +147,8 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   if (listed.shear_force) {
     const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
     const double along = normal.dot(on_first);
-    // The normal component is removed only if it exceeds rounding, so that a tangential force keeps all of its digits.
+    // The normal component of a listed tangential force is subtracted only if it exceeds rounding errors. Otherwise the
+    // tangential force keeps all of its digits.
     given.shear = on_first;
     if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
   }
@@ -153,11 +157,10 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
     given.normal = -normal.dot(on_first);
     if (listed.normal_force &&
         !(std::abs(*listed.normal_force - *given.normal) <= kSameForce * on_first.norm()))
-      throw InputError(
-          listed.place.text(),
-          fmt::format("normal_force = {:.6g}, but the force listed for the same contact has the normal "
-                      "component {:.6g}: leave one of them out",
-                      *listed.normal_force, *given.normal));
+      throw InputError(listed.place.text(),
+                       fmt::format("normal_force = {:.6g}, but the total force listed for the same contact has "
+                                   "the normal component {:.6g}: leave out one of these two forces",
+                                   *listed.normal_force, *given.normal));
     given.shear = on_first + *given.normal * normal;
   }
   if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
@@ -165,7 +168,7 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   return given;
 }
 
-/// Replaces the forces and stiffnesses of a contact, computed by the law, by those that the file lists.
+/// Replaces the forces and stiffnesses of a contact, which the law has given, by those that the file lists.
 /// @throws InputError for a listed force or stiffness (tangential, rolling, twisting) that the law does not have
 template <int Dim>
 void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
@@ -178,23 +181,29 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
         listed.place.text(),
         fmt::format("the tangential force is {:.6g}, but the law has no friction", given.shear->norm()));
   if (given.rolling && !law.has_rolling())
-    throw InputError(listed.place.text(), "a rolling moment is given, but the law has no rolling");
+    throw InputError(listed.place.text(), "a rolling moment is listed, but the law has no rolling resistance");
   if (given.rolling) c.rolling_moment = *given.rolling;
   if (given.twisting && !law.has_twisting())
-    throw InputError(listed.place.text(), "a twisting moment is given, but the law has no twisting");
+    throw InputError(listed.place.text(),
+                     "a twisting moment is listed, but the law has no twisting resistance");
   if (given.twisting) c.twisting_moment = *given.twisting;
   if (given.normal || given.shear || given.rolling || given.twisting)
     set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
   if (listed.kr && *listed.kr != 0.0 && !law.has_rolling())
-    throw InputError(listed.place.text(), "a rolling stiffness is given, but the law has no rolling");
+    throw InputError(listed.place.text(),
+                     "a rolling stiffness is listed, but the law has no rolling resistance");
   if (listed.kr && law.has_rolling() && !c.distant) c.kr = *listed.kr;
   if (listed.ktw && *listed.ktw != 0.0 && !law.has_twisting())
-    throw InputError(listed.place.text(), "a twisting stiffness is given, but the law has no twisting");
+    throw InputError(listed.place.text(),
+                     "a twisting stiffness is listed, but the law has no twisting resistance");
   if (listed.ktw && law.has_twisting() && !c.distant) c.ktw = *listed.ktw;
 }
 
-/// Checks one stiffness of a contact. @param name  column of the stiffness  @param right  whether the value is possible
-/// @throws InputError if a value is listed and is not possible
+/// Checks one stiffness that a file may list for a contact.
+/// @param name  name of the column of the stiffness
+/// @param right  whether `value` is an allowed value
+/// @param expected  description of the allowed values, for the message
+/// @throws InputError if `value` is listed and not allowed
 void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
                        bool right, const char* expected) {
   if (value && !right)
@@ -207,7 +216,8 @@ void require_stiffnesses(const ListedContact& listed) {
   require_stiffness(listed, "ktw", listed.ktw, listed.ktw >= 0.0, "a twisting stiffness >= 0");
 }
 
-/// Makes contacts from the rows of a table of contacts, and counts the rows that need special treatment.
+/// Makes the contacts of a packing from the contacts that a file lists, and counts the listed contacts that are left
+/// out or get another image.
 template <int Dim>
 class ListedContacts {
  public:
@@ -220,8 +230,8 @@ class ListedContacts {
     for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
 
-  /// Makes the contact of one row of the table. Listed forces replace the forces of the law. Returns nothing if the
-  /// contact is dropped.
+  /// Makes the contact that one row of the table of contacts describes. Listed forces replace the forces of the law.
+  /// Returns nothing if the contact is left out.
   std::optional<Contact<Dim>> place(const ListedContact& row) {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
@@ -236,7 +246,9 @@ class ListedContacts {
       if (!row.force && !row.normal_force)
         throw InputError(
             row.place.text(),
-            fmt::format("the gap is {}, at which the law does not act, and no normal_force is listed", gap) +
+            fmt::format(
+                "the gap is {}, at which the law gives no force, and no normal_force is listed for the contact",
+                gap) +
                 counting_hint(listed_));
       ++counts_.n_neighbors;
       return std::nullopt;
@@ -252,14 +264,14 @@ class ListedContacts {
       throw InputError(row.place.text(), "the grains have the same centre: their contact has no direction");
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal && row.has_stiffness())
-      throw InputError(row.place.text(), "a stiffness is listed, but the normal force of the contact is not");
+      throw InputError(row.place.text(), "a stiffness is listed for the contact, but no normal force");
     if (given.normal && *given.normal < -kNoForce * largest_force_ && !packing_.law.adheres()) {
       if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
       return std::nullopt;
     }
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
-    // The sign of kn is tested only for surfaces that touch, because kn of an attraction across a gap is negative.
+    // The sign of kn is tested only for surfaces that touch, because kn is negative for an attraction across a gap.
     if (!c.distant)
       require_stiffness(row, "kn", row.kn, row.kn > 0.0,
                         "a positive number, the stiffness of surfaces that touch");
@@ -273,16 +285,16 @@ class ListedContacts {
     return counts;
   }
 
-  /// Checks that no contact was dropped because its force is tensile and the law has no adhesion.
-  /// @throws InputError naming the first such contact
+  /// Checks that no contact was left out because its force is tensile and the law has no adhesion.
+  /// @throws InputError naming the first contact that was left out for this reason
   void require_no_tensile() const {
     if (counts_.n_tensile == 0) return;
     const bool adhesive_law_exists = packing_.law.force_exponent() == 1.0;
     throw InputError(
         first_tensile_.row->place.text(),
         fmt::format(
-            "the contact of grains {} and {} pulls with {:.6g}, as {} of the {} listed do, but the law "
-            "has no adhesion: {}, or drop the contacts that pull with --drop-tensile",
+            "the contact of grains {} and {} pulls with the force {:.6g}, as {} of the {} listed contacts do, "
+            "but the law has no adhesion: {}, or leave out the contacts that pull with --drop-tensile",
             first_tensile_.row->id1, first_tensile_.row->id2, -first_tensile_.normal_force, counts_.n_tensile,
             counts_.n_read,
             adhesive_law_exists
@@ -300,7 +312,8 @@ class ListedContacts {
   void compare_stiffnesses(const ListedContact& row, const Contact<Dim>& c) {
     if (!row.has_stiffness()) return;
     Contact<Dim> touching = c;
-    // If the file does not list liquid bridges, every pair of grains that touch has one, which acts at full strength.
+    // If the file does not list liquid bridges, every pair of grains that touch is taken to have a bridge, which
+    // attracts with its full strength.
     if (const CapillaryAdhesion* liquid = packing_.law.liquid();
         liquid != nullptr && touches(packing_, c) && bridge_volume(packing_, c) == 0.0)
       touching.elastic_force = std::max(
@@ -311,7 +324,7 @@ class ListedContacts {
                      by_law, fmt::format("{}-{}", row.id1, row.id2));
   }
 
-  /// Returns the magnitude of the largest force that is listed for a contact.
+  /// Returns the largest magnitude of the forces that are listed for a contact.
   static double force_of(const ListedContact& row) {
     const auto norm = [](const std::optional<Eigen::Vector3d>& v) { return v ? v->norm() : 0.0; };
     return std::max({norm(row.force), std::abs(row.normal_force.value_or(0.0)), norm(row.shear_force)});
@@ -325,7 +338,8 @@ class ListedContacts {
     return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
   }
 
-  /// Sets the volume of the liquid bridge. @throws InputError if a volume is listed, but the law has no liquid
+  /// Sets the volume of the liquid bridge of a contact to the listed volume, if there is one.
+  /// @throws InputError if a volume is listed, but the law has no liquid
   void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
     if (!row.bridge_volume) return;
     if (!holds_liquid(packing_) && *row.bridge_volume != 0.0)
@@ -336,8 +350,9 @@ class ListedContacts {
     if (holds_liquid(packing_)) set_bridge_volume(*row.bridge_volume, c);
   }
 
-  /// Sets the image of the second grain to the listed image or, if this is missing or the grains cannot touch there, to
-  /// the nearest image. Some programs move the positions into the cell but list images for positions outside it.
+  /// Sets the periodic image of the second grain of a contact. It is the listed image if the grains can touch there,
+  /// otherwise the nearest image. Some programs move the positions into the cell but list images for positions outside
+  /// it.
   void set_image(const ListedContact& row, Contact<Dim>& c) {
     if (row.image) c.image = row.image->template head<Dim>();
     if (row.image && c.i == c.j && c.image.isZero())
@@ -349,7 +364,8 @@ class ListedContacts {
     if (row.image && can_touch(c)) ++counts_.n_other_image;
   }
 
-  /// Checks the distance of two grains. @throws InputError if it is so many cells that this number may not fit an int
+  /// Checks the distance between the grains of a contact.
+  /// @throws InputError if they are so many cells apart that this number may not fit an int
   void require_within_reach(const Contact<Dim>& c) const {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthest) return;
@@ -360,24 +376,26 @@ class ListedContacts {
                     listed_.grains[c.j].place.text()));
   }
 
-  /// Checks the image at which a contact was placed. @throws InputError if the grains cannot touch there, or if no
-  /// image was listed and another image may be equally near
+  /// Checks the periodic image of the second grain that set_image() chose for a contact.
+  /// @throws InputError if the grains cannot touch at this image, or if no image was listed and another image may be
+  /// equally near
   void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
     const double distance = branch(packing_, c).norm();
     const bool chosen = !row.image || c.image != row.image->template head<Dim>();
     if (chosen && distance >= half_width_)
       throw InputError(row.place.text(),
-                       fmt::format("the contact is {:.6g} long, not below half the cell ({:.6g}): the list has "
-                                   "to say, in image1.., which image of the second grain touches the first{}",
+                       fmt::format("the centres of the grains are {:.6g} apart, not less than half the width "
+                                   "of the cell ({:.6g}): the list of contacts has to give, in the columns "
+                                   "image1.., which image of the second grain touches the first{}",
                                    distance, half_width_, counting_hint(listed_)));
     if (!can_touch(c))
       throw InputError(
           row.place.text(),
-          fmt::format("grains {} and {} carry a force of {:.6g}, but even their nearest images have a "
-                      "gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or cell do not belong "
-                      "to this contact{}",
-                      row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
-                      packing_.grains.radius[c.j], counting_hint(listed_)));
+          fmt::format(
+              "grains {} and {} carry a force of {:.6g}, but even their nearest images have a "
+              "gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or the cell do not fit this contact{}",
+              row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
+              packing_.grains.radius[c.j], counting_hint(listed_)));
   }
 
   const ListedPacking& listed_;
@@ -449,8 +467,8 @@ bool lists_liquid(const ListedPacking& listed) {
                      [](const ListedContact& c) { return c.bridge_volume.has_value(); });
 }
 
-/// Reports an inconsistency if the listed volumes of liquid bridges do not sum to the volume of liquid that the water
-/// content of the law gives. Differences by rounding to six digits are accepted.
+/// Reports an inconsistency if the listed volumes of liquid bridges do not add up to the volume of liquid that the
+/// water content in the law gives. Differences by rounding to six digits are accepted.
 template <int Dim>
 void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& inconsistencies) {
   constexpr double kDigits = 1e-6;

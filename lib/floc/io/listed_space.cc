@@ -11,11 +11,11 @@
 namespace floc {
 namespace {
 
-/// Largest overlap of spheres with their own periodic images along z, relative to the diameter. Grains that would
-/// overlap by more are taken as disks, for which the height of the cell is arbitrary.
+/// Largest overlap of a sphere with its own periodic image along z, relative to its diameter. Grains that would overlap
+/// by more are taken as disks, for which the height of the cell has no meaning.
 constexpr double kDeepestOverlap = 0.1;
 
-/// Largest difference in z between disks, relative to the smallest diameter. The limit allows for files with few
+/// Largest accepted difference in z between disks, relative to the smallest diameter. It allows for files with few
 /// digits.
 constexpr double kOnePlane = 1e-6;
 
@@ -30,8 +30,10 @@ bool tilts_along_z(const std::vector<std::vector<double>>& cell) {
   return cell[0][2] != 0.0 || cell[1][2] != 0.0 || cell[2][0] != 0.0 || cell[2][1] != 0.0;
 }
 
-/// Guesses the dimension of grains that all have one z. Their periodic images along z are `height` apart, so a sphere
-/// touches its own image if `height` is less than its diameter. @param mid_plane  see ListedSpace
+/// Guesses whether grains that all have the same z are disks or spheres.
+/// @param height  distance of a grain from its periodic image along z; a sphere with a larger diameter touches its
+/// image
+/// @param mid_plane  whether the grains lie in the middle of the cell along its third side
 Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool mid_plane) {
   std::size_t n_touching = 0;
   double largest = 0.0;
@@ -50,14 +52,13 @@ Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool
                     "makes them disks",
                     height),
         false};
-  return {
-      2,
-      fmt::format(
-          "every z is the same, so the grains are taken as disks in 2D; if they were spheres, {} of the {} "
-          "would touch their own images along z, because the cell is {:.6g} high; choose with --dimension 2 "
-          "or 3",
-          n_touching, grains.size(), height),
-      true};
+  return {2,
+          fmt::format("every z is the same, so the grains are taken as disks in 2D; if they were spheres, {} "
+                      "of the {} grains would touch their own images along z, because the cell is {:.6g} high; "
+                      "choose with --dimension 2 "
+                      "or 3",
+                      n_touching, grains.size(), height),
+          true};
 }
 
 Guess guess_dimension(const ListedSpace& space, const std::vector<ListedGrain>& grains) {

@@ -24,8 +24,9 @@ static_assert(kSealBegin.size() + 64 + kSealEnd.size() == kSealSize);
 
 constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
-/// Whether HDF5 can open the file by its path. HDF5 resolves symbolic links first, and that fails for a file that
-/// exists only in memory (an entry of /proc without a file name). Standard input and pipes have to be copied to a file.
+/// Whether the HDF5 library can open the file at this path. Standard input and pipes it cannot open; they have to be
+/// copied to a file. A file that exists only in memory (an entry of /proc without a file name) it cannot open either,
+/// because it first resolves symbolic links.
 bool is_plain_file(const std::string& path) {
   std::error_code error;
   return path != "-" && std::filesystem::is_regular_file(path, error) &&
@@ -40,8 +41,8 @@ std::unique_ptr<TemporaryFile> copy_of(const std::string& path) {
   return copy;
 }
 
-/// Returns n bytes of a file, beginning at the position `offset`, or fewer at the end of the file. The bytes are stored
-/// in `buffer`.
+/// Reads up to `n` bytes of a file from the position `offset` into `buffer`. Returns these bytes; fewer than `n` if the
+/// file ends before.
 std::string_view read_at(int fd, const std::string& path, std::size_t offset, std::size_t n,
                          std::vector<char>& buffer) {
   buffer.resize(n);

@@ -17,11 +17,13 @@
 
 namespace floc {
 
-/// Returns the unit of a quantity, for the attribute `units` of an array. @param system  "SI" or "reduced"
+/// Returns the unit of a physical quantity as text, for the attribute `units` of an array of a state file.
+/// @param system  unit system of the state, "SI" or "reduced"
+/// @param dim  dimension of the packing, on which the unit of the stress depends
 std::string units_of(Quantity quantity, const std::string& system, int dim);
 
-/// Describes how one item of type T is stored as a row of an array in a state file: type of the stored numbers, number
-/// of components, and access to component k.
+/// Describes how one item of type T (a number or a vector of one grain or contact) is stored as a row of an array in a
+/// state file: type of the stored numbers, number of components, and access to component k.
 template <class T>
 struct ArchiveItem {
   using Stored = double;
@@ -65,7 +67,8 @@ struct ArchiveItem<Eigen::Quaterniond> {
   static void set(Eigen::Quaterniond& q, int k, double value) { (k == 0 ? q.w() : q.vec()[k - 1]) = value; }
 };
 
-/// Returns the shape of an array with one row per item. The array is one-dimensional if items have one component.
+/// Returns the shape of an array with one row for each of `n` items. The array is one-dimensional if an item has one
+/// component.
 inline Shape shape_of(std::size_t n, int components) {
   if (components == 1) return {n};
   return {n, static_cast<std::uint64_t>(components)};
@@ -121,7 +124,7 @@ class WritingArchive {
   void value(const char* group, const char* name, const T& v) {
     file_.attribute(group, name, v);
   }
-  /// Writes a value that may be missing in files of other versions.
+  /// Writes a value that is missing in files of some other versions of floc. ReadingArchive does not require it.
   template <class T>
   void value_if_there(const char* group, const char* name, const T& v) {
     value(group, name, v);
@@ -138,14 +141,14 @@ class WritingArchive {
   int dim_;
 };
 
-/// Reads the arrays and attributes that WritingArchive writes. An InputError is thrown if an array has a wrong shape or
+/// Reads the arrays and attributes that WritingArchive writes. Throws InputError if an array has a wrong shape or
 /// contains a number that is not finite.
 class ReadingArchive {
  public:
   explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
 
-  /// Reads an array and sets one member of each item to one row, with the accessor `get`. `items` already has the right
-  /// size.
+  /// Reads an array with one row per item. Row k sets get(items[k]), a member of item k. @pre `items` has one item for
+  /// each row
   template <class Items, class Get>
   void rows(const Field& field, Items& items, const Get& get) {
     using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;
@@ -200,8 +203,8 @@ class ReadingArchive {
   }
 
  private:
-  /// Checks that all numbers of a block are finite.
-  /// @param first  number of the first row of the block  @param components  numbers per row
+  /// Checks that all numbers in a block of rows of an array are finite.
+  /// @param first  number of the first row of the block in the array  @param components  count of numbers in a row
   template <class T>
   void check_finite(const Field& field, std::uint64_t first, std::size_t components,
                     std::span<const T> values) const {

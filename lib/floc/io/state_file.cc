@@ -69,7 +69,8 @@ void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
   if (s.packing.law.liquid()) archive.put(kUnsettled, {}, std::vector<std::int32_t>{s.n_bridges_unsettled});
 }
 
-/// Writes the imposed load if the current stage of the load path loads the axes differently. Otherwise writes nothing.
+/// Writes the imposed load if the current stage of the load path loads the axes differently. Writes nothing if the load
+/// is an isotropic pressure.
 template <int Dim>
 void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s) {
   if (!s.target_side.isZero(0.0))
@@ -104,7 +105,8 @@ void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<D
   if (!file.has(kOffset.path)) return;
   if (turn.axis == 0)
     throw InputError(file.place("path"),
-                     "axis = 1, but a simple shear along the first axis needs another axis");
+                     "axis = 1, but a simple shear moves the lattice vector of another axis along the first "
+                     "axis: expected this other axis");
   s.target_offset = ImposedOffset{turn.axis, archive.take<double>(kOffset, {1})[0]};
   turn.shear = archive.take<double>(kTurnShear, {1})[0];
 }
@@ -114,7 +116,8 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   const auto target = archive.take<double>(kTarget, {Dim});
   for (int a = 0; a < Dim; ++a) s.target_stress[a] = target[a];
   archive.matrix(kStress, s.stress);
-  // Unlike other numbers, residuals may be infinite: a packing without pressure and adhesion has no scale of force.
+  // Unlike other numbers, residuals may be infinite, because their unit is zero for a packing without pressure and
+  // adhesion. They are therefore read without the check that all numbers are finite.
   std::vector<double> r;
   file.array(kResiduals.path, {4}, r);
   s.residuals.force = r[0], s.residuals.moment = r[1], s.residuals.stress = r[2], s.residuals.energy = r[3];
@@ -124,9 +127,9 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   if (file.has(kUnsettled.path)) s.n_bridges_unsettled = archive.take<std::int32_t>(kUnsettled, {})[0];
 }
 
-/// Names of the optional groups of a state file. The root attribute `features` lists the optional groups that a file
-/// has, and a reader rejects a file with a group that it does not support. New physics therefore needs no new version
-/// of the format.
+/// Names of the optional groups of a state file. Its root attribute `features` lists the optional groups that it has,
+/// and a reader rejects a file with a group that the reader does not support. A new physical feature therefore needs no
+/// new version of the file format.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
@@ -155,8 +158,8 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// Returns the history quantities of contacts under the law between grains and, if there are walls, under the law
-/// between grains and walls.
+/// Returns the history quantities of contacts (such as the elongations of tangential springs): those of the law between
+/// grains and, if there are walls, those of the law between grains and walls. Each quantity is returned once.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
@@ -184,7 +187,7 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// Array of contact history that state files of version 1 contain whatever the contact law.
+/// An array of contact history that state files of version 1 contain for every contact law.
 struct Version1Name {
   const char* name;
   HistoryKind kind;
@@ -200,8 +203,8 @@ bool remembers(const Packing<Dim>& packing, const std::string& name) {
                      [&](const HistoryQuantity& q) { return name == q.declared.name; });
 }
 
-/// Writes the contact history also under the names of version 1 of the file format, for scripts that read these names.
-/// The arrays are zero if the law has no such history.
+/// Writes the contact history a second time, under the names of arrays in version 1 of the file format, for scripts
+/// that read these names. The arrays are zero if the law has no such history.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   for (const Version1Name& known : kVersion1Names) {
@@ -230,8 +233,9 @@ void check_version_1_names(const Hdf5Reader& file, ReadingArchive& archive, cons
   }
 }
 
-/// Reads the history of contacts. @param version  version of the file; in version 1 the arrays are in the group
-/// `contacts`, in later versions in `contacts/memory`
+/// Reads the history of contacts.
+/// @param version  version of the file format; the arrays are in the group `contacts` in version 1, in
+/// `contacts/memory` later
 template <int Dim>
 void read_memory(ReadingArchive& archive, std::int64_t version, Packing<Dim>& packing) {
   for (const HistoryQuantity& q : quantities_of(packing)) {
@@ -258,8 +262,8 @@ void check_features(const Hdf5Reader& file) {
               features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
-/// Returns the names of the optional groups (features) of a state, separated by blanks. @param remembers  whether the
-/// contacts have a history
+/// Returns the names of the optional groups (features) in the state file of a packing, separated by blanks.
+/// @param remembers  whether the contacts have a history
 template <int Dim>
 std::string features_of(const Packing<Dim>& packing, bool remembers) {
   std::string features = remembers ? kContactMemory : "";
@@ -267,8 +271,8 @@ std::string features_of(const Packing<Dim>& packing, bool remembers) {
   return features.empty() ? kNoFeatures : features;
 }
 
-/// Describes the boundary of each axis by one word, "periodic" or "walls", for example "walls periodic". The text is
-/// one word, "periodic", for a packing without walls.
+/// Returns one word for the boundary along each axis, "periodic" or "walls", for example "walls periodic". For a
+/// packing without walls, the text is the single word "periodic".
 template <int Dim>
 std::string boundary_of(const Packing<Dim>& packing) {
   if (packing.walls.empty()) return "periodic";
@@ -296,7 +300,8 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
 
   WritingArchive archive(file, s.units, Dim);
   describe_cell(archive, s.packing.cell);
-  // The array grains/id contains the indices; identifiers from a file of another program are in grains/imported_id.
+  // The array grains/id contains the indices of the grains. Identifiers that a file of another program gave to the
+  // grains are in grains/imported_id.
   std::vector<std::int32_t> id(s.packing.grains.size());
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
   archive.put(kId, {id.size()}, id);
@@ -321,8 +326,8 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   throw InputError(file.place(path), fmt::format("entry {} is {}", entry, what));
 }
 
-/// Largest number of rows of an array, and largest image (number of cells). Larger numbers may not fit an int, the type
-/// of indices and images.
+/// Largest accepted number of rows of an array, and largest accepted distance of a periodic image (in numbers of
+/// cells). Larger numbers may not fit an int, the type of indices and images.
 constexpr std::uint64_t kMaxRows = 1'000'000'000;
 constexpr int kFarthestImage = 1'000'000'000;
 
@@ -334,8 +339,8 @@ std::uint64_t counted_rows(const Hdf5Reader& file, const char* path) {
   return n;
 }
 
-/// Checks that the cell has a volume, that identifiers are the indices, and that radii and masses are positive. The
-/// archive has already checked that all numbers are finite.
+/// Checks that the cell has a volume, that the array grains/id contains the indices of the grains, and that radii and
+/// masses are positive. The archive has already checked that all numbers are finite.
 template <int Dim>
 void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std::vector<std::int32_t>& id) {
   if (!(packing.cell.volume() > 0.0)) throw InputError(file.place("cell/matrix"), "the cell has no volume");
@@ -350,7 +355,7 @@ void check_grains(const Hdf5Reader& file, const Packing<Dim>& packing, const std
   }
 }
 
-/// Checks that the identifiers of the grains in another program are unique.
+/// Checks that all grains have different identifiers, if a file of another program gave them identifiers.
 template <int Dim>
 void check_names(const Hdf5Reader& file, const Grains<Dim>& grains) {
   std::vector<std::pair<std::int64_t, std::size_t>> sorted;
@@ -392,8 +397,9 @@ void check_descriptions(const Hdf5Reader& file, std::int64_t version, const Stat
     if (!file.has_attribute(group, name)) return;
     file.attribute(group, name, recorded);
     if (recorded != expected)
-      throw InputError(file.place(group), fmt::format("{} = \"{}\", expected \"{}\", which describes this file",
-                                                      name, recorded, expected));
+      throw InputError(file.place(group),
+                       fmt::format("attribute {} = \"{}\", but the content of this file requires \"{}\"", name,
+                                   recorded, expected));
   };
   require("provenance", "scene_sha256", sha256(s.scene));
   if (version < 2) return;
@@ -421,7 +427,7 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   set_arms(packing);
   packing.law = read_law(file, Dim);
   if (packing.law.has_twisting()) describe_twisting(archive, packing.contacts);
-  // The overlaps of a checkpoint are not checked: a packing in motion may have larger overlaps for a short time.
+  // The overlaps in a checkpoint are not checked: a packing in motion may have larger overlaps for a short time.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);
   check_version_1_names(file, archive, packing);
@@ -438,7 +444,8 @@ struct Header {
   std::int64_t dimension = 0;
 };
 
-/// Reads the header and checks format, version, features, sign convention, units and dimension.
+/// Reads the attributes of a state file that tell how to read the rest. Checks format, version, features, sign
+/// convention, units and dimension.
 Header read_header(const Hdf5Reader& file) {
   std::string format;
   file.attribute("/", "format", format);
@@ -453,7 +460,7 @@ Header read_header(const Hdf5Reader& file) {
         fmt::format("version = {}: the file was written by a newer floc; this floc reads versions up to {}",
                     version, kStateVersion));
   if (version < 1) throw InputError(file.place("/"), fmt::format("version = {}, expected 1 or more", version));
-  // Files of version 1 have no attribute `features`; none of the features existed then.
+  // Files of version 1 have no attribute `features`, because the optional groups that it lists came with version 2.
   if (version >= 2) check_features(file);
   std::string sign;
   file.attribute("/", "sign_convention", sign);
@@ -471,7 +478,8 @@ Header read_header(const Hdf5Reader& file) {
 }
 
 /// Opens a state file, reads its header, and returns the result of `read(file, header)`.
-/// @param path  name of the file in messages   @param content_path  path under which the file is opened
+/// @param path  name of the file in messages
+/// @param content_path  path under which the file is opened; another one if `path` is a pipe or standard input
 template <class Read>
 auto read_content(const std::string& path, const std::string& content_path, const Read& read) {
   try {

@@ -9,26 +9,26 @@ namespace floc {
 
 using AnyState = std::variant<State<2>, State<3>>;
 
-/// Version of the layout of the state files that floc writes. It is also the newest version that floc reads.
+/// Version of the layout of state files that this floc writes. It is also the newest version that this floc reads.
 inline constexpr int kStateVersion = 2;
 
-/// Writes a state to the HDF5 file `path`, in the layout of docs/states.md. The file is first written under a
-/// temporary name in the same directory, synced, and then renamed, so the file is either whole or absent. Identical
-/// states give identical bytes.
+/// Writes a state to the HDF5 file `path`, in the layout of docs/states.md. The state is first written to a file with a
+/// temporary name in the same directory, which is synced and then renamed to `path`, so that `path` is never an
+/// incomplete file. Identical states give identical bytes.
 /// @pre the bodies of all contacts are grains or walls of the state
-/// @param progress  text stored with the state of a checkpoint, from which a run continues within a step; empty for
-/// other states
+/// @param progress  only for a checkpoint, a state saved within a step of the load path: text from which a run
+/// continues the step; empty for other states
 /// @throws IoError if the directory cannot be written or the disk is full; the file `path` is then unchanged
 template <int Dim>
 void write_state(const std::string& path, const State<Dim>& state, const std::string& progress = "");
 
 /// Reads a state file. Every number is exactly the number that was written.
-/// @throws InputError naming file and dataset if the file is missing, truncated, not a state file, of a newer version,
-/// or contains invalid data (wrong shape, index out of range, a value that is not finite)
+/// @throws InputError naming file and dataset if the file is missing, truncated, not a state file, or written by a
+/// newer version of floc, or if it contains invalid data (wrong shape, index out of range, a value that is not finite)
 AnyState read_state(const std::string& path);
 
-/// Reads the text with which write_state() recorded the progress within a step in a checkpoint. The text is empty for
-/// other states.
+/// Reads the text `progress` that write_state() stored with the state of a checkpoint. Returns an empty text for other
+/// states.
 /// @throws InputError under the conditions of read_state()
 std::string read_progress(const std::string& path);
 

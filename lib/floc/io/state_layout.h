@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Physical quantity of an array of a state file; the `units` attribute of the array follows from it.
+/// Physical quantity that an array of a state file contains. It determines the attribute `units` of the array.
 enum class Quantity {
   count,
   flag,
@@ -83,12 +83,13 @@ void describe_walls(Archive& archive, Walls& walls) {
       [](auto& w) -> auto& { return w.velocity; });
 }
 
-/// Writes or reads the arrays that contacts have under every contact law. Arrays of flags, forces and stiffnesses that
-/// a law does not have are zero.
+/// Writes or reads the arrays that state files contain for the contacts under every contact law. Arrays of flags,
+/// forces and stiffnesses that the law does not have are zero.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;
-  // Names, quantities and conventions below are part of the file format (docs/states.md).
+  // The names of arrays, their quantities and their sign conventions are part of the format of state files
+  // (docs/states.md).
   const auto rows = [&](const Field& field, auto get) { archive.rows(field, contacts, get); };
   rows(
       {"contacts/id1", count, "first grain"}, [](auto& c) -> auto& { return c.i; });
@@ -151,7 +152,8 @@ void describe_twisting(Archive& archive, Contacts& contacts) {
       [](auto& c) -> auto& { return c.twisting_yield; });
 }
 
-/// Writes or reads the attributes of a state file by calls archive.value(group, name, variable).
+/// Writes or reads the attributes of a state file that describe the equilibrium, the load path and the provenance, by
+/// calls archive.value(group, name, variable).
 template <class Archive, class State>
 void describe_attributes(Archive& archive, State& s) {
   archive.value("equilibrium", "worst_force_grain", s.residuals.worst_force_grain);

@@ -20,8 +20,9 @@ constexpr Field kWallMass = {"walls/mass", Quantity::mass, "mass of the wall; 0:
 constexpr Field kWallForce = {"walls/force", Quantity::force,
                               "static normal force of the grains on the wall, positive outwards"};
 
-/// Checks the walls of a state. @throws InputError unless each axis with walls has two, the lower wall first, the axes
-/// are in ascending order, and the distance of the two walls is the side of the cell
+/// Checks the walls of a state.
+/// @throws InputError unless the axes of the walls are in ascending order, each axis with walls has two walls, the
+/// lower wall first, and the distance of these two walls is the side of the cell along the axis
 template <int Dim>
 void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
   const std::vector<Wall<Dim>>& walls = packing.walls;
@@ -41,7 +42,7 @@ void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
     if (walls[w].mass < 0.0) refuse("walls/mass", fmt::format("{}, expected 0 or more", walls[w].mass));
     if (lower) continue;
     next_axis = walls[w].axis + 1;
-    // Between walls the side of the cell is the distance of the walls; the two may differ by rounding only.
+    // Along an axis with walls, the side of the cell must be the distance between the two walls, except for rounding.
     const double distance = walls[w].position - walls[w - 1].position;
     const double side = packing.cell.matrix(walls[w].axis, walls[w].axis);
     if (!packing.cell.rectangular() || !(distance > 0.0) || !(std::abs(distance / side - 1.0) < 1e-9))

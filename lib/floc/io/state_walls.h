@@ -4,7 +4,7 @@
 #include "floc/io/state_archive.h"
 #include "floc/packing/state.h"
 
-/// Writing and reading of the walls of a packing, which are the group `walls` of a state file (docs/states.md).
+/// Writes and reads the walls of a packing, which are stored in the group `walls` of a state file (docs/states.md).
 namespace floc {
 
 /// Writes the walls, the forces on them, and the contact law between grains and walls. Writes nothing for a packing
@@ -12,8 +12,10 @@ namespace floc {
 template <int Dim>
 void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& state);
 
-/// Reads the walls into the packing of a state. @pre the cell of the packing has been read
-/// @throws InputError unless each axis with walls has two, whose distance is the side of the rectangular cell
+/// Reads the walls, and the contact law between grains and walls, into the packing of a state. @pre the cell of the
+/// packing has been read
+/// @throws InputError unless each axis with walls has two walls, and their distance is the side of the rectangular cell
+/// along the axis
 template <int Dim>
 void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 

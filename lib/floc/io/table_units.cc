@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Unit of a physical quantity: name of the quantity, and size of the unit in SI units.
+/// A unit: name of the physical quantity that it measures, and size of the unit in SI units.
 struct KnownUnit {
   std::string_view measures;
   double size;

@@ -10,8 +10,9 @@
 namespace floc {
 namespace {
 
-/// Names of the existing transient files; null for a free entry. A program has few transient files at a time. If there
-/// is no free entry for a file, a signal does not remove this file, only the end of its scope does.
+/// Paths of the transient files that exist now, for the signal handler, which removes them. Null marks a free entry.
+/// The number of entries is generous, because a program has few transient files at a time. A file for which no entry is
+/// free is still removed by the destructor of its TransientFile, but not by a signal.
 std::array<std::atomic<const char*>, 64> g_names{};
 
 void register_name(const char* name) {

@@ -8,7 +8,7 @@ namespace floc {
 /// been called.
 class TransientFile {
  public:
-  /// @param path  file that exists or will be created
+  /// @param path  path of the file, which exists already or will be created by the caller
   explicit TransientFile(std::string path);
   ~TransientFile();
   TransientFile(const TransientFile&) = delete;
@@ -23,7 +23,7 @@ class TransientFile {
   bool kept_ = false;
 };
 
-/// Installs signal handlers that remove transient files before SIGINT, SIGTERM or SIGHUP ends the program. A signal
+/// Installs signal handlers that remove all transient files before SIGINT, SIGTERM or SIGHUP ends the program. A signal
 /// that the program ignores stays ignored.
 void remove_transient_files_on_signals();
 

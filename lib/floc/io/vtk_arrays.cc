@@ -17,7 +17,7 @@ namespace floc {
 namespace {
 
 /// Decodes base64 text up to the first character that is not base64. Padding (=) may occur within the text, because VTK
-/// encodes the length of a block and its data separately.
+/// may encode the length of the data and the data separately.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -35,7 +35,7 @@ std::string from_base64(std::string_view text) {
   return bytes;
 }
 
-/// Returns the numbers of type T in `bytes`, converted to double.
+/// Returns the numbers of type T whose bytes are `bytes`, converted to double.
 template <class T>
 std::vector<double> convert(std::string_view bytes) {
   std::vector<double> values(bytes.size() / sizeof(T));
@@ -68,7 +68,7 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
     const std::string_view token = text.substr(at, end - at);
     const auto value = parse_number<double>(token);
     if (!value)
-      throw InputError(place, fmt::format("an entry is \"{}\", expected a finite number{}", token,
+      throw InputError(place, fmt::format("the array contains \"{}\", expected a finite number{}", token,
                                           decimal_comma_hint(token)));
     values.push_back(*value);
     at = text.find_first_not_of(kSpace, end);
@@ -76,8 +76,10 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
   return values;
 }
 
-/// Returns an upper limit of the number of base64 characters of the block at the beginning of `text`. A block begins
-/// with its length, which is encoded separately or together with the data.
+/// Returns an upper bound on the number of base64 characters that encode the block at the beginning of `text`. A block
+/// is the data of one array after a header with the length of the data. Header and data are encoded separately or
+/// together.
+/// @param header_size  size of the header before encoding (bytes)
 std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
   std::uint64_t length = 0;
@@ -85,8 +87,8 @@ std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   return length > text.size() ? text.size() : 12 + 4 * (length / 3 + 2);
 }
 
-/// Returns the data of a block. A block consists of a header of `header_size` bytes, which contains the length of the
-/// data in bytes, and the data.
+/// Returns the data of a block, which consists of a header and the data of one array. The header contains the length of
+/// the data in bytes. @param header_size  size of the header (bytes)
 std::string_view payload(const std::string& place, std::string_view block, std::size_t header_size) {
   std::uint64_t length = 0;
   if (block.size() >= header_size) std::memcpy(&length, block.data(), header_size);
@@ -101,7 +103,7 @@ std::string_view payload(const std::string& place, std::string_view block, std::
 struct VtkArrays::Document {
   std::string path;
   pugi::xml_document xml;
-  std::string appended;  ///< content of the element AppendedData, after its underscore
+  std::string appended;  ///< content of the element AppendedData after "_"
   bool appended_raw = false;
   std::size_t header_size = 4;
 
@@ -118,7 +120,7 @@ struct VtkArrays::Document {
 VtkArrays::VtkArrays(const std::string& path, const std::string& content) : document_(new Document) {
   Document& d = *document_;
   d.path = path;
-  // Appended raw data are not XML, so they are removed before parsing.
+  // The raw bytes in the element AppendedData are not XML, so this element is removed before parsing.
   std::string text = content;
   if (const std::size_t begin = content.find("<AppendedData"); begin != std::string::npos) {
     const std::size_t end = content.rfind("</AppendedData>");
@@ -182,7 +184,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   const std::string type = array.attribute("type").as_string();
   const auto converter = converters().find(type);
   if (converter == converters().end())
-    throw InputError(here, fmt::format("type = \"{}\", expected numbers", type));
+    throw InputError(here, fmt::format("type = \"{}\", expected a type of numbers such as Float64", type));
   if (format == "ascii") return parse_ascii(here, array.text().as_string());
 
   std::string decoded;
@@ -190,8 +192,8 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   if (format == "appended") {
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
     if (offset > d.appended.size())
-      throw InputError(here, fmt::format("offset = {} lies beyond the data", offset));
-    // The header of an appended block contains its length, so the end of the block need not be searched.
+      throw InputError(here, fmt::format("offset = {} lies beyond the end of the appended data", offset));
+    // The appended block begins with its length, so its end need not be searched.
     block = std::string_view(d.appended).substr(offset);
     if (!d.appended_raw) block = decoded = from_base64(block.substr(0, encoded_size(block, d.header_size)));
   } else if (format == "binary") {
@@ -203,7 +205,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
   for (std::size_t k = 0; k < values.size(); ++k)
     if (!std::isfinite(values[k]))
       throw InputError(here,
-                       fmt::format("number {} of the array is {}, expected a finite number", k, values[k]));
+                       fmt::format("entry {} of the array is {}, expected a finite number", k, values[k]));
   return values;
 }
 

@@ -7,12 +7,13 @@
 
 namespace floc {
 
-/// Reads data arrays from a file in VTK's XML format that contains one piece of an unstructured grid. The arrays are
-/// little endian and not compressed. They are ASCII or base64 text within the XML, or base64 text or raw bytes that are
-/// appended after the XML.
+/// Reads arrays of numbers from a file in VTK's XML format. The file has to contain an unstructured grid in one piece
+/// (VTK can split a grid into several). The numbers are little endian and not compressed. Those of an array are ASCII
+/// or base64 text within its XML element, or base64 text or raw bytes in the element AppendedData at the end of the
+/// file.
 class VtkArrays {
  public:
-  /// Parses the XML of a file. @param path  name of the file in messages
+  /// Parses the XML of a file. @param path  name of the file in messages  @param content  content of the file
   /// @throws InputError naming the file if it is not an XML file of VTK with one piece of an unstructured grid
   VtkArrays(const std::string& path, const std::string& content);
   ~VtkArrays();
@@ -21,7 +22,7 @@ class VtkArrays {
 
   std::int64_t n_points() const;
 
-  /// Names of the arrays in "PointData", "Cells" or "FieldData".
+  /// Names of the arrays in a section of the file: "PointData", "Cells" or "FieldData".
   std::vector<std::string> names(const std::string& section) const;
   bool has(const std::string& section, const std::string& name) const;
 

@@ -23,7 +23,7 @@ namespace {
 constexpr int kVertex = 1;
 constexpr int kLine = 3;
 
-/// Returns the indices of the points that are grains: the points of the cells of type vertex or, if the file has no
+/// Returns the indices of the points that are grains: the points of the VTK cells of type vertex or, if the file has no
 /// such cells, all points.
 std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_points) {
   std::vector<std::size_t> points;
@@ -38,7 +38,7 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
       const double point = listed ? connectivity[static_cast<std::size_t>(at)] : -1.0;
       if (!(point >= 0.0 && point < static_cast<double>(n_points)))
         throw InputError(arrays.place("Cells", "connectivity"),
-                         fmt::format("cell {} is a vertex, but its point does not exist", k));
+                         fmt::format("cell {} of the grid is a vertex at a point that does not exist", k));
       points.push_back(static_cast<std::size_t>(point));
     }
   }
@@ -47,7 +47,7 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
   return points;
 }
 
-/// Array of point data with one number per point.
+/// An array of point data of a VTU file with one number per point.
 class PointArray {
  public:
   PointArray(const VtkArrays& arrays, const std::string& name, std::size_t n_points)
@@ -64,11 +64,13 @@ class PointArray {
   double operator[](std::size_t point) const { return values_[point]; }
   std::int64_t whole(std::size_t point) const {
     if (const auto number = whole_number(values_[point])) return *number;
-    throw InputError(place(point), fmt::format("the value is {}, expected a whole number", values_[point]));
+    throw InputError(place(point),
+                     fmt::format("this entry of the array is {}, expected a whole number", values_[point]));
   }
   double positive(std::size_t point) const {
     if (values_[point] > 0.0) return values_[point];
-    throw InputError(place(point), fmt::format("the value is {}, must be positive", values_[point]));
+    throw InputError(place(point),
+                     fmt::format("this entry of the array is {}, must be positive", values_[point]));
   }
 
  private:
@@ -77,7 +79,7 @@ class PointArray {
   std::vector<double> values_;
 };
 
-/// Returns the name in the file of an array of point data, or an empty text if the file has no such array.
+/// Returns the name that an array of point data has in the file, or an empty text if the file has no such array.
 /// @param names  names that floc accepts for this array, in order of preference; `options.columns` may rename them
 std::string find_array(const VtkArrays& arrays, const ImportOptions& options,
                        const std::vector<std::string>& names) {
@@ -164,7 +166,9 @@ bool is_vtu(const std::string& path) {
 Imported read_vtu(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
     throw InputError(
-        path, fmt::format("index = {}, but the file holds one packing, with the index 0", *options.index));
+        path,
+        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
+                    *options.index));
   check_grain_columns("--columns", options.columns);
   const VtkArrays arrays(path, read_file(path));
   ListedPacking listed;
@@ -187,7 +191,7 @@ Eigen::Vector3d in_space(const Vec<Dim>& v) {
   return out;
 }
 
-/// One array of a VTU file: type, name, number of components, and numbers as ASCII text.
+/// One array of a VTU file: its type, name, number of components, and its numbers as ASCII text.
 struct ArrayText {
   std::string type;
   std::string name;
@@ -210,7 +214,8 @@ void append(pugi::xml_node section, const ArrayText& array) {
   node.text().set(array.numbers.c_str());
 }
 
-/// Points, cells and data of the VTU file of a packing: a point and a vertex for each grain, and lines for contacts.
+/// Points, VTK cells and data arrays of the VTU file of a packing: a point and a vertex for each grain, and one or two
+/// lines for each contact.
 class Drawing {
  public:
   template <int Dim>

@@ -17,7 +17,7 @@
 namespace floc {
 namespace {
 
-/// Table in a text file of YADE, and the periodic cell if a comment of the file gives it.
+/// Table in a text file of YADE (spheres or interactions), and the periodic cell if a comment in the file gives it.
 struct YadeTable {
   CsvTable table;
   std::vector<std::vector<double>> cell;
@@ -54,8 +54,8 @@ std::vector<std::vector<double>> parse_cell(const std::string& place, const std:
 }
 
 /// Reads a text file of YADE.
-/// @param mark     name of a column; the comment line that contains it names all columns
-/// @param columns  names of the columns if no comment line names them; empty if a comment line is required
+/// @param mark  name of a column; the comment line that contains this name is the line that names all columns
+/// @param columns  names of the columns if no comment line names them; empty if the file must have such a comment line
 YadeTable read_table(const std::string& path, const std::string& mark, std::vector<std::string> columns) {
   YadeTable result;
   std::istringstream in(read_text(path));
@@ -74,7 +74,7 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
         result.cell_place = fmt::format("{}:{}", path, number);
         result.cell = parse_cell(result.cell_place, tokens);
       } else if (!begun && contains(tokens, mark)) {
-        // Comments that contain the word `mark` are not interpreted after the first row of the table.
+        // Comments after the first row of the table do not name columns, even if they contain the word `mark`.
         columns = tokens;
       }
       continue;
@@ -91,7 +91,8 @@ YadeTable read_table(const std::string& path, const std::string& mark, std::vect
   return result;
 }
 
-/// Reads contacts from a table of interactions. YADE lists forces on the second body, so the forces are reversed.
+/// Reads contacts from a table of interactions of YADE. YADE lists the forces on the second body; their signs are
+/// reversed here, because floc expects the forces on the first body.
 std::vector<ListedContact> read_interactions(const CsvTable& table, int dimension) {
   std::map<std::string, std::string> names;
   if (table.has("ks")) names["kt"] = "ks";
@@ -107,12 +108,13 @@ std::vector<ListedContact> read_interactions(const CsvTable& table, int dimensio
   return contacts;
 }
 
-/// Returns a law with linear repulsion and Coulomb friction. Its stiffnesses are the means of kn and ks over the
-/// interactions; the coefficient of friction is tan_phi.
+/// Returns a contact law with linear repulsion and Coulomb friction. Its normal and tangential stiffness are the means
+/// of the columns kn and ks over the interactions; its coefficient of friction is tan_phi.
 /// @throws InputError if one of these columns is missing, or if tan_phi is not the same in all rows
 Law law_of(const CsvTable& table, const std::string& path) {
   if (!table.has("kn") || !table.has("ks") || !table.has("tan_phi") || table.n_rows() == 0)
-    throw InputError(path, "the interactions do not have all of the columns kn, ks and tan_phi: give --law");
+    throw InputError(
+        path, "the list of interactions does not have all of the columns kn, ks and tan_phi: give --law");
   const auto mean = [&](const std::string& name) {
     double sum = 0.0;
     for (int row = 0; row < table.n_rows(); ++row) sum += table.number(row, table.column(name));
@@ -121,10 +123,9 @@ Law law_of(const CsvTable& table, const std::string& path) {
   const int friction = table.column("tan_phi");
   for (int row = 1; row < table.n_rows(); ++row)
     if (table.number(row, friction) != table.number(0, friction))
-      throw InputError(
-          table.place(row),
-          fmt::format("tan_phi = {}, but {} above: a contact law has one friction coefficient; give --law",
-                      table.text(row, friction), table.text(0, friction)));
+      throw InputError(table.place(row), fmt::format("tan_phi = {}, but tan_phi = {} in the first interaction: "
+                                                     "a contact law has one friction coefficient; give --law",
+                                                     table.text(row, friction), table.text(0, friction)));
   LawParameters law;
   law.normal = LinearRepulsion{mean("kn")};
   law.friction = CoulombFriction{table.number(0, friction), mean("ks")};
@@ -177,7 +178,9 @@ bool is_yade_text(const std::string& path) {
 Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   if (options.index.value_or(0) != 0)
     throw InputError(
-        path, fmt::format("index = {}, but the file holds one packing, with the index 0", *options.index));
+        path,
+        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
+                    *options.index));
   check_grain_columns("--columns", options.columns);
   if (options.contacts.empty()) check_no_contact_columns(options);
   const YadeTable spheres = read_table(path, "x", {"x", "y", "z", "r"});

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Ratio of the limits of friction and rolling, and of the adhesion, to the largest force that they have to allow.
+/// Factor by which the limits of adhesion, friction and rolling resistance exceed the forces that the bonds carry.
 constexpr double kMargin = 2.0;
 
 void set_moment(const RotationVector<2>& moment, Contact<2>& c) {
@@ -23,7 +23,7 @@ void set_moment(const RotationVector<3>& moment, Contact<3>& c) {
   c.rolling_moment = moment - c.twisting_moment * c.normal;
 }
 
-/// Returns whether some bond resists twisting.
+/// Returns whether any bond resists twisting.
 template <int Dim>
 bool twists(const BondedContacts<Dim>& bonds) {
   return std::any_of(bonds.begin(), bonds.end(), [](const BondedContact<Dim>& b) { return b.twists; });
@@ -60,8 +60,8 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
 
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing) {
-  /// Relative distance from a limit of force within which a contact counts as mobilised; the law keeps all contacts far
-  /// from their limits.
+  /// Relative distance from the limit of a force within which a contact counts as mobilised; the law keeps the forces
+  /// of all bonds far from their limits.
   constexpr double kCapTolerance = 1e-9;
   packing.law = law_for(bonds);
   packing.contacts.clear();

@@ -46,7 +46,7 @@ class Cementing {
     const double wanted = options.matrix_content * out_.lattice.cell.volume();
     if (wanted > 0.0) choose_nodes(options.matrix_content, nodes_by_width(options.matrix_content));
     // Each node of the matrix gets the grain with the nearest surface as its owner. The search distance is doubled
-    // until all nodes have one.
+    // until all nodes of the matrix have an owner.
     for (double reach = 0.25 * out_.mean_diameter; without_owner(); reach *= 2.0) take_owners(reach);
     for (int k = 0; k < out_.lattice.n_nodes(); ++k)
       if (out_.phase[k] == Phase::none) out_.owner[k] = -1;
@@ -57,8 +57,8 @@ class Cementing {
 
  private:
   struct CoveredNode {
-    double
-        width;  // smallest width of a bridge that covers the node, over R' (see CementedSample::bridge_width)
+    // smallest width of a bridge that covers the node, over R' (see CementedSample::bridge_width)
+    double width;
     int node;
   };
 
@@ -90,8 +90,9 @@ class Cementing {
     return volume / out_.lattice.cell.volume();
   }
 
-  /// Finds the grain with the nearest surface for each node that is inside a grain or no farther than `reach` from one
-  /// (length).
+  /// Finds the owner, the grain with the nearest surface, of each node inside a grain or within the distance `reach` of
+  /// one.
+  /// @param reach  search distance from the surface of a grain (length)
   void take_owners(double reach) {
     for (int i = 0; i < out_.grains.size(); ++i) {
       const double radius = out_.grains.radius[i];
@@ -113,7 +114,7 @@ class Cementing {
   }
 
   /// Returns, for each node, the smallest width of a bridge that covers it, over R' (see CementedSample::bridge_width);
-  /// infinite if this width exceeds `largest`.
+  /// infinite if this number exceeds `largest`.
   std::vector<double> covering_widths(double largest) const {
     std::vector<double> width(out_.lattice.n_nodes(), kFar);
     for (const NeighborPair<Dim>& pair : pairs_) {
@@ -133,13 +134,14 @@ class Cementing {
     return width;
   }
 
-  /// Returns the nodes that bridges can cover, sorted by the width that covers them, with at least the wanted content
-  /// of matrix. @param wanted  matrix content as a share of the volume
+  /// Returns nodes that bridges can cover, sorted by the smallest width of a bridge that covers them: as many as the
+  /// wanted matrix content needs, or more.
+  /// @param wanted  matrix content as a share of the volume
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;
     double reached = 0.0;
-    /// Largest width of bridges that is tried, many times the size of the grains: a node that it does not cover lies in
-    /// no bridge.
+    /// Largest width of a bridge that is tried, over R' (see CementedSample::bridge_width): many times the size of the
+    /// grains. A node outside all bridges of this width is outside any bridge.
     constexpr double kWidest = 64.0;
     for (double largest = 0.5; largest <= kWidest; largest *= 2.0) {
       const std::vector<double> width = covering_widths(largest);
@@ -163,6 +165,7 @@ class Cementing {
   }
 
   /// Chooses the width of the bridges for which the matrix content is nearest to the wanted one.
+  /// @param covered  nodes_by_width() for this content
   void choose_nodes(double wanted, const std::vector<CoveredNode>& covered) {
     const double volume = wanted * out_.lattice.cell.volume();
     double taken = 0.0;
@@ -178,7 +181,7 @@ class Cementing {
   CementedSample<Dim> out_;
   NodeGrid<Dim> grid_;
   std::vector<NeighborPair<Dim>> pairs_;
-  // distance from each node to the nearest surface of a grain, negative inside (length)
+  // for each node, the distance to the nearest surface of a grain, negative inside the grain (length)
   std::vector<double> to_surface_;
 };
 

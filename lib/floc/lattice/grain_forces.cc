@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Key of a contact: numbers of its two grains and image of the second grain.
+/// Key of a contact: the numbers of its two grains, and the periodic image of the second grain.
 template <int Dim>
 using PairKey = std::array<int, 2 + Dim>;
 
@@ -24,8 +24,8 @@ PairKey<Dim> key_of(int i, int j, const Vec<Dim, int>& image) {
   return key;
 }
 
-/// Sum over the elements between the regions of two grains, seen from the first grain. A region is a grain with the
-/// matrix nearest to it.
+/// Forces between two grains, summed over the elements between the regions of the grains. The region of a grain is the
+/// grain with the matrix that is nearest to it.
 template <int Dim>
 struct PairSum {
   Vec<Dim> force = Vec<Dim>::Zero();                         // force on the first grain
@@ -120,7 +120,8 @@ Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& p
   out.cell = sample.lattice.cell;
   out.grains = sample.grains;
   out.grains.mass = packing.grains.mass;
-  // A contact with the width of its bridge resists rotation with the rolling stiffness K_N width^2/12.
+  // A contact as wide as its bridge resists rotation with the rolling stiffness K_N width^2/12, with the normal
+  // stiffness K_N.
   const double width = std::max(sample.bridge_width * 0.5 * sample.mean_diameter, sample.lattice.spacing);
   BondedContacts<Dim> bonds;
   for (const GrainForce<Dim>& f : forces)

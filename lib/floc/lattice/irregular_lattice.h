@@ -9,18 +9,19 @@
 namespace floc {
 
 struct IrregularLatticeOptions {
-  double spacing = 0.0;  ///< spacing of the regular points before they are displaced (length)
-  /// Largest displacement of each coordinate of a point, over the spacing: large enough that no direction is preferred,
-  /// small enough that points do not come close to each other.
+  double spacing = 0.0;  ///< spacing of the cubic grid whose points are displaced (length)
+  /// Largest displacement of a point along each axis, over the spacing. The default is large enough that no direction
+  /// is preferred, and small enough that points do not come close to each other.
   double jitter = 0.35;
-  std::uint64_t seed = 1;  ///< seed of the random displacements
+  std::uint64_t seed = 1;  ///< seed of the random displacements of the points
 
   /// Returns every invalid option as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
 /// Returns a lattice of randomly displaced points of a cubic grid in any periodic cell, with their Delaunay bonds (some
-/// 7.8 per point) and their Voronoi cells. The forces of bonds act at the centres of the faces between Voronoi cells.
+/// 7.8 per point) and their Voronoi cells. The force of a bond acts at the centre of the face that the Voronoi cells of
+/// its two points share.
 /// @throws InputError if an option is invalid, or if more than 1e8 nodes would be needed
 Lattice<3> irregular_lattice(const Cell<3>& cell, const IrregularLatticeOptions& options);
 

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Distance between rows of nodes, over the distance between nodes in a row.
+/// Distance between neighbouring rows of nodes, over the distance between neighbouring nodes in a row.
 constexpr double kRowHeight = 0.5 * std::numbers::sqrt3;
 /// Largest number of nodes of a lattice.
 constexpr double kMostNodes = 1e8;
@@ -30,14 +30,14 @@ Lattice<2> triangular_lattice(int columns, int rows, double spacing) {
   out.node.reserve(n);
   out.bonds.reserve(3 * static_cast<std::size_t>(n));
   // Nodes have hexagonal cells, whose sides are spacing/sqrt(3). Each node gets three of its six bonds: those to the
-  // right, upper right and upper left. The other three belong to its neighbours.
+  // right, upper right and upper left. Its other three bonds are listed with its neighbours.
   const double facet = spacing / std::numbers::sqrt3;
   const Vec<2> steps[] = {
       {spacing, 0.0}, {0.5 * spacing, kRowHeight * spacing}, {-0.5 * spacing, kRowHeight * spacing}};
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      // Odd rows are shifted by half a spacing. The offset of a quarter keeps all nodes away from the border of the
-      // cell.
+      // Odd rows are shifted by half a spacing. All rows are shifted by another quarter, so that no node lies on the
+      // border of the cell.
       const bool shifted = r % 2 == 1;
       out.node.emplace_back((c + (shifted ? 0.75 : 0.25)) * spacing, (r + 0.5) * kRowHeight * spacing);
       const int to_column[] = {c + 1, shifted ? c + 1 : c, shifted ? c : c - 1};
@@ -61,7 +61,7 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     throw InputError(
         "",
         fmt::format("a spacing of {:.3g} is too small: the lattice would have more than 1e8 nodes", spacing));
-  /// Largest relative deviation of the number of columns from width/spacing that is tried.
+  /// Largest relative difference between a number of columns that is tried and width/spacing.
   constexpr double kTried = 0.03;
   const double asked = width / spacing;
   int best_columns = 1, best_rows = 2;

@@ -11,38 +11,39 @@ namespace floc {
 template <int Dim>
 struct LatticeBond {
   int i;                ///< first node
-  int j;                ///< second node; equal to i in a lattice that is one node wide
-  Vec<Dim, int> image;  ///< image of node j: branch = node[j] + image * cell.matrix - node[i]
+  int j;                ///< second node; equal to i if the lattice is one node wide
+  Vec<Dim, int> image;  ///< periodic image of node j: branch = node[j] + image * cell.matrix - node[i]
   Vec<Dim> branch;      ///< vector from node i to the image of node j (length)
   Vec<Dim> arm_i;       ///< vector from node i to the point at which the force of the bond acts (length)
-  double facet;         ///< length (2D) or area (3D) of the face that the cells of the two nodes share
+  double facet;         ///< length (2D) or area (3D) of the face that the cells around the two nodes share
 };
 
 /// Lattice of nodes that fill a periodic cell, and the bonds between neighbouring nodes, each bond once.
 template <int Dim>
 struct Lattice {
   Cell<Dim> cell;
-  /// Distance between neighbouring nodes; if it varies, their distance in a regular lattice of equal density (length).
+  /// Distance between neighbouring nodes (length); if it varies, their distance in a regular lattice of the same
+  /// density.
   double spacing = 0.0;
   std::vector<Vec<Dim>> node;  ///< positions of the nodes, inside the cell (length)
-  /// volume (2D: area) of the cell around each node; the sum is the volume of the periodic cell
+  /// volume (2D: area) of the cell around each node; their sum is the volume of the periodic cell
   std::vector<double> volume;
   std::vector<LatticeBond<Dim>> bonds;
 
   int n_nodes() const { return static_cast<int>(node.size()); }
 };
 
-/// Returns the triangular lattice with rows of nodes along the first axis. Each node has six bonds as long as the
-/// spacing, whose forces act at their middles, and a hexagonal cell of area sqrt(3)/2 spacing^2.
+/// Returns the triangular lattice whose rows of nodes lie along the first axis. Each node has six bonds, which are as
+/// long as the spacing, and a hexagonal cell of area sqrt(3)/2 spacing^2. The force of a bond acts at its middle.
 /// @param columns  number of nodes in a row, >= 1
 /// @param rows     number of rows, even, >= 2; rows are sqrt(3)/2 spacing apart
 /// @param spacing  distance between neighbouring nodes (length)
 Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 
-/// Returns the triangular lattice that fits best into a rectangular cell. The number of columns is within 3 % of the
-/// cell's width over the spacing; the numbers of columns and rows are chosen so that the ratio of the lattice's sides
-/// is nearest to that of the cell. The lattice has the area of the cell, and its sides differ from those of the cell by
-/// some 1e-4, so that a packing mapped to it is strained by this amount.
+/// Returns the triangular lattice that fits best into a rectangular cell: the ratio of its sides is nearest to that of
+/// the cell, among lattices whose number of columns is within 3 % of the cell's width over the spacing. The lattice has
+/// the area of the cell. Its sides differ from those of the cell by some 1e-4, so that a packing has to be strained by
+/// this amount to fit.
 /// @throws InputError if the cell is not rectangular, or if more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Sine of the angle between two directions below which they count as collinear.
+/// Two directions count as collinear if the sine of the angle between them is below this value.
 constexpr double kCollinear = 1e-6;
 
 template <int Dim>
@@ -58,14 +58,13 @@ class NetworkBuilder {
     double k = stiffness_.of(kind);
     if (stiffness_.by_facet) k *= bond.facet / bond.branch.norm();
     if (k == 0.0) return;
-    // A central force acts along the line between the nodes, regardless of the position of the face between their
-    // cells.
+    // A central force acts along the line between the nodes, wherever the face between their cells is.
     const Vec<Dim> arm_i = stiffness_.central() ? Vec<Dim>(0.5 * bond.branch) : bond.arm_i;
     out_.elements.push_back({bond.i, bond.j, bond.image, bond.branch, arm_i, k, kind,
                              bare && stiffness_.contact == BareContact::unilateral, number});
   }
 
-  /// Cuts a bond across the border of the cell and fixes its two nodes according to the boundary condition.
+  /// Cuts a bond that crosses the border of the cell, and fixes its two nodes as the boundary condition requires.
   void hold(const LatticeBond<Dim>& bond) {
     if (boundary_ == LatticeBoundary::uniform_strain) {
       for (const int node : {bond.i, bond.j})
@@ -98,7 +97,7 @@ class NetworkBuilder {
     return false;
   }
 
-  /// Elements at a node: their number, the direction of the first, and whether another element has a different
+  /// Elements at a node: their number, the direction of the first one, and whether another one has a different
   /// direction.
   struct Holding {
     int count = 0;
@@ -106,8 +105,7 @@ class NetworkBuilder {
     bool spans = false;
   };
 
-  /// Removes nodes that cannot carry any force, and their elements, until there is no such node. Fixed nodes are not
-  /// removed.
+  /// Removes nodes that cannot carry any force, and their elements, until no such node is left. Fixed nodes are kept.
   void remove_dangling() {
     for (std::vector<bool> gone(out_.n_nodes, false);;) {
       const std::vector<Holding> holding = find_holding();
@@ -140,7 +138,8 @@ class NetworkBuilder {
     return holding;
   }
 
-  /// Removes connected parts that neither wind around the cell nor connect the two fixed sides of it.
+  /// Removes connected parts that cannot carry a load: they neither wind around the cell nor connect its two fixed
+  /// sides.
   void remove_islands() {
     const Parts parts = find_parts();
     std::vector<bool> carries(parts.winding.size(), false);
@@ -159,16 +158,17 @@ class NetworkBuilder {
   }
 
   struct Parts {
-    std::vector<int> of;  // part of each node; -1 for nodes without elements
+    std::vector<int> of;  // for each node, the number of its connected part; -1 for nodes without elements
     std::vector<std::vector<Vec<Dim, int>>>
-        winding;  // for each part, independent loops around the cell (whole cells)
-    // for each part, 1 if it reaches a fixed node in the lower half of the cell, plus 2 for the upper half
+        winding;  // for each part, linearly independent loops around the cell (numbers of cells)
+    // for each part, 1 if it reaches a fixed node in the lower half of the cell, plus 2 if it reaches one in the upper
+    // half
     std::vector<int> n_faces;
   };
 
   static int rank_of(const std::vector<Vec<Dim, int>>& winding) { return static_cast<int>(winding.size()); }
 
-  /// Adds a loop around the cell to those found, if it is linearly independent of them.
+  /// Adds a loop around the cell to those found so far, if it is linearly independent of them.
   static void note_winding(const Vec<Dim, int>& loop, std::vector<Vec<Dim, int>>& found) {
     if (loop.isZero() || static_cast<int>(found.size()) == Dim) return;
     Eigen::Matrix<double, Dim, Eigen::Dynamic> all(Dim, found.size() + 1);
@@ -191,7 +191,8 @@ class NetworkBuilder {
       end_of[next[out_.elements[e].j]++] = e;
     }
     std::vector<Vec<Dim, int>> cell(
-        out_.n_nodes, Vec<Dim, int>::Zero());  // periodic image in which the search reached each node
+        // for each node, the periodic image in which the search has reached it
+        out_.n_nodes, Vec<Dim, int>::Zero());
     for (int k = 0; k < out_.n_nodes; ++k) {
       if (parts.of[k] >= 0 || start[k] == start[k + 1]) continue;
       const int part = static_cast<int>(parts.winding.size());
@@ -222,8 +223,8 @@ class NetworkBuilder {
     return parts;
   }
 
-  /// Returns 1 for a fixed node in the lower half of the cell, 2 for one in the upper half, 3 if the whole border is
-  /// fixed, and 0 for a free node.
+  /// Returns which fixed sides of the cell a node belongs to: 1 for a fixed node in the lower half of the cell, 2 for
+  /// one in the upper half, 3 (both) if the whole border is fixed, and 0 for a free node.
   int faces_of(int node) const {
     if (!is_held(node)) return 0;
     if (boundary_ == LatticeBoundary::uniform_strain) return 3;
@@ -298,7 +299,7 @@ ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const st
   out.n_grains = network.n_nodes;
   out.volume = network.volume;
   out.grain_size.assign(network.n_nodes, network.spacing);
-  // The stiffness is that of an unstressed lattice, so that normal, shear and rolling forces are zero.
+  // The stiffness is that of an unloaded lattice, so that all forces of the contacts are zero.
   for (int e = 0; e < static_cast<int>(network.elements.size()); ++e) {
     if (!open.empty() && open[e]) continue;
     const LatticeElement<Dim>& from = network.elements[e];

@@ -8,12 +8,13 @@
 
 namespace floc {
 
-/// Load on a sample for each component of strain or stress, in the order of StrainSet::full; compression positive.
+/// Load on a sample: for each component, in the order of StrainSet::full, the imposed strain or the imposed stress;
+/// compression positive.
 template <int Dim>
 struct LatticeLoad {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  Components value = Components::Zero();  ///< strain of imposed components, stress of the other components
+  Components value = Components::Zero();  ///< strain for components with `imposed`, stress for the others
 
   /// Returns a load with the given stress along one axis and zero stress in all other components.
   static LatticeLoad uniaxial(int axis, double stress) {
@@ -28,37 +29,38 @@ template <int Dim>
 struct LatticeSolution {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   Components strain;  ///< strain of the cell, in the order of StrainSet::full, shortening positive
-  Components stress;  ///< stress carried by the elements, compression positive
+  Components stress;  ///< stress that the elements carry, compression positive
   std::vector<double> normal_force;  ///< normal force of each element, compression positive (force)
-  /// shear force on node i of each element (force); empty if all elements are central
+  /// shear force of each element on its node i (force); empty if all elements are central springs
   std::vector<Vec<Dim>> shear_force;
-  /// Bending moment of each element on its node i (force * length); empty if all elements are central.
+  /// Bending moment of each element on its node i (force * length); empty if all elements are central springs.
   std::vector<RotationVector<Dim>> moment;
-  std::vector<bool> open;              ///< whether each element is open, that is, carries no force
+  std::vector<bool> open;              ///< for each element, whether it is open, that is, carries no force
   std::vector<Vec<Dim>> displacement;  ///< displacement of each node relative to the uniform strain (length)
   double energy = 0.0;                 ///< elastic energy of the elements (force * length)
   SpringRelaxationReport report;
 
   int n_open() const;
-  /// Returns the force on node i of an element.
+  /// Returns the force of an element on its node i.
   Vec<Dim> force_on_i(const LatticeNetwork<Dim>& network, int element) const;
 };
 
-/// Solver for a lattice network that is loaded once or repeatedly. The factor and the set of closed elements are kept
-/// from one load to the next.
+/// Solver for a lattice network that is loaded once or several times. The factor and the set of closed elements are
+/// kept from one load to the next.
 template <int Dim>
 class LatticeSolver {
  public:
   /// @param network         network to load, which must outlive the solver
-  /// @param boundary, axis  boundary condition and axis with which the network was made
+  /// @param boundary, axis  boundary condition, and axis of the plates, with which the network was made
   LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-  /// Solves for the state under a load. Between plates, only the component of the load along their axis is used.
+  /// Finds the state of the network under a load. Between plates, only the load along the axis of the plates counts.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
-  /// Returns the stress per unit of each strain, in the order of StrainSet::full, with grains and matrix relaxed and
-  /// with the open elements of the last solution. @pre solve() was called
+  /// Returns the moduli of the sample: stress per unit of each strain after relaxation of all nodes, in the order of
+  /// StrainSet::full. The elements that were open in the last solution stay open.
+  /// @pre solve() was called
   Eigen::MatrixXd moduli();
 
   /// Removes an element permanently.

@@ -32,8 +32,9 @@ class NodeGrid {
     for (int k = 0; k < lattice.n_nodes(); ++k) order_[next[bin[k]]++] = k;
   }
 
-  /// Calls visit(node, from, image) for every image of a node that is closer to `centre` than `radius`: `from` is the
-  /// vector from the centre to the image of the node, and image * cell.matrix is the displacement of this image.
+  /// Calls visit(node, from, image) for every periodic image of a node that is closer to the point `centre` than
+  /// `radius`. `from` is the vector from `centre` to this image of the node, and image * cell.matrix is the
+  /// displacement of the image.
   template <class Visit>
   void near(const Vec<Dim>& centre, double radius, Visit&& visit) const {
     const Vec<Dim> s = lattice_.cell.reduced(centre);
@@ -77,7 +78,7 @@ class NodeGrid {
 
   const Lattice<Dim>& lattice_;
   Vec<Dim> width_;      // distances between opposite faces of the cell (length)
-  Vec<Dim, int> bins_;  // number of bins along each lattice vector
+  Vec<Dim, int> bins_;  // number of bins of the search grid along each lattice vector
   std::vector<int> start_, order_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Isotropic phase of a composite, and its share of the volume. In 2D the bulk modulus K is that of a sheet, E/(2(1 -
-/// nu)) with Young's modulus E and Poisson's ratio nu.
+/// Isotropic phase (component) of a composite, and its share of the volume. In 2D the bulk modulus K is that of a
+/// sheet, E/(2(1 - nu)) with Young's modulus E and Poisson's ratio nu.
 struct ElasticPhase {
   double share;  ///< share of the volume, 0 to 1
   double K, G;   ///< bulk and shear modulus (stress); 0 for voids
@@ -17,19 +17,21 @@ struct ModulusBounds {
 };
 
 /// Bounds on the bulk modulus K and shear modulus G of an isotropic composite of isotropic phases that are bonded to
-/// each other. The bounds of Hashin and Shtrikman take the stiffest and the softest phase as reference; if there are
-/// voids, the lower bounds are zero.
+/// each other. The bounds of Hashin and Shtrikman take the stiffest phase as reference for the upper bound and the
+/// softest for the lower bound; if there are voids, the lower bounds are zero.
 struct CompositeBounds {
   ModulusBounds K, G;
 };
 
 /// Computes the bounds on the moduli of a composite.
-/// @param phases     phases, whose shares add up to 1
+/// @param phases     phases of the composite, whose shares of the volume add up to 1
 /// @param dimension  2 or 3
 CompositeBounds composite_bounds(const std::vector<ElasticPhase>& phases, int dimension);
 
 /// Returns the moduli of a triangular lattice of springs with normal and tangential stiffnesses k_n and k_t: K =
-/// sqrt(3)/2 k_n and G = sqrt(3)/4 (k_n + k_t). They do not depend on the spacing and the bending stiffness.
+/// sqrt(3)/2 k_n and G = sqrt(3)/4 (k_n + k_t). They do not depend on the spacing or the bending stiffness.
+/// @param share   share of the volume that the phase with these moduli has
+/// @param kn, kt  stiffnesses k_n and k_t (force/length)
 ElasticPhase triangular_moduli(double share, double kn, double kt);
 
 }  // namespace floc

@@ -11,20 +11,20 @@
 namespace floc {
 namespace {
 
-/// Number of springs that have opened or closed since the factorization above which a new factor is cheaper than
-/// conjugate gradients with the old one.
+/// A new factor is made if more than this number of springs have opened or closed since the last factorization; with
+/// fewer, conjugate gradients with the old factor are cheaper.
 constexpr int kMostChanged = 60;
-/// Largest number of steps of conjugate gradients with an old factor before a new factor is made.
+/// Largest number of steps of conjugate gradients with an old factor; after that, a new factor is made.
 constexpr int kStepsOnOldFactor = 30;
 /// Largest number of unknowns for which a factor is cheap in 3D.
 constexpr int kSmallInSpace = 20000;
-/// Relative imbalance of forces below which the remaining imbalance may be rounding.
+/// If the forces that do not balance are below this share of the load and no longer decrease, they are due to rounding.
 constexpr double kRounding = 1e-8;
-/// Strain above which the load counts as unsupported, over the affine strain of the sample with all springs closed. A
-/// softer sample could not be distinguished from one with free motions by the preconditioner.
+/// Ratio of the strain to the affine strain under the same load, with all springs closed, above which the sample counts
+/// as not resisting the load. The preconditioner could not tell a softer sample from one with free motions.
 constexpr double kBeyond = 1e8;
-/// Energy of a motion along a direction, as a share of its energy according to the preconditioner, below which the
-/// motion counts as free.
+/// A motion counts as free, that is, without resistance, if its energy is below this share of the energy that the
+/// preconditioner predicts.
 constexpr double kNoEnergy = 1e-5;
 
 template <int Dim, int Size>
@@ -64,7 +64,7 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // If some motions need no energy, rounding leaves an imbalance that further rounds do not reduce.
+      // If some motions need no energy, rounding leaves forces that do not balance and that no further round reduces.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;
@@ -148,7 +148,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   struct Direction {
     Eigen::VectorXd direction;
-    bool reached = false;  // whether the imbalance has reached the target
+    bool reached = false;  // whether the forces that do not balance are within the target
   };
 
   void set_control(const StrainControl<Dim>& control) {
@@ -165,7 +165,9 @@ class Springs final : public RelaxedSprings<Dim> {
            springs_.on_strain[r].dot(x.template tail<kSymmetric<Dim>>());
   }
 
-  /// Returns the forces K x of the active springs for displacements x; zero for strains that are imposed.
+  /// Returns the forces K x of the active springs on the nodes and on the strains that are not imposed; zero for
+  /// imposed strains.
+  /// @param x  displacements of the nodes, then the strains
   Eigen::VectorXd applied(const Eigen::VectorXd& x) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
     Strains of_strains = Strains::Zero();
@@ -189,13 +191,14 @@ class Springs final : public RelaxedSprings<Dim> {
     return out;
   }
 
-  /// Determines the active one-sided springs, which are those in compression. @return number of springs that have
-  /// opened or closed
+  /// Finds the active one-sided springs, which are those in compression.
+  /// @return number of springs that have opened or closed since the last call
   int update_active() {
     int n_changed = 0;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_);
-      const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;  // without deformation all are closed
+      // A spring whose overlap is zero keeps its state, so that all are closed before the first deformation.
+      const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;
       n_changed += now != active_[r];
       active_[r] = now;
     }
@@ -207,8 +210,9 @@ class Springs final : public RelaxedSprings<Dim> {
                                           [&](int r) { return !active_[r]; }));
   }
 
-  /// Returns the size of the load in the norm of the preconditioner (square root of an energy). It combines the
-  /// imbalance of forces if no node moves relative to the imposed strain, and the energy of that strain.
+  /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. This energy is
+  /// that of the imposed strain, if the nodes follow it affinely, plus the energy that the relaxation would then
+  /// release.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
@@ -239,8 +243,8 @@ class Springs final : public RelaxedSprings<Dim> {
     ++report.n_factors;
   }
 
-  /// Solves K d = load for the active springs by conjugate gradients, until the imbalance in the norm of the
-  /// preconditioner is below `target`.
+  /// Solves K d = load for the active springs by conjugate gradients, with the stiffness matrix K, until the norm of
+  /// the residual in the norm of the preconditioner is at most `target`.
   Direction solve(const Eigen::VectorXd& load, double target, int most_steps,
                   SpringRelaxationReport& report) const {
     Direction out{Eigen::VectorXd::Zero(load.size())};
@@ -251,8 +255,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const Eigen::VectorXd q = applied(p);
       const double curvature = p.dot(q);
       if (curvature <= (inverse_->is_exact() ? kNoEnergy : 1e-14) * rz) {
-        // No spring resists the direction p. In the first step p itself is returned, since one-sided springs may close
-        // along it; in later steps the direction found so far is returned.
+        // No spring resists the direction p. In the first step p itself is returned, because one-sided springs may
+        // close along it; in later steps the direction found so far is returned.
         if (step == 0) out.direction = p;
         return out;
       }
@@ -284,7 +288,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   void take_step(const Eigen::VectorXd& down, double norm, double whole, SpringRelaxationReport& report) {
     const bool one_sided = !springs_.one_sided.empty();
-    // While the active springs change, an approximate direction suffices if directions are expensive.
+    // While springs still open and close, an approximate direction suffices, unless an exact one is cheap.
     const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;
     const double target = std::max(share * norm, 0.5 * settings_.tolerance * whole);
     const bool old_factor = inverse_->is_exact() && prepared_ != active_;
@@ -297,13 +301,15 @@ class Springs final : public RelaxedSprings<Dim> {
     if (strain().norm() > largest_strain()) report.holds = false;
   }
 
-  /// Moves to the smallest energy along a direction. @return false if the energy decreases without limit
+  /// Moves to the point of smallest energy along a direction.
+  /// @param down  minus the gradient of the energy
+  /// @return false if the energy decreases without limit
   bool search_along(const Eigen::VectorXd& direction, const Eigen::VectorXd& down) {
     const double slope = -down.dot(direction);
     if (slope >= 0.0) return true;
     double square = 0.0,
            linear = slope;  // slope of the energy of two-sided springs after t steps: linear + t square
-    // overlap, change of overlap per step, stiffness of each one-sided spring
+    // overlap, change of the overlap per unit step along the direction, and stiffness of each one-sided spring
     std::vector<std::array<double, 3>> one_sided;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_), d = overlap(r, direction);
@@ -343,14 +349,14 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  /// Number of steps along a direction after which an energy that still decreases counts as unlimited.
+  /// If the energy still decreases this many unit steps along a direction, it counts as decreasing without limit.
   static constexpr double kForEver = 1e12;
 
   RelaxationSettings settings_;
   SpringRows<Dim, Size> springs_;
   std::vector<int> here_;
   Eigen::VectorXd x_;  // displacements of the nodes, then the strains
-  // for each row, whether the spring is active, and whether it was when the preconditioner was made
+  // for each spring, whether it is active now, and whether it was when the preconditioner was made
   std::vector<char> active_, prepared_;
   bool ready_ = false;
   StrainControl<Dim> control_;

@@ -16,73 +16,78 @@ enum class LatticeMethod {
   iterative,  ///< conjugate gradients with diagonal blocks as preconditioner: hundreds of steps, little memory
 };
 
-/// Progress of one round of the relaxation, in which the set of closed unilateral elements (the active set) is fixed.
+/// Progress of one round of the relaxation. During a round, no unilateral element opens or closes.
 struct RelaxationRound {
   int round;         ///< number of the round, from 1
-  int n_open;        ///< number of open unilateral elements
+  int n_open;        ///< number of open unilateral elements (which carry no force)
   int n_changed;     ///< number of elements that have opened or closed since the last round
-  int n_steps;       ///< number of steps of conjugate gradients
-  double imbalance;  ///< imbalance of the forces over the size of the load
-  bool factorized;   ///< whether a new factor or preconditioner was made
+  int n_steps;       ///< number of steps of conjugate gradients in this round
+  double imbalance;  ///< size of the forces that do not balance, over the size of the load
+  bool factorized;   ///< whether a new preconditioner (such as a factor) was made
 };
 
 struct RelaxationSettings {
   LatticeMethod method = LatticeMethod::automatic;
-  /// Largest imbalance of the forces that is accepted, over the size of the load, in the norm of the preconditioner.
+  /// The relaxation ends when the forces that do not balance are at most this share of the load, both in the norm of
+  /// the preconditioner.
   double tolerance = 1e-10;
-  int max_rounds = 100;  ///< largest number of rounds; about ten are usual
-  /// Function that is called once per round, if set.
+  int max_rounds = 100;  ///< largest number of rounds of the relaxation; about ten are usual
+  /// Function that is called after each round of the relaxation, if set.
   std::function<void(const RelaxationRound&)> observe = {};
 };
 
-/// Control of the cell: for each component, whether the strain or the load is imposed, and its value.
+/// For each strain component of the cell, whether the strain or the load is imposed, and its value.
 template <int Dim>
 struct StrainControl {
   Eigen::Matrix<bool, kSymmetric<Dim>, 1>
       imposed;  ///< true if the strain is imposed, false if the load is imposed
-  Eigen::Matrix<double, kSymmetric<Dim>, 1> value;  ///< strain, or load as volume times stress
+  Eigen::Matrix<double, kSymmetric<Dim>, 1> value;  ///< imposed strain; or imposed load, as volume times stress
 };
 
 /// Report of the relaxation of a lattice.
 struct SpringRelaxationReport {
   bool converged = false;
   bool holds = true;       ///< false if no spring resists the load, which then moves a mechanism
-  double imbalance = 0.0;  ///< remaining imbalance of the forces over the size of the load
-  int n_rounds = 0, n_steps = 0, n_factors = 0;  ///< numbers of rounds, steps and preconditioners made
+  double imbalance = 0.0;  ///< size of the forces that still do not balance, over the size of the load
+  /// numbers of rounds, of conjugate-gradient steps and of preconditioners made
+  int n_rounds = 0, n_steps = 0, n_factors = 0;
 };
 
-/// Springs between nodes and the strain of their cell, relaxed to the smallest energy. Some springs are one-sided: they
-/// carry compression only. With the overlaps o, the energy 1/2 sum k o^2 + 1/2 sum over the one-sided springs of k
-/// max(o, 0)^2 - load . strain is convex. The state is found by Newton's method for the set of one-sided springs in
-/// compression (the active set), starting from the last set, or at first with all springs closed. A line search for the
-/// smallest energy along each step makes the energy decrease in every round, so that no set occurs twice.
+/// Springs between nodes in a cell, whose positions and strain are relaxed to the smallest energy. Some springs are
+/// one-sided: they carry compression only. With the overlap o and the stiffness k of a spring, the energy is 1/2 sum k
+/// o^2 over the two-sided springs + 1/2 sum k max(o, 0)^2 over the one-sided ones - load . strain; it is convex. Its
+/// minimum is found by Newton's method for the one-sided springs in compression (the active set). The first set is that
+/// of the last relaxation, or contains all springs. Along each step, a line search finds the smallest energy. The
+/// energy thus decreases in every round, and no set occurs twice.
 template <int Dim>
 class RelaxedSprings {
  public:
   virtual ~RelaxedSprings() = default;
 
   /// Relaxes the springs under imposed strains and loads.
-  /// @return report of the relaxation; the state is the best one found, whether or not it has converged
+  /// @return report of the relaxation; the springs are left in the best state found, whether or not it has converged
   [[nodiscard]] virtual SpringRelaxationReport relax(const StrainControl<Dim>& control) = 0;
-  /// Returns the volume times the change of stress per unit of each strain, in the order of StrainSet::full, if no
-  /// spring opens or closes. @pre relax() was called
+  /// Returns the volume times the stress per unit of each strain after relaxation of the nodes, in the order of
+  /// StrainSet::full, if no spring opens or closes.
+  /// @pre relax() was called
   virtual Eigen::MatrixXd tangent_stiffness() = 0;
 
   virtual Eigen::Matrix<double, kSymmetric<Dim>, 1> strain() const = 0;
   /// Returns the volume times the stress that the springs carry.
   virtual Eigen::Matrix<double, kSymmetric<Dim>, 1> load() const = 0;
-  /// Returns the force of a spring (row): stiffness times overlap; 0 if the spring is open.
+  /// Returns the force of a spring: stiffness times overlap; 0 if the spring is open.
+  /// @param row  number of the spring
   virtual double force(int row) const = 0;
   virtual bool open(int row) const = 0;
-  /// first row of the springs of each element, then the number of rows
+  /// Returns, for each element, the number of its first spring (row); the last entry is the number of springs.
   virtual const std::vector<int>& first_row() const = 0;
-  /// Returns the displacement of a node of the lattice relative to the uniform strain; zero for nodes without
+  /// Returns the displacement of a node of the lattice relative to the uniform strain; zero for a node without
   /// elements.
   virtual Vec<Dim> displacement(int node) const = 0;
   virtual int n_unknowns() const = 0;
   virtual double energy() const = 0;
 
-  /// Removes all springs (rows) of an element.
+  /// Removes all springs of an element.
   virtual void remove_element(int element) = 0;
 };
 

@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Shift added to the diagonal, over the largest stiffness: far below stiffnesses that carry a load, far above
-/// rounding.
+/// Shift that is added to the diagonal of the stiffness matrix, over the largest stiffness: far below stiffnesses that
+/// carry a load, far above rounding errors.
 constexpr double kShift = 1e-9;
 
 template <int Dim, int Size>
@@ -24,7 +24,10 @@ double largest_stiffness(const SpringRows<Dim, Size>& springs) {
   return largest > 0.0 ? largest : 1.0;
 }
 
-/// Returns the inverse of the block of the free strains; rows and columns of other strains are zero.
+/// Returns the inverse of the block of a matrix that belongs to the free strains; rows and columns of other strains are
+/// zero.
+/// @param block  stiffness of all strains
+/// @param free   for each strain, whether it is free, that is, not imposed
 Eigen::MatrixXd free_inverse(const Eigen::MatrixXd& block, std::span<const bool> free) {
   std::vector<int> kept;
   for (int a = 0; a < static_cast<int>(free.size()); ++a)
@@ -83,7 +86,7 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
   bool is_exact() const override { return true; }
 
  private:
-  /// Number of unknowns above which nested dissection gives a better ordering for lattices than minimum degree.
+  /// Number of unknowns of a lattice above which nested dissection gives a better ordering than minimum degree.
   static constexpr int kLarge = 20000;
 
   StiffnessMatrix assemble(const std::vector<char>& active) const {
@@ -105,9 +108,9 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
   SymmetricFactor factor_;
   std::vector<int> group_;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> free_ = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  Eigen::MatrixXd affine_;   // displacement of the nodes per unit of each strain, with reversed sign
-  Eigen::MatrixXd schur_;    // stiffness of the strains with relaxed nodes, over `unit_`
-  Eigen::MatrixXd strains_;  // inverse of the block of `schur_` for the free strains
+  Eigen::MatrixXd affine_;   // minus the displacement of the nodes per unit of each strain
+  Eigen::MatrixXd schur_;    // stiffness of the strains after relaxation of the nodes, over `unit_`
+  Eigen::MatrixXd strains_;  // inverse of the block of `schur_` that belongs to the free strains
 };
 
 template <int Dim, int Size>

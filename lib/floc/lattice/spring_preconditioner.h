@@ -7,33 +7,34 @@
 
 namespace floc {
 
-/// Approximate inverse of the stiffness matrix of springs, whose unknowns are the motions of nodes and the strains that
-/// are not imposed.
+/// Approximate inverse of the stiffness matrix of springs. Its unknowns are the motions of the nodes, then the strains
+/// of the cell.
 template <int Dim, int Size>
 class SpringPreconditioner {
  public:
   using Strains = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
 
   virtual ~SpringPreconditioner() = default;
-  /// Prepares the inverse for the springs that are closed. @param active  one entry per row: whether its spring is
-  /// closed
+  /// Computes the approximate inverse for given closed springs; must be called before apply().
+  /// @param active  for each spring, whether it is closed
   virtual void prepare(const std::vector<char>& active) = 0;
-  /// Sets which strains are free, that is, not imposed.
+  /// Sets, for each strain, whether it is free, that is, an unknown instead of an imposed value.
   virtual void set_free(const Eigen::Matrix<bool, kSymmetric<Dim>, 1>& free) = 0;
-  /// Returns the inverse times a residual, whose entries are those of nodes, then of strains; the result is zero for
-  /// strains that are not free.
+  /// Returns the product of the approximate inverse with a residual; zero for strains that are not free.
+  /// @param residual  entries for the motions of the nodes, then for the strains
   virtual Eigen::VectorXd apply(const Eigen::VectorXd& residual) const = 0;
-  /// Returns whether the inverse is nearly exact for the prepared springs, so that it remains useful if a few springs
-  /// open or close.
+  /// Returns whether the inverse is nearly exact for the springs given to prepare(), so that it remains useful if a few
+  /// springs open or close.
   virtual bool is_exact() const = 0;
 };
 
-/// Returns a preconditioner by a Cholesky factor. The diagonal is shifted by 1e-9 of the largest stiffness, because
-/// some motions may have no stiffness.
+/// Returns a preconditioner that uses a Cholesky factor. 1e-9 of the largest stiffness is added to the diagonal,
+/// because some motions may have no stiffness.
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> factor_preconditioner(const SpringRows<Dim, Size>& springs);
 
-/// Returns a preconditioner by the diagonal blocks of the nodes and the affine stiffness of the strains.
+/// Returns a preconditioner that uses the diagonal blocks of the nodes and the stiffness of the strains in affine
+/// motion.
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> block_preconditioner(const SpringRows<Dim, Size>& springs);
 

@@ -70,7 +70,8 @@ class RowBuilder {
   }
 
   const LatticeNetwork<Dim>& network_;
-  std::vector<int> here_;  // index in `node` of each node of the lattice; -1 if it has no element
+  std::vector<int>
+      here_;  // for each node of the lattice, its index in SpringRows::node; -1 if it has no element
   SpringRows<Dim, Size> out_;
 };
 

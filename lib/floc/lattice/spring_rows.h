@@ -8,28 +8,28 @@
 
 namespace floc {
 
-/// Lattice network as springs between nodes with `Size` unknowns each. If all elements are central, Size = Dim, because
-/// no rotations are needed; otherwise Size = kDofs<Dim>, with rotations multiplied by the spacing. Nodes without
-/// elements have no unknowns.
+/// Lattice network as a list of springs between nodes with `Size` unknowns each. If all elements are central springs,
+/// no rotations are needed and Size = Dim; otherwise Size = kDofs<Dim>, with rotations multiplied by the spacing. Nodes
+/// without elements have no unknowns.
 template <int Dim, int Size>
 struct SpringRows {
   using OnNode = Eigen::Matrix<double, Size, 1>;
   using OnStrain = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
-  /// Row of a spring: coefficients of the unknowns of its two nodes in its elongation. The first row of an element
-  /// gives its overlap instead, with shortening positive.
+  /// One spring: coefficients by which its elongation depends on the unknowns of its two nodes. The first spring of an
+  /// element is along the element; its coefficients give its overlap instead, which is positive in compression.
   struct Row {
-    int i, j;           // indices of the two nodes in `node`
+    int i, j;           // indices of the two nodes in SpringRows::node
     OnNode on_i, on_j;  // zero for fixed displacements; if i = j, `on_i` contains both
     double stiffness;
   };
 
   std::vector<Row> rows;
-  /// Coefficients of the strains in each row, in the order of StrainSet::full.
+  /// For each spring, coefficients by which its elongation depends on the strains, in the order of StrainSet::full.
   std::vector<OnStrain> on_strain;
-  std::vector<int> element;    ///< number of the element to which each row belongs
-  std::vector<int> one_sided;  ///< rows of unilateral elements, ascending
-  std::vector<int> first_row;  ///< first row of each element, then the number of rows
-  std::vector<int> node;       ///< number in the lattice of each node with unknowns
+  std::vector<int> element;    ///< for each spring, the number of its element
+  std::vector<int> one_sided;  ///< numbers of the springs of unilateral elements, ascending
+  std::vector<int> first_row;  ///< for each element, the number of its first spring; then the number of springs
+  std::vector<int> node;       ///< for each node with unknowns, its number in the lattice
   int n_unknowns() const { return Size * static_cast<int>(node.size()); }
 };
 

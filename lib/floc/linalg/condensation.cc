@@ -14,18 +14,18 @@ template <class Real>
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Extended = Vector<long double>;
 
-/// Relative rounding error of an entry of the matrices A and B of a SpringSystem, which results from a few products,
-/// quotients and roots.
+/// Bound on the relative rounding error of an entry of the matrices A and B of a SpringSystem, which results from a few
+/// products, quotients and roots.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 template <class Real>
 struct SpringForces {
-  Vector<Real> force;  // forces A^T k (A u + B e) on the free unknowns
+  Vector<Real> force;  // force A^T k (A u + B e) on each free unknown
   Real energy;         // twice the energy: sum of k (A u + B e)^2
 };
 
-/// Computes the forces of the springs for displacements u of the free unknowns.
-/// @param boundary  boundary unknown that is displaced by one; negative if no boundary unknown is displaced
+/// Computes the forces and the energy of the springs for displacements u of the free unknowns.
+/// @param boundary  index of the boundary unknown that is displaced by 1; negative if none is displaced
 template <class Real>
 SpringForces<Real> spring_forces(const SpringSystem& s, const Vector<Real>& u, int boundary) {
   SpringForces<Real> out{Vector<Real>::Zero(s.on_free.cols()), 0};
@@ -42,7 +42,7 @@ SpringForces<Real> spring_forces(const SpringSystem& s, const Vector<Real>& u, i
   return out;
 }
 
-/// Relaxation of the free unknowns for a unit of one boundary unknown, by preconditioned conjugate gradients, or by
+/// Relaxes the free unknowns while one boundary unknown is displaced by 1: by preconditioned conjugate gradients, or by
 /// plain iterative refinement if the system is indefinite.
 template <class Real>
 class Relaxation {
@@ -77,17 +77,18 @@ class Relaxation {
   double load() const { return load_; }
   int steps() const { return steps_; }
 
-  /// Returns an upper bound on r^T K^-1 r for the residual r and the stiffness matrix K: twice the energy that
-  /// relaxation can still release.
+  /// Returns an upper bound on r^T K^-1 r for the residual force r and the stiffness matrix K: twice the energy that
+  /// further relaxation would release.
   double excess() const {
     if (work_ == 0.0) return 0.0;
     if (inverse_.estimated_ratio) return work_ / estimated_ratio();
     return inverse_.definite ? work_ / inverse_.smallest_ratio : work_ * inverse_.inverse_norm;
   }
 
-  /// Returns whether the energy that can still be released is within the tolerance. At least one step is required, so
-  /// that the solution of an approximate inverse is refined once. If the error is estimated from the steps themselves,
-  /// kStepsOfEstimate steps are required.
+  /// Returns whether the relaxation is close enough to its end: whether excess(), twice the energy that further
+  /// relaxation would release, is at most `tolerance` times twice the present energy. At least one step is required, so
+  /// that the solution by an approximate inverse is refined once. If `smallest_ratio` has to be estimated from the
+  /// steps, kStepsOfEstimate steps are required.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
     if (steps_ < (inverse_.estimated_ratio ? kStepsOfEstimate : 1)) return false;
@@ -97,15 +98,17 @@ class Relaxation {
   }
 
  private:
-  /// Number of steps before Ritz values are used, and share of the smallest Ritz value that is used: this value
-  /// decreases towards the eigenvalue as the iteration continues (it has been 5 times too large in a case where few of
-  /// 2200 contacts had changed).
+  /// kStepsOfEstimate is the number of steps after which Ritz values estimate the lowest eigenvalue of M^-1 K. The
+  /// smallest Ritz value decreases towards this eigenvalue as the iteration continues, and is multiplied by
+  /// kShareOfRitz to make it a safe estimate (it was 5 times too large in a case where few of 2200 contacts had
+  /// changed).
   static constexpr int kStepsOfEstimate = 4;
   static constexpr double kShareOfRitz = 0.1;
 
-  /// Returns the share kShareOfRitz of the lowest Ritz value of the preconditioned matrix M^-1 K in the directions
-  /// taken so far, at most 1; 0 after too few steps. It is the lowest eigenvalue of the tridiagonal matrix of Lanczos'
-  /// process, which follows from the coefficients alpha and beta of conjugate gradients.
+  /// Returns an estimate of the lowest eigenvalue of the preconditioned matrix M^-1 K: its lowest Ritz value in the
+  /// directions taken so far, times kShareOfRitz, but at most 1; 0 before kStepsOfEstimate steps. The Ritz value is the
+  /// lowest eigenvalue of the tridiagonal matrix of Lanczos' process, whose entries follow from the coefficients alpha
+  /// and beta of conjugate gradients.
   double estimated_ratio() const {
     const auto n = static_cast<Eigen::Index>(alphas_.size());
     if (n < kStepsOfEstimate) return 0.0;
@@ -136,7 +139,7 @@ class Relaxation {
     const Vector<Real> r = r_;
     const Real work = z_.dot(r_);
     balance();
-    // The formula of Polak and Ribiere allows for rounding errors in the application of the inverse.
+    // Polak and Ribiere's formula for beta tolerates rounding errors in the product with the approximate inverse.
     const Real beta = inverse_.definite ? std::max(z_.dot(r_ - r) / work, Real(0)) : Real(0);
     direction_ = z_ + beta * direction_;
     alphas_.push_back(static_cast<double>(alpha));
@@ -148,26 +151,26 @@ class Relaxation {
   const ApproximateInverse& inverse_;
   int boundary_;
   Vector<Real> u_, r_, z_, direction_;
-  double stiffness_ = 0.0;  // diagonal entry of the condensed stiffness S at u
+  double stiffness_ = 0.0;  // diagonal entry of the condensed stiffness at the present displacements
   double work_ = 0.0;       // r^T M^-1 r for the residual force r; |r|^2 for an indefinite system
   double load_ = 0.0;       // largest residual force at u = 0
   int steps_ = 0;
   std::vector<double> alphas_, betas_;  // coefficients alpha and beta of each step
 };
 
-/// Computes S = (A U + B)^T k (A U + B), and a bound on the error of S that is caused by the rounding of the entries of
-/// A and B.
+/// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem, with the relaxed unknowns `u` as
+/// columns of U, and a bound on the error of S that results from rounding in the entries of A and B.
 void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condensation& out) {
   const int n = static_cast<int>(u.size());
   Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> sum(n, n);
   sum.setZero();
   Extended elongation(n);
   Eigen::VectorXd rounding(n);
-  // The error of S in this quadratic form is of second order in the error of U. The form is summed spring by spring in
-  // extended precision, because the rounding of an assembled K would affect the result.
+  // An error of U changes the quadratic form S only in second order. The form is summed spring by spring in extended
+  // precision, because the rounding of an assembled stiffness matrix would affect S.
   for (Eigen::Index r = 0; r < s.on_free.rows(); ++r) {
-    // The terms of the elongation (A U + B)_r nearly cancel, so that its error is bounded by the sum of their absolute
-    // values.
+    // The terms of the elongation (A U + B)_r nearly cancel. The bound on its rounding error is therefore proportional
+    // to the sum of their absolute values.
     for (int b = 0; b < n; ++b) {
       elongation[b] = s.on_boundary(r, b);
       rounding[b] = std::abs(s.on_boundary(r, b));
@@ -189,9 +192,10 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   out.stiffness = sum.cast<double>();
 }
 
-/// Relaxes the free unknowns for a unit of each boundary unknown in turn.
-/// @param u       receives the relaxed unknowns
-/// @param excess  receives, for each boundary unknown, the square root of the energy that could still be released
+/// Relaxes the free unknowns for each boundary unknown in turn, displaced by 1.
+/// @param u       receives the relaxed free unknowns, one vector per boundary unknown
+/// @param excess  receives, for each boundary unknown, the square root of twice the energy that further relaxation
+///                would release
 template <class Real>
 void relax_each(const SpringSystem& springs, const ApproximateInverse& inverse,
                 const CondensationOptions& options, std::vector<Extended>& u, Eigen::VectorXd& excess,
@@ -225,7 +229,7 @@ Condensation condense(const SpringSystem& springs, const ApproximateInverse& inv
     relax_each<double>(springs, inverse, options, u, excess, out);
   sum_energies(springs, u, out);
   out.error += excess * excess.transpose();
-  // The result itself is rounded to double precision.
+  // The condensed stiffness itself is rounded to double precision.
   out.error += std::numeric_limits<double>::epsilon() * out.stiffness.cwiseAbs();
   return out;
 }

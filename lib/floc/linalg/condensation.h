@@ -9,58 +9,70 @@ namespace floc {
 struct SpringSystem {
   Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;  ///< A: one row per spring, one column per free unknown
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      on_boundary;            ///< B: one row per spring
+      on_boundary;            ///< B: one row per spring, one column per boundary unknown
   Eigen::VectorXd stiffness;  ///< k: stiffness of each spring; may be negative
 };
 
 /// Approximation M^-1 of the inverse of the stiffness matrix K = A^T k A of a SpringSystem, with bounds on its quality.
 struct ApproximateInverse {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< returns M^-1 b for a vector b
-  /// Whether K and M are positive semidefinite. The refinement then minimises the energy by conjugate gradients.
+  /// Whether K and M are positive semidefinite. condense() then minimises the energy by conjugate gradients.
   bool definite = true;
-  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. 0 if it is unknown; there is then no error bound.
+  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. 0 if it is unknown; condense() then gives no
+  /// error bound.
   double smallest_ratio = 0.0;
-  /// If `definite` and `smallest_ratio` is unknown: whether to estimate it from the Ritz values of the refinement, so
-  /// that the error is an estimate. Ritz values and error may miss a soft motion that the loads hardly excite.
+  /// If `definite` and `smallest_ratio` is unknown: whether condense() estimates that ratio from the Ritz values of its
+  /// conjugate gradients. The error that it returns is then an estimate, not a bound: Ritz values may miss a soft
+  /// motion that the loads hardly excite.
   bool estimated_ratio = false;
   /// If not `definite`: upper bound on the 2-norm of K^-1; infinite if it is unknown.
   double inverse_norm = 0.0;
 };
 
 struct CondensationOptions {
-  double tolerance = 1e-10;  ///< relative tolerance on the diagonal entries of the condensed stiffness
-  /// Largest number of refinement steps. A good approximate inverse needs one step, and one more for each
-  /// near-mechanism that it does not resolve.
+  /// tolerance on the error of the diagonal entries of the condensed stiffness, relative to each of them
+  double tolerance = 1e-10;
+  /// Largest number of refinement steps per boundary unknown. A good approximate inverse needs one step, and one more
+  /// for each motion of almost zero stiffness that it does not resolve.
   int max_steps = 100;
-  /// whether residuals are computed in extended precision; in double they are several times faster
+  /// whether residual forces are computed in extended precision (long double); double precision is several times faster
   bool extended = true;
-  int patience = 5;  ///< number of steps without progress after which the refinement has reached rounding
-  /// Start values of u, one column per boundary unknown, for example the response of a nearby state; empty for u = 0.
+  /// number of consecutive steps without progress after which the refinement stops, because only rounding errors are
+  /// left
+  int patience = 5;
+  /// Start values of the free unknowns u, one column per boundary unknown, for example the response of a nearby state;
+  /// empty to start from u = 0.
   Eigen::MatrixXd start = {};
 };
 
-/// Result of static condensation: the stiffness of the boundary unknowns after relaxation of the free unknowns (Schur
-/// complement).
+/// Result of static condensation (a Schur complement): the stiffness of the boundary unknowns e when the free unknowns
+/// u of a SpringSystem relax.
 struct Condensation {
-  /// condensed stiffness S: 1/2 e^T S e is the minimum of the energy over u, or its stationary value if indefinite
+  /// condensed stiffness S: 1/2 e^T S e is the minimum of the energy over u, or its stationary value if A^T k A is
+  /// indefinite
   Eigen::MatrixXd stiffness;
-  Eigen::MatrixXd error;     ///< bound on the error of each entry of S; infinite if no bound can be given
-  Eigen::MatrixXd response;  ///< relaxed u for a unit of each boundary unknown
-  double imbalance = 0.0;    ///< largest residual force |A^T k (A u + B e)| over all unknowns and columns
-  double load = 0.0;         ///< largest residual force at u = 0, |A^T k B e|, over all unknowns and columns
-  int steps = 0;             ///< largest number of refinement steps of a column
-  bool converged = true;     ///< whether the error bound (or estimate) reached the tolerance in every column
+  /// bound on the error of each entry of `stiffness`; infinite if no bound can be given
+  Eigen::MatrixXd error;
+  Eigen::MatrixXd response;  ///< relaxed u, in column j if boundary unknown j is displaced by 1
+  /// largest residual force |A^T k (A u + B e)| on a free unknown, in any column of `response`
+  double imbalance = 0.0;
+  /// largest force |A^T k B e| on a free unknown before relaxation (u = 0), for one boundary unknown displaced by 1
+  double load = 0.0;
+  int steps = 0;          ///< largest number of refinement steps that a column of `response` needed
+  bool converged = true;  ///< whether the error of every diagonal entry of `stiffness` is within the tolerance
 };
 
-/// Computes the static condensation of a system of springs. Residuals are summed spring by spring in extended
-/// precision, so that the rounding of an assembled stiffness matrix K or of its factor does not affect the result; it
-/// only slows the refinement.
+/// Computes the static condensation of a system of springs with the matrices A, B and k of SpringSystem and the
+/// stiffness matrix K = A^T k A, by refinement with an approximate inverse M^-1 of K. Residual forces are summed spring
+/// by spring in extended precision. The rounding of an assembled K or of its factor therefore does not affect the
+/// result; it only slows the refinement.
 ///
-/// The error bound has two parts. The first is r^T K^-1 r for the residual force r, which is twice the energy that
-/// could still be released; it is bounded by r^T M^-1 r over `smallest_ratio` (or by |r|^2 |K^-1|). The second is the
-/// rounding of the entries of A and B, which are assumed correct to a few units in the last place. It changes the
-/// energy by the derivative with respect to these entries at fixed u, and by the square of the change of each spring's
-/// elongation; no condition number enters.
+/// The error bound is the sum of two terms:
+/// 1. r^T K^-1 r for the residual force r. It is twice the energy that further relaxation would release. It is at most
+///    r^T M^-1 r / `smallest_ratio`, or |r|^2 |K^-1| if K is indefinite.
+/// 2. The effect of rounding in the entries of A and B, which are assumed correct to a few units in the last place. To
+///    first order, it is the derivative of the energy with respect to these entries at fixed u; the second order, the
+///    square of the change of each spring's elongation, is added. No condition number enters.
 [[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
                                     const CondensationOptions& options);
 

@@ -6,7 +6,7 @@ namespace floc {
 
 double inverse_norm_estimate(Eigen::Index n,
                              const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply_inverse) {
-  constexpr int kMaxSteps = 5;  // more steps do not improve the estimate (Higham)
+  constexpr int kMaxSteps = 5;  // more steps of Hager's method do not improve the estimate (Higham)
   Eigen::VectorXd x = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
   double norm = 0.0;
   for (int step = 0; step < kMaxSteps; ++step) {

@@ -10,14 +10,15 @@
 namespace floc {
 namespace {
 
-/// Number of floating-point operations of a factorization per group of unknowns above which nested dissection is tried.
-/// Finding the order by nested dissection takes as long as some 3e5 operations per group.
+/// Ordering::automatic tries nested dissection if a factorization would take more floating-point operations per group
+/// of unknowns than this. To find an order by nested dissection takes as long as some 3e5 operations per group.
 constexpr double kNestedDissectionCost = 1e6;
 
 /// Order in which groups of unknowns are eliminated.
 struct GroupOrder {
   std::vector<SuiteSparse_long> group;  // groups in the order of elimination
-  double operations;  // floating-point operations of a factorization with one unknown per group
+  // floating-point operations of a factorization in this order if each group had one unknown
+  double operations;
 };
 
 /// Graph of the groups of unknowns, for which CHOLMOD finds elimination orders.
@@ -53,8 +54,8 @@ class GroupGraph {
   }
 
  private:
-  /// Builds the pattern of the graph: its lower triangle, with one entry for each pair of groups that share an entry of
-  /// the matrix.
+  /// Builds the pattern of the graph as a lower triangle: two groups are connected if the matrix has an entry whose row
+  /// is in one group and whose column is in the other.
   void make_pattern(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group) {
     std::vector<SuiteSparse_long> start{0}, row;
     std::vector<int> last_seen(n_, -1);

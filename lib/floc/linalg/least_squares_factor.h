@@ -5,24 +5,25 @@
 
 namespace floc {
 
-/// Sparse factor R of A = Q R (SuiteSparseQR), for systems A^T A x = b whose matrix must not be formed: the condition
-/// number of R is the square root of that of A^T A.
+/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). It solves A^T A x = b without forming A^T A, whose
+/// rounding would cost digits: its condition number is the square of that of R.
 class LeastSquaresFactor {
  public:
   /// Factorizes A (column-major; it is copied).
-  /// @param rank_tolerance  length below which the part of a column that is orthogonal to the previous columns counts
-  ///                        as zero; the column is then left out, and its unknown is zero in solutions
+  /// @param rank_tolerance  A column of A counts as dependent if its component orthogonal to the previous columns is
+  ///                        shorter than this. The column is then left out, and its unknown is zero in solutions
   /// @throws std::runtime_error if memory runs out
   LeastSquaresFactor(const Eigen::SparseMatrix<double>& matrix, double rank_tolerance);
   ~LeastSquaresFactor();
   LeastSquaresFactor(LeastSquaresFactor&&) noexcept;
   LeastSquaresFactor& operator=(LeastSquaresFactor&&) noexcept;
 
-  /// Returns the number of columns of A that are not left out as dependent.
+  /// Returns the numerical rank of A: the number of columns that were not left out as dependent.
   int rank() const;
 
-  /// Returns R^-1 R^-T b: the solution of A^T A x = b with zero for the unknowns of dependent columns. Its relative
-  /// error is the rounding error times the condition number of R; refinement with A reduces it.
+  /// Returns R^-1 R^-T b: the solution of A^T A x = b with zero for the unknowns of columns that were left out. The
+  /// relative error of the solution is the rounding error times the condition number of R; iterative refinement with A
+  /// reduces it.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

@@ -14,21 +14,23 @@
 namespace floc {
 namespace {
 
-/// Smallest shift of the matrix that is tried: far above the rounding of a matrix of order one, and below all
-/// eigenvalues but those of mechanisms.
+/// Smallest shift that is tried to make a matrix positive definite: far above the rounding error of a matrix of order
+/// one, and below all eigenvalues but those of mechanisms.
 constexpr double kFirstShift = 1e-10;
-/// Largest shift that is tried.
+/// Largest shift that is tried to make a matrix positive definite.
 constexpr double kLastShift = 1e6;
-/// Relative change of the eigenvalues of the inverse at which Lanczos' iteration ends. Eigenvalues are then accurate to
-/// this value, and eigenvectors to its square root over the relative distance of the next eigenvalue.
+/// Lanczos' iteration ends when the relative change of the eigenvalues of the inverse is below this value. Eigenvalues
+/// then have this relative error, and eigenvectors its square root divided by the relative distance to the next
+/// eigenvalue.
 constexpr double kConverged = 1e-11;
 constexpr int kMaxRestarts = 300;
-/// Distance of the bound from an eigenvalue at which rounding does not change the inertia of A - bound * 1.
+/// Distance of a bound from the nearest eigenvalue of A above which rounding does not change the inertia of
+/// A - bound * 1.
 constexpr double kClear = 1e-13;
-/// Largest order of a matrix whose eigenpairs are computed densely, in negligible time.
+/// Largest order of a matrix whose eigenpairs are computed by a dense solver, in negligible time.
 constexpr int kDense = 120;
 
-/// Projector onto the space orthogonal to some vectors.
+/// Projector onto the space orthogonal to the columns of a sparse and of a dense matrix.
 class Projector {
  public:
   explicit Projector(const Eigen::SparseMatrix<double>& sparse) : sparse_(sparse) {
@@ -50,7 +52,8 @@ class Projector {
   Eigen::MatrixXd dense_;
 };
 
-/// Operator P (A + s)^-1 P in the form that Spectra requires, with the projector P and the shift s.
+/// Operator P (A + s * 1)^-1 P in the form that Spectra requires, with the matrix A and the shift s in `factor`, and
+/// the projector P.
 struct ShiftInvert {
   using Scalar = double;
   const SymmetricFactor& factor;
@@ -70,17 +73,19 @@ double make_positive(SymmetricFactor& factor) {
   for (double shift = kFirstShift; shift < kLastShift; shift *= 10.0)
     if (factor.factorize_positive(shift)) return shift;
   throw std::runtime_error(
-      "no shift makes the stiffness matrix positive definite; it probably contains values that are not finite");
+      "the modes cannot be computed, probably because the stiffness matrix contains values that are not "
+      "finite");
 }
 
-/// Returns up to `count` further eigenpairs, lowest first, orthogonal to the vectors that the projector removes.
+/// Returns up to `count` eigenpairs of the matrix in `factor`, lowest first, that are orthogonal to the vectors that
+/// the projector removes.
 Eigenpairs search(const SymmetricFactor& factor, const Projector& project, double shift, Eigen::Index n,
                   int count) {
   ShiftInvert op{factor, project, n};
   const Eigen::Index basis = std::min<Eigen::Index>(n, std::max(2 * count + 20, 40));
   Spectra::SymEigsShiftSolver<ShiftInvert> solver(op, count, basis, -shift);
-  // The start vector must not be orthogonal to a mode because of the symmetry of a lattice, so its entries have no such
-  // symmetry.
+  // If the start vector had the symmetry of a lattice, it would be orthogonal to some modes, which would then be
+  // missed. Its entries therefore have no symmetry.
   Eigen::VectorXd start(n);
   for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
   start = project(start);
@@ -92,16 +97,16 @@ Eigenpairs search(const SymmetricFactor& factor, const Projector& project, doubl
   return found;
 }
 
-/// Returns the Rayleigh-Ritz approximations to eigenpairs of A in the span of some vectors.
+/// Returns the Rayleigh-Ritz approximations to eigenpairs of the matrix A in `factor`, within the span of some vectors.
 Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& vectors) {
   const Eigen::MatrixXd q = orthonormal_basis(vectors, vectors.cols());
   const SymmetricEigen eigen = symmetric_eigen(q.transpose() * factor.multiply(q));
   return {eigen.values, q * eigen.vectors, true};
 }
 
-/// Returns up to `count` vectors v for which A v is zero to rounding. They belong to one multiple eigenvalue, of which
-/// a Lanczos search finds a single copy. The shifted inverse amplifies all of them at once, by the inverse of the
-/// shift.
+/// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. They belong to
+/// a multiple eigenvalue, zero, of which a Lanczos search finds a single copy. The inverse of the shifted matrix
+/// amplifies all these vectors at once, by 1/shift.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;
@@ -131,7 +136,7 @@ Eigenpairs lowest(const Eigenpairs& pairs, int count) {
   return {pairs.values.head(n), pairs.vectors.leftCols(n), pairs.complete};
 }
 
-/// Returns all eigenpairs of a small matrix in the space orthogonal to the vectors `left_out`.
+/// Returns all eigenpairs of the small matrix in `factor`, in the space orthogonal to the columns of `left_out`.
 Eigenpairs dense_eigenpairs(const SymmetricFactor& factor, const Eigen::SparseMatrix<double>& left_out) {
   const Eigen::Index n = left_out.rows();
   const Eigen::MatrixXd q = orthonormal_basis(Eigen::MatrixXd(left_out), n);

@@ -8,13 +8,16 @@
 namespace floc {
 namespace {
 
-/// Returns ln(1.648 sqrt(n)/oversight), the factor in the bound of [KW1992] for a matrix of order n.
+/// Returns ln(1.648 sqrt(n)/oversight), the factor in the bound of [KW1992] for a matrix of order n. `oversight` is the
+/// accepted probability that Lanczos' method misses the lowest eigenvalue.
 double log_of_odds(Eigen::Index n, double oversight) {
   return std::log(1.648 * std::sqrt(static_cast<double>(n)) / oversight);
 }
 
-/// Returns how far Lanczos' lowest value may be above the lowest eigenvalue after some steps, as a share of the spread
-/// of the spectrum.
+/// Returns the bound of [KW1992] on the difference between the lowest Ritz value after some steps of Lanczos' method
+/// and the lowest eigenvalue, divided by the difference between the largest and the lowest eigenvalue.
+/// @param n          order of the matrix
+/// @param oversight  accepted probability that the bound is exceeded
 double missed_share(Eigen::Index n, int steps, double oversight) {
   return std::pow(log_of_odds(n, oversight) / (2.0 * steps - 1.0), 2);
 }
@@ -51,8 +54,8 @@ Positivity test_positivity(Eigen::Index n, const std::function<Eigen::VectorXd(c
       return out;
     }
     spread = std::max(spread, alpha + last_beta + beta);
-    // The Krylov space contains all eigenvectors that have a component in the start vector, so that nothing more can be
-    // found.
+    // Lanczos' method has ended: its vectors span all eigenvectors that have a component in the start vector, and
+    // further steps would find no other eigenvalue.
     if (beta <= options.rounding * spread) {
       out.bound = options.rounding;
       return out;

@@ -6,39 +6,42 @@
 namespace floc {
 
 struct PositivityOptions {
-  /// Tolerance of the test: it continues until it would have found any eigenvalue below -bound.
+  /// The test ends when it would have found any eigenvalue below -bound.
   double bound = 1e-4;
   int max_steps = 10000;
-  /// Probability of missing an eigenvalue below -bound: the start vector is random and may be nearly orthogonal to the
-  /// eigenvector.
+  /// Largest accepted probability of missing an eigenvalue below -bound. The start vector is random and may be nearly
+  /// orthogonal to the eigenvector.
   double oversight = 1e-6;
-  /// Rounding error of eigenvalues: an eigenvalue above -rounding counts as zero, as for mechanisms.
+  /// Rounding error of eigenvalues: one that is negative but above -rounding counts as zero, like that of a mechanism.
   double rounding = 1e-10;
 };
 
-/// Result of a test of the lowest eigenvalue of a symmetric matrix A.
+/// Result of a test whether the lowest eigenvalue of a symmetric matrix A is negative.
 struct Positivity {
-  bool negative = false;  ///< whether an eigenvalue is negative (a direction of negative curvature was found)
-  /// If not `negative`: no eigenvalue is below -bound, except with the probability of an oversight.
+  bool negative = false;  ///< whether A has a negative eigenvalue: x^T A x < 0 for a vector x that was found
+  /// If not `negative`: no eigenvalue of A is below -bound, except with the probability PositivityOptions::oversight.
   double bound = 0.0;
   int steps = 0;  ///< number of products with A
 };
 
-/// Tests the sign of the lowest eigenvalue of a symmetric matrix A by Lanczos' method from a random vector, without a
-/// factor; only three vectors are stored. If a pivot of the growing tridiagonal matrix is negative, A certainly has a
-/// negative eigenvalue, because a Rayleigh quotient is negative. Otherwise [KW1992] bounds the eigenvalue that k steps
-/// may have missed:
+/// Tests whether a symmetric matrix A has a negative eigenvalue, by Lanczos' method from a random start vector. No
+/// factor of A is needed, and only three vectors are stored. The method builds a tridiagonal matrix, one row per step.
+/// If a pivot of this matrix is negative, a Rayleigh quotient of A is negative, and so certainly is an eigenvalue.
+/// Otherwise [KW1992] bounds the eigenvalue that k steps may have missed, except with the probability
+/// `options.oversight`:
 ///
-///   lowest eigenvalue > -e * (spread of the spectrum),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2
+///   lowest eigenvalue > -e * (largest minus lowest eigenvalue),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2
 ///
 /// @param n      order of A
-/// @param apply  returns A times a vector; A should have a diagonal of order one
+/// @param apply  returns the product of A with a vector; the diagonal of A should be of order one
 [[nodiscard]] Positivity test_positivity(Eigen::Index n,
                                          const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& apply,
                                          const PositivityOptions& options);
 
-/// Returns the predicted number of products after which test_positivity() ends if it finds no negative eigenvalue, for
-/// a matrix of order n with the given largest eigenvalue.
+/// Returns the predicted number of products with the matrix after which test_positivity() ends if it finds no negative
+/// eigenvalue.
+/// @param n                   order of the matrix
+/// @param largest_eigenvalue  largest eigenvalue of the matrix
 int predicted_steps(Eigen::Index n, double largest_eigenvalue, const PositivityOptions& options);
 
 }  // namespace floc

@@ -15,15 +15,16 @@ void dtrsm_(const char*, const char*, const char*, const char*, const int*, cons
 namespace floc {
 namespace {
 
-/// Largest number of columns that are eliminated one by one instead of by products of blocks.
+/// Largest number of columns that are eliminated one by one. More columns are halved, and the halves are eliminated
+/// with products of dense blocks, which is faster.
 constexpr int kPanel = 32;
 
-/// Consecutive columns of a supernode, from a given row on.
+/// View of consecutive columns of a supernode of L, from some row down, in A + shift * 1 = L S L^T.
 struct Block {
   double* value;
   int stride;
   int n_columns;
-  const double* sign;  // entry of S (1 or -1) for each column
+  const double* sign;  // diagonal entry of S (1 or -1) for each of the columns
 };
 
 class SignedFactorization {
@@ -66,7 +67,7 @@ class SignedFactorization {
   int n_rows(int s) const { return static_cast<int>(l_.first_row[s + 1] - l_.first_row[s]); }
   int n_columns(int s) const { return static_cast<int>(l_.first_column[s + 1] - l_.first_column[s]); }
   std::int64_t row(int s, int k) const { return l_.row[l_.first_row[s] + k]; }
-  /// Returns `count` columns of a supernode from column `first` on, from row k on.
+  /// Returns columns first, ..., first + count - 1 of supernode s, from its row k down.
   Block block(int s, int k, int first, int count) const {
     return {l_.value + l_.first_value[s] + static_cast<std::int64_t>(first) * n_rows(s) + k, n_rows(s), count,
             sign_.data() + l_.first_column[s] + first};
@@ -83,7 +84,8 @@ class SignedFactorization {
     }
   }
 
-  /// Adds a supernode to the list of the next supernode from which it has to be subtracted, found from its rows.
+  /// Enters supernode d into the list of those that will be subtracted from supernode s, where s is the one whose
+  /// columns contain the next row of d.
   void wait(int d) {
     if (next_row_[d] == n_rows(d)) return;
     const int s = owner_[row(d, next_row_[d])];
@@ -110,8 +112,9 @@ class SignedFactorization {
     wait(d);
   }
 
-  /// Computes out = alpha * X S Y^T + beta * out on and below the diagonal, with the rows X of a block and its first
-  /// `n_first` rows Y.
+  /// Computes out = alpha * X S Y^T + beta * out on and below the diagonal of `out`. X is the block `x` with `n_rows`
+  /// rows, Y consists of its first `n_first` rows, and S is the diagonal matrix with the signs of its columns.
+  /// @param stride  distance between the beginnings of neighbouring columns of `out`
   void multiply(const Block& x, int n_rows, int n_first, double alpha, double beta, double* out, int stride) {
     const int k = x.n_columns;
     const bool mixed = std::any_of(x.sign, x.sign + k, [](double s) { return s < 0.0; });
@@ -132,8 +135,9 @@ class SignedFactorization {
            &stride);
   }
 
-  /// Eliminates columns of a supernode, after its descendants have been subtracted, by recursive halving, so that most
-  /// of the work is done by products of large blocks. @return false if a value is not finite
+  /// Eliminates columns first, ..., first + count - 1 of supernode s, from which all earlier supernodes have been
+  /// subtracted. The columns are halved recursively, so that most of the work is done by products of large blocks.
+  /// @return false if a value is not finite
   bool eliminate(int s, int first, int count) {
     if (count <= kPanel) return eliminate_panel(s, first, count);
     const int left = (count / 2 + kPanel - 1) / kPanel * kPanel, middle = first + left;
@@ -176,12 +180,13 @@ class SignedFactorization {
   double smallest_pivot_;
   int n_;  // number of supernodes
   std::vector<double> sign_;
-  std::vector<int> place_;  // place of each matrix row in the current supernode
-  std::vector<int> owner_;  // supernode of each column
-  std::vector<int>
-      first_waiting_;  // for each supernode, the first in the list of supernodes to be subtracted from it
+  std::vector<int> place_;  // for each row of the matrix, its place among the rows of the current supernode
+  std::vector<int> owner_;  // for each column of the matrix, its supernode
+  // for each supernode, the first in the list of those that will be subtracted from it
+  std::vector<int> first_waiting_;
   std::vector<int> next_waiting_;
-  std::vector<int> next_row_;  // for each eliminated supernode, its first row that has not been subtracted yet
+  // for each eliminated supernode, the first of its rows that has not been subtracted yet
+  std::vector<int> next_row_;
   std::vector<int> relative_;
   std::vector<double> product_, signed_;
 };

@@ -18,19 +18,20 @@ struct Supernodes {
   double* value = nullptr;
 };
 
-/// Lower triangle of a symmetric matrix by columns. The supernodes must have a place for each of its entries.
+/// Lower triangle of a symmetric matrix by columns. The supernodes of the factor must have a place for each entry of
+/// this triangle.
 struct LowerColumns {
   std::span<const std::int64_t> first;  ///< index of the first entry of each column, then the number of entries
   const std::int64_t* row = nullptr;
   const double* value = nullptr;
 };
 
-/// Factorizes a symmetric matrix A + shift * 1, definite or indefinite, as L S L^T without pivoting, where S is
-/// diagonal with entries of 1 and -1. Except for the smallest blocks, the work consists of products of dense matrices,
-/// which makes it as fast as a Cholesky factorization by supernodes. The number of negative entries of S equals the
-/// number of negative eigenvalues (Sylvester).
+/// Factorizes a symmetric matrix A + shift * 1, definite or indefinite, as L S L^T without pivoting. S is diagonal with
+/// entries of 1 and -1. By Sylvester's law of inertia, A + shift * 1 has as many negative eigenvalues as S has negative
+/// entries. Except for the smallest blocks, the work consists of products of dense matrices, which makes it as fast as
+/// a Cholesky factorization by supernodes.
 /// @param matrix          lower triangle of A
-/// @param smallest_pivot  value that replaces pivots closer to zero, so that the elimination can continue
+/// @param smallest_pivot  value that replaces a pivot of smaller absolute value, so that the elimination can continue
 /// @param factor          receives L
 /// @return diagonal of S; empty if A is not finite
 std::vector<double> factorize_signed(const LowerColumns& matrix, double shift, double smallest_pivot,

@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Shifts of the diagonal that are tried one after another, by a constant factor: from the rounding of single precision
-/// to the size of the diagonal, which is of order one.
+/// Shifts that are added to the diagonal, in turn, until the matrix is positive definite: from the rounding error of
+/// single precision to the size of the diagonal, which is of order one, each kNextShift times the previous one.
 constexpr float kSmallestShift = 1e-6F;
 constexpr float kLargestShift = 1.0F;
 constexpr float kNextShift = 10.0F;
@@ -37,8 +37,8 @@ SingleFactor::SingleFactor(SingleFactor&&) noexcept = default;
 
 Eigen::VectorXd SingleFactor::solve(const Eigen::VectorXd& b) const {
   assert(positive_);
-  // The right-hand side is scaled to order one, because the forces of a nearly relaxed packing may be below the range
-  // of single precision.
+  // The right-hand side is scaled to order one, because forces of a nearly relaxed packing may be too small for single
+  // precision.
   const double size = b.size() == 0 ? 0.0 : b.lpNorm<Eigen::Infinity>();
   if (!(size > 0.0)) return Eigen::VectorXd::Zero(b.size());
   return size * factor_->llt.solve((b / size).cast<float>()).cast<double>();

@@ -6,11 +6,12 @@
 namespace floc {
 
 /// Cholesky factor in single precision of a symmetric positive semidefinite matrix A. It takes half the memory of a
-/// factor in double precision but has only 7 digits, which refinement in double precision compensates. CHOLMOD 3 has no
-/// single precision, so the factor is Eigen's, without supernodes; a large factor takes longer than SymmetricFactor.
+/// factor in double precision. It has only 7 digits, which iterative refinement in double precision compensates.
+/// CHOLMOD 3 has no single precision, so Eigen computes the factor, without supernodes; for a large matrix this takes
+/// longer than a SymmetricFactor.
 ///
-/// Rounding to single precision may make A indefinite, so the diagonal is shifted by the smallest of several shifts for
-/// which A + shift * 1 has a Cholesky factor. Refinement has to find motions softer than the shift.
+/// Rounding to single precision may make A indefinite. A growing sequence of shifts is therefore tried, until
+/// A + shift * 1 has a Cholesky factor. Motions whose stiffness is below this shift are resolved by the refinement.
 class SingleFactor {
  public:
   /// @param lower  lower triangle of A, with a diagonal of order one
@@ -18,11 +19,12 @@ class SingleFactor {
   ~SingleFactor();
   SingleFactor(SingleFactor&&) noexcept;
 
-  /// Returns whether A + shift * 1 has been factorized. If no shift up to the size of the diagonal suffices, A is
-  /// indefinite or not finite.
+  /// Returns whether a shift was found for which A + shift * 1 has a Cholesky factor. If not, A is indefinite or not
+  /// finite, because shifts up to the size of its diagonal are tried.
   bool positive() const { return positive_; }
   double shift() const { return shift_; }
-  /// Returns an approximation of A^-1 b, whose relative error is about 1e-7 times the condition number. @pre positive()
+  /// Returns an approximation of A^-1 b, whose relative error is about 1e-7 times the condition number of A.
+  /// @pre positive()
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
  private:

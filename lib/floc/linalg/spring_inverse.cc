@@ -11,24 +11,28 @@
 namespace floc {
 namespace {
 
-/// Condition number above which a Cholesky factor may hide a mechanism.
+/// Condition number of the stiffness matrix above which its Cholesky factor may hide a mechanism.
 constexpr double kSuspiciousCondition = 1e12;
-/// Length of the part of a column of sqrt(k) A that is orthogonal to the previous columns, as a share of the norm,
-/// below which the column counts as dependent, that is, as a mechanism. The values are tried in order. The softest
-/// chain that double precision resolves leaves more than the first value; rounding alone leaves 1e-15. If many columns
-/// are nearly dependent, rounding can leave more of a mechanism, up to the last value.
+/// Tolerances at which a column of sqrt(k) A counts as linearly dependent, that is, as a mechanism: the length of its
+/// component orthogonal to the previous columns, divided by the norm of sqrt(k) A. They are tried in turn until the
+/// factor is accurate. For the softest chain of springs that double precision resolves, this length exceeds the first
+/// tolerance; for a mechanism, rounding alone leaves 1e-15. If many columns are nearly dependent, rounding can leave
+/// more for a mechanism, up to the last tolerance.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
-/// Relative rounding error of a factor: each column sums some tens of products.
+/// Bound on the relative rounding error of the triangular factor R of sqrt(k) A = Q R: each entry of R is a sum of some
+/// tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
-/// Factor by which Hager's estimate of a norm is multiplied to make it an upper bound; it is seldom too low by more.
+/// Hager's estimate of a norm is a lower bound. This factor makes it an upper bound, because the estimate is seldom too
+/// low by more.
 constexpr double kEstimateMargin = 3.0;
 
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
-/// Returns whether the columns that were not left out as dependent span all columns, to rounding. The left-out columns
-/// are then mechanisms, not soft springs.
+/// Returns whether all columns of `root` are, to rounding, linear combinations of the columns that `qr` did not leave
+/// out as dependent. The columns left out then are mechanisms, not soft springs.
+/// @param root  sqrt(k) A, the square root of the stiffness matrix
 bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
   constexpr double kRounding = 1e-14, kLargest = 1e6;
   Eigen::VectorXd motion(root.cols());
@@ -58,10 +62,11 @@ SpringInverse invert_root(const SymmetricFactor& factor, const SpringSystem& spr
   return out;
 }
 
-/// Inverts an indefinite matrix by a factor without shift. @return no value if an eigenvalue may lie within `bound` of
-/// zero
+/// Inverts an indefinite matrix K in `factor` without adding a shift to its diagonal.
+/// @return no value if K has no negative eigenvalue, or if an eigenvalue may lie within `bound` of zero
 std::optional<SpringInverse> invert_indefinite(SymmetricFactor& factor, double bound) {
-  constexpr double kFarFromZero = 1e3;  // safety factor, larger than the error of any norm estimate
+  // safety factor, larger than the error of any estimate of a condition number
+  constexpr double kFarFromZero = 1e3;
   SpringInverse out;
   out.n_negative = factor.count_eigenvalues_below(0.0);
   out.condition = factor.condition_estimate();
@@ -82,7 +87,8 @@ SpringInverse invert_shifted(SymmetricFactor& factor, double bound) {
   out.inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
   const bool factorized = out.inverse.definite || factor.factorize_indefinite(shift);
   out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
-  if (out.inverse.definite)  // all other eigenvalues are above the bound; rounding may halve their ratios
+  // eigenvalues of K that are not mechanisms are > bound; 0.5 allows for rounding errors
+  if (out.inverse.definite)
     out.inverse.smallest_ratio = 0.5 * bound / (bound + shift);
   else
     out.inverse.inverse_norm = kEstimateMargin * out.condition / factor.norm();

@@ -20,10 +20,11 @@
 namespace floc {
 namespace {
 
-/// Value that replaces a zero pivot of L S L^T, so that the elimination can continue; far below rounding.
+/// Absolute value below which a pivot of L S L^T is replaced by this value, so that the elimination can continue; far
+/// below rounding errors.
 constexpr double kSmallestPivot = 1e-30;
-/// Limits CHOLMOD to one thread while this object exists. Regardless of its settings, CHOLMOD requests teams of four
-/// threads, which wait in loops for panels of a few columns; one thread is faster.
+/// Limits CHOLMOD to one thread while this object exists. CHOLMOD starts four threads, whatever its options, for blocks
+/// of only a few columns; they mostly wait for each other, and one thread is faster.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }
@@ -35,7 +36,7 @@ class OneThread {
   int levels_ = omp_get_max_active_levels();
 };
 
-/// Returns a view of a dense matrix in the form that CHOLMOD requires; nothing is written through it.
+/// Returns a view of a dense matrix in the form that CHOLMOD requires. The view must not be used to change the matrix.
 cholmod_dense as_cholmod(const Eigen::MatrixXd& m) {
   cholmod_dense view{};
   view.nrow = m.rows();
@@ -54,17 +55,18 @@ struct SymmetricFactor::Factor {
   using Lower = Eigen::Map<const Eigen::SparseMatrix<double, Eigen::ColMajor, SuiteSparse_long>>;
 
   Ordering ordering;
-  std::vector<int> group;  // group of each unknown
-  // permutation from the caller's unknowns to the order of `matrix`
+  std::vector<int> group;  // number of the group to which each unknown belongs
+  // permutation from the caller's order of the unknowns to the order of the unknowns in `matrix`
   Eigen::PermutationMatrix<Eigen::Dynamic> to_matrix;
   double norm = 0.0;   // largest absolute row sum of the matrix A
-  double shift = 0.0;  // shift of the last factor
+  double shift = 0.0;  // shift s of the last factorization, which was that of A + s * 1
   cholmod_common common{};
   cholmod_sparse* matrix = nullptr;
-  cholmod_factor* factor = nullptr;  // factor by supernodes; its ordering is kept
+  // factor by supernodes; its ordering is kept while the pattern stays the same
+  cholmod_factor* factor = nullptr;
   bool factorized = false;
-  Eigen::VectorXd sign;  // diagonal of S in L S L^T; empty for L L^T
-  FactorCost cost;       // valid after analyse()
+  Eigen::VectorXd sign;  // diagonal of S if the last factor is L S L^T; empty if it is L L^T
+  FactorCost cost;       // predicted cost of a factorization; valid after analyse()
 
   explicit Factor(Ordering chosen) : ordering(chosen) {
     prepare_blas();
@@ -74,7 +76,8 @@ struct SymmetricFactor::Factor {
     common.error_handler = nullptr;
     common.useGPU = 0;
     common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_NATURAL;  // the matrix is passed already reordered
+    // the unknowns of `matrix` already are in the elimination order
+    common.method[0].ordering = CHOLMOD_NATURAL;
     common.postorder = 0;
     common.quick_return_if_not_posdef = 1;
     common.supernodal = CHOLMOD_SUPERNODAL;
@@ -113,7 +116,8 @@ struct SymmetricFactor::Factor {
     return std::equal(p, p + other->ncol + 1, columns()) && std::equal(i, i + p[other->ncol], rows());
   }
 
-  /// Sets A, reordered. The symbolic factor is kept if the pattern has not changed.
+  /// Sets the matrix A, with its unknowns put into the elimination order. The symbolic factor is kept if the pattern of
+  /// A has not changed.
   void take_matrix(const Eigen::SparseMatrix<double>& lower, std::vector<int> next_group) {
     factorized = false;
     if (group == next_group && matrix != nullptr) {
@@ -144,12 +148,14 @@ struct SymmetricFactor::Factor {
     return n == 0 ? 0.0 : row_sums.maxCoeff();
   }
 
-  /// Returns the lower triangle of A with reordered unknowns, with the diagonal entry first in each column.
+  /// Returns the lower triangle of A with its unknowns in the elimination order. The diagonal entry comes first in each
+  /// column.
   cholmod_sparse* reordered(const Eigen::SparseMatrix<double>& lower) {
     using Entry = Eigen::SparseMatrix<double>::InnerIterator;
     const int* place = to_matrix.indices().data();
     const auto n = static_cast<int>(lower.cols());
-    std::vector<SuiteSparse_long> next(n + 1, 0);  // length of each column, later the place of its next entry
+    // number of entries of each column; later the place of the next entry of each column
+    std::vector<SuiteSparse_long> next(n + 1, 0);
     for (int c = 0; c < n; ++c) {
       ++next[place[c] + 1];
       for (Entry it(lower, c); it; ++it)
@@ -242,7 +248,7 @@ struct SymmetricFactor::Factor {
     return solve_with(CHOLMOD_Lt, sign.asDiagonal() * solve_with(CHOLMOD_L, B));
   }
 
-  /// Refines the solution of A X = B iteratively as long as the residual decreases.
+  /// Improves the solution X of A X = B by iterative refinement, as long as the residual decreases.
   void refine(Eigen::MatrixXd& X, const Eigen::MatrixXd& B, int max_steps) {
     Eigen::MatrixXd R = B - multiply(X);
     for (int k = 0; k < max_steps && R.norm() > 0.0; ++k) {
@@ -260,7 +266,7 @@ struct SymmetricFactor::Factor {
     return lower().selfadjointView<Eigen::Lower>() * X;
   }
 
-  /// Calls visit(d) for the square d of every diagonal entry of L.
+  /// Calls visit(d) for each pivot d of the last factorization in absolute value: the square of a diagonal entry of L.
   template <class Visit>
   void for_each_pivot(Visit visit) const {
     const Supernodes l = supernodes();

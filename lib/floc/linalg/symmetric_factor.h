@@ -10,14 +10,14 @@ namespace floc {
 
 /// Cost of a Cholesky factorization, predicted from the pattern of the matrix alone.
 struct FactorCost {
-  double bytes = 0.0;       ///< size of the factor, which is most of the memory used
-  double operations = 0.0;  ///< floating-point operations of one factorization
+  double bytes = 0.0;  ///< size of the factor (bytes), which is most of the memory that the factorization uses
+  double operations = 0.0;  ///< number of floating-point operations of one factorization
 };
 
-/// Sparse Cholesky factor of a symmetric matrix A, given by its lower triangle (CHOLMOD). Positive definite matrices
-/// are factorized by supernodes, indefinite ones by the same supernodes at the same speed (factorize_signed()). An
-/// indefinite matrix is a result, not an error, and its negative eigenvalues can be counted. The unknowns should be
-/// scaled so that A has a diagonal of order one, because pivots and shifts are absolute.
+/// Sparse Cholesky factor of a symmetric matrix A (CHOLMOD). A positive definite A is factorized by supernodes, an
+/// indefinite one by the same supernodes at the same speed (factorize_signed()). That A is indefinite is a result, not
+/// an error, and its negative eigenvalues can be counted. The unknowns should be scaled so that the diagonal of A is of
+/// order one, because the smallest pivot and the shifts are absolute numbers.
 class SymmetricFactor {
  public:
   explicit SymmetricFactor(Ordering ordering = Ordering::automatic);
@@ -25,36 +25,38 @@ class SymmetricFactor {
   SymmetricFactor(SymmetricFactor&&) noexcept;
   SymmetricFactor& operator=(SymmetricFactor&&) noexcept;
 
-  /// Sets A (lower triangle, column-major; entries above the diagonal are ignored). If the pattern is the same as that
-  /// of the previous matrix, the ordering and the symbolic factor are kept.
-  /// @param group  group (grain) of each unknown, ascending; the unknowns of a group are ordered together, which is
-  ///               faster by the square of the group's size and gives an equally sparse factor. If empty, each unknown
-  ///               is a group
+  /// Sets the matrix A. If A has the same pattern as the previous matrix, the ordering and the symbolic factor are
+  /// kept.
+  /// @param lower  lower triangle of A, column-major; entries above the diagonal are ignored
+  /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
+  ///               are ordered together, which makes the ordering faster by the square of the group's size and the
+  ///               factor equally sparse. If empty, each unknown is a group of its own
   /// @throws std::runtime_error if memory runs out
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
-  /// Predicts the cost of factorize_positive() from the symbolic analysis, which is kept for the factorization. The
-  /// factor itself is not allocated. factorize_indefinite() has the same cost.
+  /// Predicts the cost of factorize_positive(), which is also that of factorize_indefinite(). Only the symbolic
+  /// analysis is made, and kept for the factorization; the factor itself is not allocated.
   FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.
-  /// @return false if the matrix is not positive definite to working precision
+  /// @return false if A + shift * 1 is not positive definite to working precision
   [[nodiscard]] bool factorize_positive(double shift = 0.0);
 
-  /// Factorizes A + shift * 1, definite or not, as L S L^T without pivoting, with entries 1 and -1 on the diagonal of
-  /// S.
+  /// Factorizes A + shift * 1, definite or not, as L S L^T without pivoting, where S is diagonal with entries 1
+  /// and -1.
   /// @return false if A is not finite
   [[nodiscard]] bool factorize_indefinite(double shift = 0.0);
 
-  /// Returns the number of eigenvalues of A below `bound`, by Sylvester's law of inertia: the number of negative signs
-  /// of S in A - bound * 1 = L S L^T. The count is exact for a matrix that differs from A - bound * 1 by a few rounding
-  /// units, so `bound` should be farther than that from any eigenvalue that matters. The factorization replaces the
-  /// last one.
+  /// Returns the number of eigenvalues of A below `bound`. It is the number of negative entries of the diagonal matrix
+  /// S in A - bound * 1 = L S L^T (Sylvester's law of inertia). This factorization replaces the last one. Because of
+  /// rounding, the count is that of a matrix whose eigenvalues differ from those of A by a few rounding units.
+  /// Therefore `bound` should be farther than this from any eigenvalue that matters.
   int count_eigenvalues_below(double bound);
 
-  /// Solves A X = B by the last factor with iterative refinement. With a shift this is the proximal-point iteration,
-  /// which converges for a singular positive semidefinite A if B lies in the range of A.
-  /// @param max_refinements  largest number of refinement steps; fewer are made if the residual no longer decreases
+  /// Solves A X = B by the last factor, with iterative refinement. If the factor is that of A + shift * 1, this is the
+  /// proximal-point iteration, which converges for a singular positive semidefinite A if B lies in the range of A.
+  /// @param max_refinements  largest number of refinement steps; the refinement ends earlier if the residual stops
+  ///                         decreasing
   /// @pre the last factorization succeeded
   Eigen::MatrixXd solve(const Eigen::MatrixXd& B, int max_refinements = 3) const;
 
@@ -64,14 +66,14 @@ class SymmetricFactor {
   /// Returns A * X.
   Eigen::MatrixXd multiply(const Eigen::MatrixXd& X) const;
 
-  /// Returns an estimate of the condition number of A + shift * 1 in the 1-norm (Hager's method). It is a lower bound,
-  /// seldom too low by more than a factor of 3.
+  /// Returns an estimate of the condition number, in the 1-norm, of the matrix A + shift * 1 that was factorized last
+  /// (Hager's method). The estimate is a lower bound, seldom too low by more than a factor of 3.
   /// @pre the last factorization succeeded
   double condition_estimate() const;
 
-  /// Returns a rough reciprocal condition number: the smallest pivot of the last factor over the largest one, in
-  /// absolute value; 1 for an empty matrix. For a positive definite matrix it is an upper bound on the reciprocal
-  /// condition number.
+  /// Returns a rough reciprocal condition number of the matrix that was factorized last: its smallest pivot divided by
+  /// its largest one, both in absolute value; 1 for an empty matrix. For a positive definite matrix this is an upper
+  /// bound on the reciprocal condition number.
   /// @pre the last factorization succeeded
   double reciprocal_condition() const;
 

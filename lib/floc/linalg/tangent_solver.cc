@@ -11,27 +11,29 @@
 namespace floc {
 namespace {
 
-/// Relative residual of the linear system that is allowed in a step of Newton's iteration.
+/// Largest residual of a linear system that a step of Newton's iteration accepts, relative to the right-hand side.
 constexpr double kTolerance = 1e-8;
-/// Shifts of the symmetric part of the tangent matrix, over its largest entry, that are tried in turn until it is
-/// positive definite. It may be indefinite, because the geometric terms of compressed contacts are a small negative
-/// stiffness across the contact.
+/// Shifts that are added to the diagonal of the symmetric part of the tangent matrix, in turn, until it is positive
+/// definite, as fractions of the largest entry; each is kTangentNextShift times the previous one. Without a shift the
+/// symmetric part may be indefinite, because the geometric stiffness of a compressed contact is small and negative
+/// across the contact.
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
-/// Number of BiCGSTAB steps above which the factor of another matrix is replaced.
+/// A Cholesky factor that was made for an earlier matrix is renewed if BiCGSTAB took more than this number of steps
+/// with it.
 constexpr int kStaleSteps = 30;
-/// Largest number of BiCGSTAB steps with a factor and with the diagonal as preconditioner.
+/// Largest number of BiCGSTAB steps: with a Cholesky factor as preconditioner, and with the diagonal.
 constexpr int kMostStepsWithFactor = 60;
 constexpr int kMostStepsWithDiagonal = 4000;
 
-/// Returns the diagonal of a matrix with its zeros replaced by ones.
+/// Returns the diagonal of a matrix, with 1 in place of zero entries.
 Eigen::VectorXd safe_diagonal(const Eigen::SparseMatrix<double>& matrix) {
   const Eigen::VectorXd d = matrix.diagonal();
   return (d.array().abs() > 0.0).select(d, 1.0);
 }
 
-/// Returns the grain of each of the first n unknowns, which belong to grains.
+/// Returns the grain to which each of the first n unknowns belongs; all of them are unknowns of grains.
 std::vector<int> grain_of_unknowns(Eigen::Index n, const TangentLayout& layout) {
   std::vector<int> grain(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < grain.size(); ++k) grain[k] = static_cast<int>(k) / layout.unknowns_a_grain;
@@ -104,14 +106,16 @@ class Preconditioner {
 }  // namespace
 
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout) {
-  /// Rates of one core (operations per second) and numbers of steps, measured with 500 and 4000 spheres at 10 kPa to
-  /// 100 MPa (docs/numerics.md, "Linear systems in 3D"). A Newton solution takes about four matrices.
+  /// Constants of the predicted times, measured with 500 and 4000 spheres at 10 kPa to 100 MPa (docs/numerics.md,
+  /// "Linear systems in 3D"): the number of matrices of a Newton solution, the rates of one core (floating-point
+  /// operations per second), and the numbers of BiCGSTAB steps.
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
-  constexpr double kNoMatter = 0.05;      // seconds below which an LU factor, which is exact, is preferred
-  constexpr double kLargestFactor = 4e9;  // largest size of a factor (bytes)
-  constexpr double kAtNeed = 20.0;        // largest time of LU factors if no other method converges (seconds)
+  constexpr double kNoMatter = 0.05;  // an LU factor, which is exact, is preferred if it takes less (seconds)
+  constexpr double kLargestFactor = 4e9;  // largest size of a factor that is made (bytes)
+  // largest time of LU factors that may replace BiCGSTAB if it does not converge (seconds)
+  constexpr double kAtNeed = 20.0;
 
   const Eigen::Index n = tangent.rows() - layout.n_boundary;
   SymmetricFactor factor;
@@ -130,7 +134,7 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   return {TangentMethod::diagonal, diagonal, at_need};
 }
 
-/// Solver by BiCGSTAB for a sequence of matrices.
+/// Solver by BiCGSTAB for a sequence of matrices, with a Cholesky factor or the diagonal as preconditioner.
 class TangentSolver::Krylov {
  public:
   Krylov(const TangentLayout& layout, bool with_factor) : with_factor_(with_factor), part_(layout) {}
@@ -153,7 +157,8 @@ class TangentSolver::Krylov {
     return iterate(b);
   }
 
-  /// Solves by an LU factor of the current matrix. @return no value if the matrix is singular or not finite
+  /// Solves matrix * x = b by an LU factor of the current matrix.
+  /// @return no value if the matrix is singular or not finite
   std::optional<Eigen::VectorXd> solve_by(UnsymmetricFactor& lu, const Eigen::VectorXd& b) const {
     if (!lu.factorize(matrix_)) return std::nullopt;
     return lu.solve(unit_ * b);
@@ -184,8 +189,8 @@ class TangentSolver::Krylov {
   Eigen::VectorXd diagonal_;
   double unit_ = 1.0;
   bool has_factor_ = false;
-  bool fresh_ = false;  // whether the factor belongs to the current matrix
-  int steps_ = 0;       // number of iteration steps of the last solution
+  bool fresh_ = false;  // whether the Cholesky factor belongs to the current matrix
+  int steps_ = 0;       // number of BiCGSTAB steps of the last solution
 };
 
 struct TangentSolver::Methods {
@@ -210,7 +215,7 @@ std::optional<Eigen::VectorXd> TangentSolver::solve(const Eigen::VectorXd& b) {
   if (m.method == TangentMethod::lu) return m.lu.solve(b);
   std::optional<Eigen::VectorXd> x = m.krylov.solve(b);
   if (x || !m.lu_at_need) return x;
-  m.method = TangentMethod::lu;  // later matrices will not be easier for the iteration
+  m.method = TangentMethod::lu;  // BiCGSTAB would not converge for later matrices either
   return m.krylov.solve_by(m.lu, b);
 }
 

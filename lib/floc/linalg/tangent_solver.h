@@ -6,11 +6,11 @@
 
 namespace floc {
 
-/// Method that solves the linear systems of Newton's iterations.
+/// Method that solves the linear systems of a Newton iteration, whose matrix is the tangent matrix.
 enum class TangentMethod {
-  lu,        ///< LU factor of each matrix (UMFPACK)
-  cholesky,  ///< BiCGSTAB with the Cholesky factor of the symmetric part as preconditioner, kept for several matrices
-  diagonal,  ///< BiCGSTAB with the diagonal as preconditioner, without any factor
+  lu,        ///< LU factor of each tangent matrix (UMFPACK)
+  cholesky,  ///< BiCGSTAB, preconditioned by a Cholesky factor of the symmetric part, which serves several matrices
+  diagonal,  ///< BiCGSTAB, preconditioned by the diagonal of the matrix; no factor
 };
 
 /// Layout of the unknowns of a tangent matrix: first the unknowns of the grains, the same number for each grain, then
@@ -20,32 +20,34 @@ struct TangentLayout {
   int n_boundary = 0;
 };
 
-/// Method for the linear systems of a Newton solution that is predicted to be the fastest, and its predicted cost.
+/// Method that is predicted to be the fastest for the linear systems of a Newton solution, and its predicted cost.
 struct TangentPlan {
   TangentMethod method = TangentMethod::lu;
-  double seconds = 0.0;  ///< predicted time of the matrices of one Newton solution on one core (seconds)
-  /// whether to use an LU factor if the iteration does not converge, because its cost is acceptable
+  /// predicted time to solve all linear systems of one Newton solution on one core (seconds)
+  double seconds = 0.0;
+  /// whether an LU factor may replace BiCGSTAB where BiCGSTAB does not converge, because an LU factor is affordable
   bool lu_at_need = true;
 };
 
-/// Chooses the method from the symbolic analysis of the pattern of the tangent matrix, without allocating a factor.
-/// @param tangent  matrix whose pattern is read, which has to be symmetric; its values are not read
+/// Chooses the method from a symbolic analysis of the pattern of the tangent matrix. No factor is allocated.
+/// @param tangent  matrix with a symmetric pattern; its values are not used
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
-/// Solver for the linear systems of successive Newton iterations. All matrices have the same pattern and are, except
-/// for the unknowns of the boundary, close to symmetric and positive. If many contacts slide, they are not, and an LU
-/// factor is used instead.
+/// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. Apart from the
+/// unknowns of the boundary, they should be close to symmetric and positive definite. Where many contacts slide they
+/// are not; if BiCGSTAB does not converge then, an LU factor replaces it.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);
   ~TangentSolver();
 
-  /// Sets the matrix of the following calls of solve(), column-major.
+  /// Sets the matrix (column-major) that later calls of solve() use.
   /// @return false if the matrix is singular to working precision or not finite
   [[nodiscard]] bool set_matrix(const Eigen::SparseMatrix<double>& tangent);
 
-  /// Solves matrix * x = b: to rounding with an LU factor, otherwise to a residual of 1e-8 times b. @return no value if
-  /// no method succeeds
+  /// Solves matrix * x = b. With an LU factor, the residual is at the level of rounding; with BiCGSTAB, its norm is
+  /// 1e-8 times that of b.
+  /// @return no value if no method succeeds
   [[nodiscard]] std::optional<Eigen::VectorXd> solve(const Eigen::VectorXd& b);
 
  private:

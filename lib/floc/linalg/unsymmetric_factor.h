@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Sparse LU factor of a general square matrix (UMFPACK). The ordering depends on the pattern alone and is kept as long
-/// as the pattern does not change, so that it is computed once for all steps of a Newton iteration, and repeated runs
-/// give the same bits.
+/// Sparse LU factor of a general square matrix (UMFPACK). The ordering depends on the pattern of the matrix alone and
+/// is kept as long as the pattern stays the same. It is thus computed once for all steps of a Newton iteration, and
+/// repeated runs give the same bits.
 class UnsymmetricFactor {
  public:
   UnsymmetricFactor();
@@ -15,19 +15,20 @@ class UnsymmetricFactor {
   UnsymmetricFactor(UnsymmetricFactor&&) noexcept;
   UnsymmetricFactor& operator=(UnsymmetricFactor&&) noexcept;
 
-  /// Factorizes a square matrix (column-major; it is compressed and copied). Entries that are zero now but may be
-  /// nonzero later should be part of the pattern.
+  /// Factorizes a square matrix.
+  /// @param matrix  column-major; it is compressed and copied. Its pattern should include entries that are zero now but
+  ///                may become nonzero, so that the ordering can be kept
   /// @return false if the matrix is singular to working precision or contains a value that is not finite; solve() must
   ///         then not be called
   /// @throws std::runtime_error if memory runs out
   [[nodiscard]] bool factorize(const Eigen::SparseMatrix<double>& matrix);
 
-  /// Solves matrix * x = b, with iterative refinement.
+  /// Solves matrix * x = b by the last factor, with iterative refinement.
   /// @pre the last factorize() returned true; b has as many rows as the matrix
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
-  /// Returns a rough reciprocal condition number: smallest over largest pivot of the factor; 0 if the matrix is
-  /// singular.
+  /// Returns a rough reciprocal condition number of the matrix: the smallest pivot divided by the largest one; 0 if the
+  /// matrix is singular.
   double reciprocal_condition() const;
 
  private:

@@ -11,12 +11,12 @@
 
 namespace floc {
 
-/// Load on one axis at the end of a stage of the load path.
+/// Load that a stage of the load path imposes on one axis at its end.
 struct AxisLoad {
   enum Kind {
     stress,       ///< `end` is a stress, compression positive
-    kept_stress,  ///< the stress of the axis at the start of the stage is kept
-    strain,       ///< `end` is a logarithmic strain from the start of the stage, shortening positive
+    kept_stress,  ///< the stress on the axis stays as it is at the start of the stage
+    strain,       ///< `end` is a logarithmic strain since the start of the stage, shortening positive
   };
   Kind kind = kept_stress;
   double end = 0.0;
@@ -24,63 +24,67 @@ struct AxisLoad {
   bool operator==(const AxisLoad&) const = default;
 };
 
-/// One stage of a load path, which leads from the present load to another. By default the pressure on every axis
-/// changes to `to` in steps by equal factors. A stage to the present pressure makes one new equilibrium after the
-/// changes of `set`.
+/// One stage of a load path: it leads the packing in steps from the present load to another load, with an equilibrium
+/// after each step. By default the pressure on every axis changes to `to` by equal factors. If the pressure is already
+/// `to`, the stage makes one new equilibrium, for example with the contact law changed by `set`.
 struct LoadStage {
-  std::string name;  ///< name of the stage, recorded in its states: "load", "unload", ...
-  /// pressure at the end of the stage (unit of stress of the scene), >= 0; unused if `axes` are given
+  std::string name;  ///< name of the stage ("load", "unload", ...), recorded in the states that it makes
+  /// pressure on every axis at the end of the stage (stress unit of the scene), >= 0; unused if `axes` is not empty
   double to = 0.0;
-  /// Number of steps per decade of pressure: the pressure changes by the factor 10^(1/steps_per_decade) per step. The
-  /// last step may be smaller.
+  /// Number of steps per decade of pressure: each step multiplies or divides the pressure by 10^(1/steps_per_decade).
+  /// The last step may be smaller.
   std::optional<double> steps_per_decade;
-  std::optional<int> steps;  ///< number of steps by equal factors, in place of steps_per_decade
-  /// Changes of the contact law at the start of the stage: path of a parameter below [contact], and its new value, e.g.
-  /// "adhesion.force" and 0.
+  std::optional<int> steps;  ///< number of steps of the stage, in place of steps_per_decade
+  /// Parameters of the contact law that change at the start of the stage: the path of the key below the table
+  /// [contact], e.g. "adhesion.force", and the new value, e.g. 0.
   std::vector<std::pair<std::string, double>> set;
-  CellResponse cell;                ///< caps on the strain rate and mass of the cell during the stage
-  std::string control;              ///< keyword for how the axes are loaded: "oedometric", "triaxial", ...
-  int axis = 0;                     ///< axis that is driven, counted from 0
-  std::vector<AxisLoad> axes = {};  ///< load of each axis at the end; empty if the pressure `to` acts on all
-  /// Shear strain of a simple shear at the end of the stage: displacement along the first axis of the planes
-  /// perpendicular to `axis`, over the length of `axis` at the start of the stage.
+  CellResponse cell;    ///< mass of the periodic cell and caps on its strain rate during the stage
+  std::string control;  ///< keyword for how the axes are loaded: "oedometric", "triaxial", ...
+  int axis = 0;         ///< axis along which the stage drives the packing, counted from 0
+  /// load on each axis at the end of the stage; empty if the pressure `to` acts on all axes
+  std::vector<AxisLoad> axes = {};
+  /// Shear strain at the end of a stage of simple shear; 0 in other stages. The planes perpendicular to `axis` move
+  /// along the first axis: the shear strain is the displacement of such a plane divided by its distance from the plane
+  /// that stays in place, at the length that `axis` has at the start of the stage.
   double shear = 0.0;
 
   bool is_isotropic() const { return axes.empty(); }
 };
 
-/// Returns the pressures of the steps of a stage that starts at the pressure `from`. The last pressure is exactly
-/// `stage.to`. If `from` or `stage.to` is zero, no factor per step exists and the stage has one step.
+/// Returns the pressure at each step of a stage that acts equally on all axes and starts at the pressure `from`. The
+/// last pressure is exactly `stage.to`. If `from` or `stage.to` is zero, the stage has only one step, because no factor
+/// leads from or to zero.
 std::vector<double> stage_pressures(double from, const LoadStage& stage);
 
-/// Load that one step of a stage imposes on an axis: the load at the end of the stage, and the share of the change from
-/// the start to the end of the stage that is made by the end of this step, in (0, 1].
+/// Load that one step of a stage imposes on an axis.
 struct AxisStep {
-  AxisLoad load;
+  AxisLoad load;  ///< load on the axis at the end of the stage
+  /// share of the change from the start to the end of the stage that this step completes, (0, 1]
   double share = 1.0;
 };
 
-/// Stress on each axis, compression positive, as far as it is known before the run. It is absent for an axis on which a
-/// strain is imposed.
+/// Stress on each axis at a point of the load path, compression positive, as far as it is known before the run. It is
+/// unknown (absent) for an axis on which a strain is imposed, because the stress then depends on the packing.
 using KnownStress = std::vector<std::optional<double>>;
 
 /// Whether the stresses on all axes are known and equal.
 bool is_isotropic(const KnownStress& stress);
 
-/// Returns the stresses that are known after a stage.
-/// @param from  stresses that are known before the stage
+/// Returns the stress on each axis at the end of a stage, as far as it is known before the run.
+/// @param from  stress on each axis at the start of the stage
 KnownStress after_stage(const KnownStress& from, const LoadStage& stage);
 
-/// Returns the number of steps of a stage whose axes are loaded differently.
-/// @param from  stresses that are known before the stage
-/// @pre `stage.steps` is given if the number does not follow from steps_per_decade
+/// Returns the number of steps of a stage that imposes different loads on its axes, or that starts from different
+/// stresses on its axes.
+/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
+/// @pre stage.steps is given, unless steps_per_decade and the stresses determine the number of steps
 int number_of_steps(const KnownStress& from, const LoadStage& stage);
 
-/// Returns the stresses and lengths that a step of a stage imposes. Over equal shares of the stage, a stress changes by
-/// equal factors if it is positive at the start and at the end, otherwise by equal differences. Strains change by equal
-/// differences.
-/// @param axes  load of each axis
-/// @param turn  sides and stresses at the start of the stage
+/// Returns the stresses and lengths that a step of a stage imposes on the axes. From one step to the next, a stress
+/// changes by equal factors if it is positive at the start and at the end of the stage, otherwise by equal differences.
+/// A logarithmic strain changes by equal differences.
+/// @param axes  for each axis, its load at the end of the stage and the share of the stage that this step completes
+/// @param turn  sides of the cell and stress on each axis at the start of the stage
 template <int Dim>
 LoadTarget<Dim> load_target(const std::vector<AxisStep>& axes, const StageReference& turn);
 

@@ -20,12 +20,12 @@
 namespace floc {
 namespace {
 
-/// Purposes of the random streams that are derived from the seed of a run (see RandomStream).
+/// Numbers of the independent random streams that are derived from the seed of a run (see RandomStream): one for the
+/// assembly, one for the vibration.
 constexpr std::uint64_t kAssemblyStream = 1;
 constexpr std::uint64_t kVibrationStream = 2;
 
-/// Replaces the masses and the contact law of the walls of a saved packing by those of a scene. The positions of the
-/// walls are kept.
+/// Gives the walls of a saved packing the masses and the contact law of the scene. The walls keep their positions.
 /// @throws InputError if the packing and the scene do not have walls along the same axes
 template <int Dim>
 void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
@@ -38,13 +38,15 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
     if (between_walls(saved, a) != between_walls(packing.walls, a))
       throw InputError(
           "box.boundary",
-          fmt::format("the state has {} along axis {}: expected a boundary of this kind in the scene",
-                      between_walls(saved, a) ? "walls" : "no walls", a + 1));
+          fmt::format(
+              "the saved state has {} along axis {}: expected box.boundary to give this axis a boundary of "
+              "that kind",
+              between_walls(saved, a) ? "walls" : "no walls", a + 1));
   packing.wall_law = wall_law(law, box);
   refresh_contacts(packing);
 }
 
-/// Returns the options after checking them. @throws InputError if an option is out of its range
+/// Returns the options unchanged. @throws InputError if the number of threads is out of its range
 RunOptions checked(RunOptions options) {
   require_in_range("threads", options.relaxation.threads, RunOptions::kThreads);
   return options;
@@ -86,8 +88,10 @@ Run<Dim>::Run(RunOptions options, RunPoint point, Packing<Dim> packing)
 
 namespace {
 
-/// Returns the progress of a run after a saved equilibrium.
-/// @param cell  matrix of the lattice vectors of the packing; `state` itself may be without its packing
+/// Returns the point of a run just after an equilibrium was saved.
+/// @param state  the saved equilibrium; its packing may have been moved out of it
+/// @param cell  matrix of the lattice vectors of the packing
+/// @param sha256  SHA-256 checksum of the file in which the state was saved
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const Mat<Dim>& cell, const std::string& sha256) {
   RunPoint point;
@@ -111,9 +115,11 @@ RunPoint point_after(const State<Dim>& state, const std::string& sha256) {
   return point_after(state, state.packing.cell.matrix, sha256);
 }
 
-/// Returns the speed of the grains at the start of the assembly, V0 = agitation * V*. Here V* = sqrt(F0 D0/m), where m
-/// is the mass of the largest grain (docs/physics.md, "Assembly and loading"). If no adhesion acts across a gap, V* =
-/// sqrt(P a^Dim/m), at which the kinetic energy of a grain is comparable to the work of the pressure on it.
+/// Returns the root mean square speed V0 of the grains at the start of the assembly: V0 = agitation * V*, where
+/// `agitation` is an option of the assembly and V* = sqrt(F0 D0/m), with the pull-off force F0, the range D0 of the
+/// adhesion and the mass m of the largest grain (docs/physics.md, "Assembly and loading"). If no adhesion acts across a
+/// gap, V* = sqrt(P a^Dim/m), with the first pressure P and the largest diameter a: the kinetic energy of a grain is
+/// then comparable to the work of the pressure on it.
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
   const Grains<Dim>& g = packing().grains;
@@ -138,7 +144,8 @@ void Run<Dim>::take_packing_back() {
   equilibrator_.reset();
 }
 
-/// Vibrates the packing if the plan of the run says so, then starts the present step of the load path.
+/// Starts the step to the present equilibrium; if the plan of the run has a vibration before it, the packing is
+/// vibrated first.
 /// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::shake_and_start_step() {
@@ -151,9 +158,10 @@ void Run<Dim>::shake_and_start_step() {
   start_step();
 }
 
-/// Records the start of a stage at its first step, if its axes are loaded differently. The reference of its strains is
-/// the last saved state. In a simple shear, the tilt of the lattice is reduced before each step. @pre this object holds
-/// the packing
+/// Prepares a step of a stage that loads its axes differently. At the first step of the stage, records the last saved
+/// state as the state from which the strains of the stage are measured. In a simple shear, replaces the lattice vectors
+/// before each step by equivalent ones that are tilted less.
+/// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::begin_stage() {
   if (target().is_isotropic())
@@ -182,7 +190,7 @@ double Run<Dim>::pressure() const {
   return target().is_isotropic() ? target().pressure : equilibrator_->target_stress().mean();
 }
 
-/// Starts the aggregation of the grains, or the relaxation to the next equilibrium of the load path.
+/// Starts the aggregation of the grains, or the relaxation of the packing to the next equilibrium.
 /// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::start_step() {
@@ -194,8 +202,8 @@ void Run<Dim>::start_step() {
   }
   begin_stage();
   if (packing_.law != target().law) {
-    // The forces in the contact list are updated, because the relaxation computes from them how far the stresses are
-    // from their targets.
+    // The new contact law changes the contact forces. They are computed here, because the relaxation begins by
+    // comparing the stress that they cause with the imposed one.
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);
@@ -212,8 +220,8 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
   pass_observer();
 }
 
-/// Passes the observer on to the object that moves the packing. This object counts time from the beginning of a chunk
-/// or of a step, so the time of the run before it is added.
+/// Passes the observer on to the object that moves the packing (aggregation_ or equilibrator_). That object counts time
+/// from the beginning of the present chunk or step, so the time of the run before it is added.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -280,16 +288,16 @@ State<Dim> Run<Dim>::release_state() {
   return state;
 }
 
-/// Continues the present step. Between two chunks of time steps, point_ and the packing determine the whole run, so
-/// that the objects that move the packing can be made anew.
+/// Takes the packing back and continues the present step. The object that moves the packing is made anew: between two
+/// chunks of time steps, point_ and the packing determine everything that follows.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);
   start_step();
 }
 
-/// Returns the present state without its packing. During a relaxation, stress, residuals and stability are copied from
-/// equilibrator_, which has measured them already.
+/// Returns the present state without its packing. During a relaxation, the stress, the residuals and the number of
+/// negative stiffness eigenvalues are copied from equilibrator_, which has computed them already.
 template <int Dim>
 State<Dim> Run<Dim>::state_without_packing() const {
   State<Dim> state;

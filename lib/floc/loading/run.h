@@ -13,76 +13,82 @@
 
 namespace floc {
 
-/// Progress of a run between two chunks of time steps. Together with the options and the packing it determines how the
-/// run continues. It is stored in checkpoints.
+/// Point that a run has reached between two chunks of time steps. Together with the options of the run and its packing,
+/// it determines how the run continues. Checkpoints store it.
 struct RunPoint {
-  int step = 0;               ///< number of the equilibrium that is being computed
-  bool aggregating = false;   ///< whether the aggregation of grains is still going on
-  bool shaken = false;        ///< whether the vibration before this equilibrium has been done
-  std::string equilibration;  ///< progress of the relaxation of this step, as text; empty at its beginning
-  double equilibration_time = 0.0;       ///< simulated time of this step so far (time unit of the scene)
-  std::int64_t equilibration_steps = 0;  ///< number of time steps of this step of the load path so far
-  std::uint64_t stream_state = 0;        ///< state of the random stream
-  double time = 0.0;                     ///< simulated time before this relaxation (time unit of the scene)
-  std::int64_t n_steps = 0;              ///< number of time steps before this relaxation
-  double aggregation_skin = 0.0;  ///< margin (Verlet skin) of the neighbour lists in the aggregation (length)
-  std::string parent_sha256;      ///< SHA-256 of the file of the last saved state
-  std::vector<double> last_sides,
-      last_stress;           ///< sides and stresses of the last saved state, from which a stage starts
-  double last_offset = 0.0;  ///< offset of the sheared lattice vector at the start of this step (length)
-  StageReference turn;       ///< stage to which this step belongs, if its axes are loaded differently
+  int step = 0;  ///< number of the step: of the equilibrium that is being computed, from 0
+  /// whether moving grains are still being aggregated into one cluster (protocol "aggregation")
+  bool aggregating = false;
+  bool shaken = false;  ///< whether the packing has already been vibrated before this step
+  /// how far the relaxation of this step has come, as text; empty when the step begins
+  std::string equilibration;
+  double equilibration_time = 0.0;       ///< simulated time since this step began (time unit of the scene)
+  std::int64_t equilibration_steps = 0;  ///< number of time steps since this step began
+  std::uint64_t stream_state = 0;        ///< state of the random number generator
+  double time = 0.0;  ///< simulated time from the start of the run to the beginning of this step (time unit)
+  std::int64_t n_steps = 0;  ///< number of time steps from the start of the run to the beginning of this step
+  double aggregation_skin = 0.0;  ///< skin of the Verlet lists of neighbours during the aggregation (length)
+  std::string parent_sha256;      ///< SHA-256 checksum of the state file that was saved last
+  /// sides of the cell, and stress on each axis, in the state that was saved last
+  std::vector<double> last_sides, last_stress;
+  /// offset of the lattice vector that a simple shear tilts, at the beginning of this step (length)
+  double last_offset = 0.0;
+  /// stage of this step with its starting state; empty if the stage loads all axes equally
+  StageReference turn;
 };
 
-/// Returns the progress of a run after a saved equilibrium. With the packing of the state, a run can continue from it
-/// without a checkpoint.
-/// @param sha256  SHA-256 of the file in which the state was saved
+/// Returns the point of a run just after an equilibrium was saved. From this point and the packing of the state, the
+/// run can continue without a checkpoint.
+/// @param sha256  SHA-256 checksum of the file in which the state was saved
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const std::string& sha256);
 
-/// Outcome of advancing a run by one chunk of time steps.
+/// Outcome of one chunk of time steps.
 enum class RunEvent {
-  chunk,        ///< no equilibrium yet; a run that is stopped here and continued gives identical results
-  equilibrium,  ///< `state()` is the next equilibrium; save it, then call `saved()`
-  gave_up,  ///< the present step of the load path does not converge to an equilibrium; `report()` gives the reason
+  chunk,        ///< no equilibrium yet; the run may be stopped here and continued later, with identical results
+  equilibrium,  ///< the next equilibrium is reached: save state(), then call saved()
+  gave_up,      ///< the packing does not come to equilibrium under the present load; report() gives the reason
 };
 
-/// A whole run: the assembly, then every equilibrium of the load path. This class writes no files; the caller has to
-/// save the states.
+/// A whole run: the assembly of a packing, then every equilibrium of the load path. This class writes no files; its
+/// caller saves the states.
 template <int Dim>
 class Run {
  public:
   /// Starts a run from its beginning. @throws InputError if the options are invalid
   explicit Run(RunOptions options);
-  /// Continues a run from a point, which a checkpoint or point_after() gives, with the packing at this point.
+  /// Continues a run from a point that it has reached before. A checkpoint or point_after() gives this point.
+  /// @param packing  packing of the run at this point
   Run(RunOptions options, RunPoint point, Packing<Dim> packing);
 
   const std::vector<PlannedEquilibrium>& plan() const { return plan_; }
   bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
 
-  /// Sets a function that is called with the packing as it moves, and with the time since the beginning of the run.
-  /// @pre this object is not moved or copied afterwards
+  /// Sets a function that is called while the packing moves, with the packing and the time since the beginning of the
+  /// run. @pre this object is not moved or copied afterwards, because the function refers to it
   void set_observer(MotionObserver<Dim> observer);
 
-  /// Advances the run by one chunk of time steps. @pre the run is not finished, and `saved()` was called after the last
-  /// equilibrium
+  /// Advances the run by one chunk of time steps.
+  /// @pre the run is not finished, and saved() was called after the last equilibrium
   RunEvent advance();
-  /// Returns the present state, with a copy of the packing. After RunEvent::equilibrium it is the equilibrium.
+  /// Returns the present state of the run, with a copy of its packing. If advance() has just returned
+  /// RunEvent::equilibrium, this state is the equilibrium.
   State<Dim> state() const;
-  /// Returns the present state with the packing itself, without copying it. The packing must be given back by
-  /// `restore_packing()` before the run is used again.
+  /// Returns the present state of the run, and moves the packing into it. Before this object is used again,
+  /// restore_packing() must give the packing back.
   State<Dim> release_state();
   void restore_packing(Packing<Dim> packing);
-  /// Starts the next step, after the caller has saved the state.
-  /// @param sha256  SHA-256 of the file in which the state was saved
+  /// Starts the step to the next equilibrium. The caller has saved the last one.
+  /// @param sha256  SHA-256 checksum of the file in which the last equilibrium was saved
   void saved(const std::string& sha256);
 
   const RunPoint& point() const { return point_; }
   const Packing<Dim>& packing() const;
   const PlannedEquilibrium& target() const { return plan_[point_.step]; }
-  /// Returns the mean of the stresses on the axes (force/length^(Dim-1)). On an axis without an imposed stress, the
-  /// stress that it carries is taken.
+  /// Returns the mean over all axes of the imposed stress (force/length^(Dim-1)). For an axis on which a length is
+  /// imposed, the mean contains the stress that the packing carries there.
   double pressure() const;
-  /// Returns a report on the progress of the present step of the load path.
+  /// Returns a report on how far the packing is from equilibrium under the present load.
   RelaxationReport report() const;
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }
 
@@ -100,7 +106,8 @@ class Run {
   RunOptions options_;
   std::vector<PlannedEquilibrium> plan_;
   RunPoint point_;
-  /// packing; empty while aggregation_ or equilibrator_ holds it, so that it is in memory only once
+  /// Packing of the run. It is empty while aggregation_ or equilibrator_ holds the packing, so that memory holds it
+  /// only once.
   Packing<Dim> packing_;
   std::unique_ptr<Aggregation<Dim>> aggregation_;
   std::unique_ptr<Equilibrator<Dim>> equilibrator_;

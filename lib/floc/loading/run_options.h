@@ -12,17 +12,19 @@
 
 namespace floc {
 
-/// Options of a run. Runs with equal options give identical results, bit for bit.
+/// Options of one run: how a packing of grains is made, and how it is then loaded. Runs with equal options give
+/// identical results, bit for bit.
 struct RunOptions {
   int dimension = 2;
-  std::string units = "reduced";  ///< "reduced" or "SI"
+  std::string units = "reduced";  ///< system of units, "reduced" or "SI"
   GrainOptions grains;
   Law law;
   AssemblyOptions assembly;
   std::vector<LoadStage> load;
   RelaxationOptions relaxation;
   std::uint64_t seed = 1;
-  std::string text;  ///< text of the scene with all overrides applied, which is stored in every state
+  /// text of the scene file in TOML, after the user's overrides; it is stored in every saved state
+  std::string text;
 
   static constexpr WholeRange kThreads{.least = 1, .most = 1024};
 };

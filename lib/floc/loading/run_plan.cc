@@ -12,8 +12,9 @@
 namespace floc {
 namespace {
 
-/// Adds the steps of a stage whose axes are loaded differently or start from different stresses to the plan.
-/// @param from  stresses that are known before the stage
+/// Adds to the plan the steps of a stage that imposes different loads on its axes, or that starts from different
+/// stresses on its axes.
+/// @param from  stress on each axis before the stage, as far as it is known
 /// @param step  equilibrium with the properties that all steps of the stage share
 void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibrium step,
                std::vector<PlannedEquilibrium>& plan) {
@@ -32,8 +33,8 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
   }
 }
 
-/// Checks that a stage has a load for each axis of the scene and drives one of these axes. Without this check, axes
-/// could be out of range.
+/// Checks that a stage has one load for each axis of the scene, and that the axis that it drives exists. Later code
+/// uses the numbers of axes as indices without checking them.
 void check_axes(const LoadStage& stage, int dimension) {
   if (stage.is_isotropic()) return;
   if (std::ssize(stage.axes) != dimension)
@@ -42,12 +43,11 @@ void check_axes(const LoadStage& stage, int dimension) {
         fmt::format("the stage \"{}\" has loads for {} axes: expected {}, one for each axis of the scene",
                     stage.name, stage.axes.size(), dimension));
   if (stage.axis < 0 || stage.axis >= dimension)
-    throw InputError("load",
-                     fmt::format("the stage \"{}\" drives axis {}: expected the number of an axis from 1 to {}",
-                                 stage.name, stage.axis + 1, dimension));
+    throw InputError("load", fmt::format("the stage \"{}\" drives axis {}: expected an axis from 1 to {}",
+                                         stage.name, stage.axis + 1, dimension));
 }
 
-/// Whether an equilibrium is impossible because the stress on an axis is zero and the grains have no adhesion.
+/// Whether an equilibrium is impossible because its load is zero on an axis and no adhesion holds the grains together.
 bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   if (e.law.adheres()) return false;
   if (e.is_isotropic()) return e.pressure == 0.0;

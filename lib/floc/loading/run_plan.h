@@ -10,42 +10,50 @@
 
 namespace floc {
 
-/// One equilibrium that a run will make.
+/// One equilibrium (one step) that a run will make, with the load under which the packing comes to rest.
 struct PlannedEquilibrium {
-  std::string branch;  ///< "assembly" or the name of the stage
-  double pressure;     ///< pressure on every axis (unit of stress of the scene); unused if `axes` are given
-  Law law;             ///< contact law, after the changes made by all stages up to this equilibrium
-  CellResponse cell;   ///< caps on the strain rate and mass of the cell, if they differ from those of the run
-  std::optional<Vibration> vibration;  ///< vibration before the equilibrium
-  int stage = -1;                      ///< number of the stage of the load path, from 0; -1 for the assembly
-  std::string control = {};            ///< keyword for how the axes are loaded, for example "triaxial"
-  int axis = 0;                        ///< axis that is driven, counted from 0
-  std::vector<AxisStep> axes = {};     ///< load of each axis; empty if `pressure` acts on every axis
-  double shear = 0.0;                  ///< shear strain along the first axis since the start of the stage
-  double shear_step = 0.0;             ///< shear strain of this step alone
+  std::string branch;  ///< "assembly", or the name of the stage of the load path
+  double pressure;     ///< pressure on every axis (stress unit of the scene); unused if `axes` is not empty
+  Law law;             ///< contact law at this equilibrium; stages of the load path may have changed it before
+  /// mass of the periodic cell and caps on its strain rate, where they differ from the options of the run
+  CellResponse cell;
+  /// vibration of the packing before it is brought to this equilibrium, if there is one
+  std::optional<Vibration> vibration;
+  int stage = -1;            ///< number of the stage of the load path, from 0; -1 for the assembly
+  std::string control = {};  ///< keyword of the stage for how the axes are loaded, for example "triaxial"
+  int axis = 0;              ///< axis along which the stage drives the packing, counted from 0
+  std::vector<AxisStep> axes = {};  ///< load of each axis; empty if `pressure` acts on every axis
+  double shear = 0.0;  ///< shear strain, along the first axis, from the start of the stage to this equilibrium
+  double shear_step = 0.0;  ///< shear strain from the previous equilibrium to this one
 
   bool is_isotropic() const { return axes.empty(); }
   bool shears() const { return shear_step != 0.0; }
 };
 
-/// Returns all equilibria that a run will make, in order: first those of the assembly (for an aggregation, one at P = 0
-/// and one at the first pressure), then every step of every stage. If a friction coefficient is given for the assembly,
-/// the assembly uses it. A vibration acts on the saved packing or, if the packing is made from a gas, on its first
-/// equilibrium; another equilibrium at the same pressure is then added after the vibration. A stage may end at the same
-/// pressure on every axis even if it starts from different stresses.
+/// Returns all equilibria that a run will make, in order:
+/// 1. those of the assembly: one at the first pressure, preceded by one at zero pressure if the grains are aggregated.
+/// If the assembly has a friction coefficient of its own, it replaces that of the contact law.
+/// 2. every step of every stage of the load path. If a stage ends at equal stresses on all axes but starts from
+/// different ones, its steps have a load for each axis.
+///
+/// A vibration acts on the saved packing from which the run starts. If the run starts from a gas instead, the vibration
+/// acts on the last equilibrium of the assembly, and one more equilibrium at the same pressure follows it.
 /// @param dimension  number of axes, 2 or 3
-/// @throws InputError if a stage loads another number of axes or changes a parameter that the law does not have, or if
-/// the assembly sets the friction coefficient of a law without friction
+/// @throws InputError if a stage has loads for another number of axes, if a stage changes a parameter that the contact
+/// law does not have, if the assembly has a friction coefficient although the contact law has no friction, or if grains
+/// without adhesion would have to be in equilibrium at zero stress
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const Law& law,
                                          const std::vector<LoadStage>& load, int dimension);
 
-/// Returns a pointer to the parameter of a contact law with this key, or null if the law has no such parameter.
-/// @param key  path of the parameter below [contact], e.g. "adhesion.force"
+/// Returns a pointer to the parameter of a contact law that a scene gives under this key, or null if the law has no
+/// such parameter.
+/// @param key  path of the key below the table [contact], e.g. "adhesion.force"
 double* law_number(LawParameters& law, const std::string& key);
 
 /// Changes one parameter of a contact law, for example "adhesion.force" to 0 or "friction.coefficient" to 0.3.
-/// @param key  path of the parameter below [contact]
-/// @throws InputError if the law has no such parameter, or if the changed law would be invalid
+/// @param key  path of the parameter's key below the table [contact] of a scene
+/// @param value  new value of the parameter
+/// @throws InputError if the law has no such parameter, or if the law would be invalid with the new value
 void change_law(Law& law, const std::string& key, double value);
 
 }  // namespace floc

@@ -39,8 +39,8 @@ template <int Dim>
 void find_contacts(Packing<Dim>& packing) {
   packing.contacts.clear();
   const std::vector<NeighborPair<Dim>> pairs = interacting_pairs(packing);
-  // More contacts than this are a sign of a wrong radius or a wrong cell. The test is made before memory is allocated
-  // for the contacts.
+  // More contacts than this limit are a sign of a wrong radius or a wrong cell. The number is tested before memory is
+  // allocated for the contacts.
   if (pairs.size() > kContactsAlways + kContactsPerGrain * static_cast<std::size_t>(packing.grains.size()))
     throw InputError(
         "cell", "the grains overlap so much, or attract each other across such wide gaps, that there are " +
@@ -58,14 +58,15 @@ void find_contacts(Packing<Dim>& packing) {
   // volumes of the bridges. spread_liquid() adds the pairs that a bridge joins across a gap.
   refresh_contacts(packing);
   spread_liquid(packing);
-  // Under any contact law, a contact is meaningless if its normal is zero or points from the wall into the box.
+  // A contact is meaningless if its normal is zero (both grains have the same centre), or if its normal points from the
+  // wall into the box (the grain has its centre beyond the wall).
   const auto name = [&](int i) { return std::to_string(packing.grains.name(i)); };
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j) && c.normal.dot(packing.wall(c.j).normal()) <= 0.0)
-      throw InputError("grain " + name(c.i), "has its centre on or beyond a wall");
+      throw InputError("grain " + name(c.i), "the grain has its centre on or beyond a wall");
     if (c.normal.isZero(0.0))
       throw InputError("grains " + name(c.i) + " and " + name(c.j),
-                       "have the same centre: their contact has no direction");
+                       "the grains have the same centre: their contact has no direction");
   }
 }
 

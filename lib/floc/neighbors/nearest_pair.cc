@@ -10,7 +10,8 @@ namespace floc {
 
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing) {
-  constexpr double kFirst = 1e-3, kLast = 1e3;  // first and last gap searched, in largest diameters
+  // Smallest and largest gap up to which neighbours are searched, in diameters of the largest grain.
+  constexpr double kFirst = 1e-3, kLast = 1e3;
   const double a = largest_diameter(packing.grains);
   const double farthest = std::min(kLast * a, packing.cell.matrix.cwiseAbs().sum());
   for (double reach = kFirst * a; reach < 2.0 * farthest; reach *= 2.0) {

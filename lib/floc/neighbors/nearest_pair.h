@@ -6,14 +6,16 @@
 
 namespace floc {
 
-/// Pair of grains whose surfaces are nearest to each other.
+/// Pair of grains of a packing whose surfaces are nearest to each other; the two may be a grain and its own periodic
+/// image.
 struct NearestPair {
   int i = 0, j = 0;
   double gap = 0.0;  ///< distance between the two surfaces (length); negative if they overlap
 };
 
 /// Finds the pair of grains whose surfaces are nearest to each other.
-/// @return the pair; no value if the search finds no neighbour, for example if the grains are far smaller than the cell
+/// @return the pair; no value if all gaps are wider than about a thousand diameters of the largest grain, up to which
+/// the search looks
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing);
 

@@ -16,27 +16,28 @@
 namespace floc {
 namespace {
 
-/// Largest distance between a grain and the cell, in sides of the cell. At a larger distance, the numbers of the
-/// periodic image would not fit an int.
+/// Largest distance between a grain and the cell, in sides of the cell. At a larger distance, the number of lattice
+/// vectors between the grain and the cell would not fit an int.
 constexpr double kMaxCells = 1e9;
-/// Largest number of pairs that a search may test: kTrialsAlways or, in a large packing, kTrialsPerGrain times the
-/// number of grains.
+/// Largest number of pairs of grains whose distance a search may test: kTrialsAlways or, in a large packing,
+/// kTrialsPerGrain times the number of grains.
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
-/// Largest number of pairs that a search may find: kPairsAlways plus kPairsPerGrain times the number of grains. More
-/// pairs are a sign of a wrong radius or a wrong cell.
+/// Largest number of close pairs of grains that a search may find: kPairsAlways plus kPairsPerGrain times the number of
+/// grains. More pairs are a sign of a wrong radius or a wrong cell.
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
-/// Largest number of size levels. Each level covers a factor of two in radius; grains that are too small for the last
-/// level are put into it, too.
+/// Largest number of size levels, into which grains are sorted. Each level covers a factor of two in size; the last
+/// level also takes all smaller grains.
 constexpr int kMaxLevels = 32;
 
-/// Positions of the grains of a packing after each has been moved into the cell by lattice vectors.
+/// Positions of the grains of a packing after each grain has been moved into the cell by whole lattice vectors.
 template <int Dim>
 struct WrappedGrains {
   /// Reduced coordinates of each grain (in lattice vectors), inside [0, 1] up to rounding.
   std::vector<Vec<Dim>> reduced;
-  std::vector<Vec<Dim, int>> wrap;  ///< numbers of lattice vectors that bring each grain into the cell
+  /// Number of lattice vectors along each axis by which each grain is moved into the cell.
+  std::vector<Vec<Dim, int>> wrap;
   std::vector<Vec<Dim>> position;
 
   WrappedGrains(const Cell<Dim>& cell, const Grains<Dim>& grains)
@@ -48,7 +49,7 @@ struct WrappedGrains {
         const double cells = std::floor(s[a]);
         if (!(std::abs(cells) < kMaxCells))
           throw InputError("grain " + std::to_string(grains.name(i)),
-                           "lies more than 1e9 cells away from the cell");
+                           "the grain lies more than 1e9 cells away from the cell");
         wrap[i][a] = -static_cast<int>(cells);
         reduced[i][a] = s[a] - cells;
       }
@@ -57,12 +58,14 @@ struct WrappedGrains {
   }
 };
 
-/// Grains sorted into bins, which divide each lattice vector of the cell into equal parts. Each bin is at least as wide
-/// as the cutoff if the cell is large enough.
+/// Bins (parallelepipeds) into which the cell is divided, with the grains that lie in each bin. Each lattice vector is
+/// divided into equal parts. If the cell is large enough, each bin is at least as wide as the cutoff distance.
 template <int Dim>
 class Bins {
  public:
-  /// @param members  indices of the grains to sort, in ascending order; at least one
+  /// @param grains  positions of all grains, moved into the cell
+  /// @param members  indices of the grains to sort into bins, in ascending order; at least one grain
+  /// @param cutoff  smallest width of a bin (length), if the cell is at least as wide
   Bins(const Cell<Dim>& cell, const WrappedGrains<Dim>& grains, const std::vector<int>& members, double cutoff)
       : grains_(grains) {
     const Mat<Dim> to_reduced = cell.matrix.transpose().inverse();
@@ -76,7 +79,7 @@ class Bins {
     sort(members);
   }
 
-  /// Returns the largest number of bins that around() visits for one grain.
+  /// Returns the largest number of bins that around() visits to find the grains within `reach` (length) of one grain.
   double bins_within(double reach) const {
     double bins = 1.0;
     for (int a = 0; a < Dim; ++a) bins *= 2.0 * std::ceil(reach * count_[a] / height_[a]) + 1.0;
@@ -84,17 +87,17 @@ class Bins {
   }
   double bins() const { return count_.template cast<double>().prod(); }
 
-  /// Calls visit(j, image), with the periodic image of the bin of j, for every grain j of these bins that may be closer
-  /// than `reach` (length) to grain i.
+  /// Calls visit(j, image) for every grain j of these bins whose centre may be closer than `reach` (length) to the
+  /// centre of grain i. `image` is the periodic image, in lattice vectors, in which grain j is that close.
   template <class Visit>
   void around(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
     for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
   }
 
-  /// Calls visit(j, image) like around(), for a grain i that is itself in these bins, but so that each pair is visited
-  /// from one of its grains only: bins that precede the bin of i are left out, and so are grains in the bin of i with
-  /// an index below i.
+  /// Calls visit(j, image) like around(), but visits each pair from one of its two grains only. Grain i has to be in
+  /// these bins, too. Bins that precede the bin of i are left out, and so are grains in the bin of i with an index
+  /// below i.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -118,7 +121,8 @@ class Bins {
     Window window;
     for (int a = 0; a < Dim; ++a) {
       const double s = grains_.reduced[i][a] * count_[a];
-      // The window is widened by a billionth of a bin on each side, so that rounding errors cannot hide a pair.
+      // The window (range of bins to visit) is widened by a billionth of a bin on each side, so that rounding errors
+      // cannot hide a pair.
       const double bins = std::min(reach / height_[a] * count_[a], kMaxCells) + 1e-9;
       window.first[a] = static_cast<int>(std::floor(s - bins));
       window.last[a] = static_cast<int>(std::floor(s + bins));
@@ -126,8 +130,8 @@ class Bins {
     return window;
   }
 
-  /// Calls visit(bin) for the bins of a window, starting at the bin `begin`. The index along the first axis varies
-  /// fastest.
+  /// Calls visit(bin) for each bin of a window (a box of bins around a grain), from the bin `begin` on. The index of
+  /// the bin along the first axis varies fastest.
   template <class Visit>
   static void for_each_bin(const Vec<Dim, int>& begin, const Window& window, const Visit& visit) {
     Vec<Dim, int> bin = begin;
@@ -165,8 +169,8 @@ class Bins {
   template <class Visit>
   void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
-    // The bin `target` is at most a few cells outside the cell, so that these loops are faster than divisions, which
-    // took a third of the computing time of the search.
+    // These loops bring the bin `target` back into the cell. It is at most a few cells outside, so that the loops are
+    // faster than divisions, which took a third of the computing time of the search.
     for (int a = 0; a < Dim; ++a) {
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
       for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];
@@ -176,30 +180,30 @@ class Bins {
   }
 
   const WrappedGrains<Dim>& grains_;
-  Vec<Dim> height_;  ///< distances between opposite faces of the cell (length)
+  Vec<Dim> height_;  ///< distance between the opposite faces of the cell along each lattice vector (length)
   Vec<Dim, int> count_;
-  /// Index in member_ of the first grain of each bin; the last entry is the size of member_.
+  /// Index in the list member_ of the first grain of each bin; the last entry of first_ is the size of member_.
   std::vector<int> first_;
-  std::vector<int> member_;  ///< indices of the grains, sorted by bin
+  std::vector<int> member_;  ///< indices of the grains in these bins, sorted by bin
 };
 
-/// Level of grains of similar size, sorted into bins that are wide enough for the largest of these grains.
+/// Size level: grains of similar radius, sorted into bins that are wide enough for the largest of these grains.
 template <int Dim>
 struct SizeLevel {
   std::vector<int> members;
-  double largest;  ///< radius of the largest grain of the level (length)
+  double largest;  ///< radius of the largest grain of this level (length)
   Bins<Dim> bins;
 };
 
-/// Sorts the grains into levels of similar size, the level of the largest grains first. There is a single level if the
-/// widest bin that a grain needs (2 R + gap, with R its radius) is at most kSimilarSizes times the narrowest one;
-/// otherwise there is one level per factor of two. A grain then has no more neighbours in a level than fit around a
-/// grain of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
+/// Sorts the grains into levels of similar size, the level of the largest grains first. A grain of radius R needs bins
+/// of width 2 R + gap. If the largest of these widths is at most kSimilarSizes times the smallest, there is a single
+/// level; otherwise there is one level per factor of two in width. A grain is then compared only with as many grains of
+/// a level as fit around a grain of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
   const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
-  // Half of each width is compared, so that a radius close to the largest double does not overflow.
+  // Half widths are compared, so that twice a radius close to the largest double does not overflow.
   const double widest = *most + 0.5 * gap;
   const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
   std::vector<std::vector<int>> members(kMaxLevels);
@@ -218,8 +222,8 @@ std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>
   return levels;
 }
 
-/// Throws an InputError if a search would test too many pairs, which happens if the cell is tiny compared with its
-/// grains and each grain has too many periodic images nearby.
+/// Throws an InputError if a search would test too many pairs of grains. This happens if the cell is so small compared
+/// with its grains that each grain has too many periodic images nearby.
 template <int Dim>
 void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, double gap) {
   double trials = 0.0;
@@ -233,13 +237,13 @@ void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, doub
   if (trials > std::max(kTrialsAlways, kTrialsPerGrain * n_grains))
     throw InputError(
         "cell",
-        "is so small compared with its largest grain, or the grains differ so much in size, that the "
+        "the cell is so small compared with its largest grain, or the grains differ so much in size, that the "
         "search for contacts would have to test " +
             std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " pairs of grains");
 }
 
-/// Converts the periodic image of a pair from the reduced lattice, in which pairs are searched, to the lattice of the
-/// caller.
+/// Converts the periodic image of the second grain of a pair from vectors of the reduced lattice, in which pairs are
+/// searched, to lattice vectors of the packing.
 template <int Dim>
 Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& image) {
   if (lattice.is_original) return image;
@@ -247,28 +251,29 @@ Vec<Dim, int> image_in(const ReducedLattice<Dim>& lattice, const Vec<Dim, int>& 
   if (static_cast<double>(wide.cwiseAbs().maxCoeff()) >= kMaxCells)
     throw InputError(
         "cell",
-        "lattice vectors are so oblique that neighbouring grains are more than 1e9 lattice vectors apart");
+        "the lattice vectors are so oblique that neighbouring grains are more than 1e9 lattice vectors apart");
   return wide.template cast<int>();
 }
 
 template <int Dim>
 void check_finite(const Cell<Dim>& cell, const Grains<Dim>& grains) {
   if (!cell.matrix.allFinite() || !(cell.volume() > 0.0))
-    throw InputError("cell", "lattice vectors must be finite and span a volume");
+    throw InputError("cell", "the lattice vectors must be finite and span a volume");
   for (int i = 0; i < grains.size(); ++i)
     if (!grains.position[i].allFinite() || !std::isfinite(grains.radius[i]))
-      throw InputError("grain " + std::to_string(grains.name(i)), "position and radius must be finite");
+      throw InputError("grain " + std::to_string(grains.name(i)),
+                       "the position and the radius of the grain must be finite");
 }
 
-/// Search for the close pairs of a packing. Each grain is paired with the grains of its own size level and of the
-/// levels of larger grains.
+/// Search for all pairs of close grains of a packing. Each grain is compared with the grains of its own size level and
+/// of the levels of larger grains.
 template <int Dim>
 class PairSearch {
  public:
   PairSearch(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap)
       : grains_(grains), gap_(gap), lattice_(reduced_lattice(cell)), wrapped_(lattice_.cell, grains) {}
 
-  /// Returns all pairs of grains closer than the gap of this search, in no particular order.
+  /// Returns all pairs of grains whose surfaces are closer than gap_, in no particular order.
   std::vector<NeighborPair<Dim>> all() {
     const std::vector<SizeLevel<Dim>> levels = size_levels(lattice_.cell, grains_, wrapped_, gap_);
     check_cost(levels, grains_.size(), gap_);
@@ -292,7 +297,7 @@ class PairSearch {
     NeighborPair<Dim> pair{i, j,
                            image_in(lattice_, Vec<Dim, int>(image + wrapped_.wrap[j] - wrapped_.wrap[i]))};
     if (!is_canonical(pair)) pair = swapped(pair);
-    // Skips the pair of a grain with itself, but not with an image of itself.
+    // Skips the pair of a grain with itself, but not the pair of a grain with a periodic image of itself.
     if (!is_canonical(pair)) return;
     pairs_.push_back(pair);
     if (pairs_.size() > kPairsAlways + kPairsPerGrain * static_cast<std::size_t>(grains_.size()))
@@ -309,7 +314,8 @@ class PairSearch {
   std::vector<NeighborPair<Dim>> pairs_;
 };
 
-/// Sorts pairs by their first grain with a counting sort, and then sorts the pairs of each first grain.
+/// Sorts pairs of grains by (i, j, image): first by the first grain i with a counting sort, then the pairs of each
+/// first grain by comparison.
 template <int Dim>
 std::vector<NeighborPair<Dim>> sorted(const std::vector<NeighborPair<Dim>>& pairs, int n_grains) {
   std::vector<std::size_t> first(n_grains + 1, 0);
@@ -330,7 +336,7 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
   check_finite(cell, grains);
   if (grains.size() == 0) return {};
-  // The PairSearch object is a temporary, so that its memory is freed before the pairs are sorted.
+  // The PairSearch object is a temporary object, so that its memory is freed before the pairs are sorted.
   const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap).all();
   return sorted(pairs, grains.size());
 }

@@ -12,28 +12,31 @@ template <int Dim>
 struct NeighborPair {
   int i;
   int j;  ///< index of the second grain, >= i; equal to i for a grain and its own image
-  /// Periodic image of j, in lattice vectors: the vector from i to j is x[j] + image * cell.matrix - x[i].
+  /// Periodic image of grain j, as a number of each lattice vector: with the positions x of the grains, the vector from
+  /// i to j is x[j] + image * cell.matrix - x[i].
   Vec<Dim, int> image;
   int key = 0;  ///< number that distinguishes several contacts between the same two surfaces
 
   bool operator==(const NeighborPair&) const = default;
 };
 
-/// Finds every pair of surfaces closer than `gap`. Each pair appears once; the pairs are sorted by (i, j, image). The
-/// lattice may be of any shape. In a small cell, two grains may form several pairs with different images, and a grain
-/// may form pairs with its own images (of two opposite images, one is listed).
+/// Finds every pair of grains whose surfaces are closer than `gap`. Each pair appears once; the pairs are sorted by
+/// (i, j, image). The lattice vectors may have any lengths and directions. In a small cell, two grains may form several
+/// pairs with different periodic images, and a grain may form pairs with its own periodic images; of two opposite
+/// images of a grain, one is listed.
 ///
-/// @param gap  upper bound of the distance between two surfaces (length), >= 0; pairs at exactly this distance are left
-/// out
+/// @param gap  upper bound of the distance between the surfaces of two grains (length), >= 0; pairs at exactly this
+/// distance are left out
 /// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain lies more
-/// than 1e9 cells away from the cell; if the search would take too long, because a grain is many cells wide or because
-/// very many small grains are mixed with a very large one; or if there are more than 10 000 pairs plus 1000 per grain
+/// than 1e9 cells away from the cell; if the search would take too long, which happens if a grain is many cells wide or
+/// if very many small grains are mixed with a very large one; or if there are more than 10 000 pairs plus 1000 per
+/// grain
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
 
-/// Finds every pair of a grain and a wall whose surfaces are closer than `gap` (length). The pairs are sorted by (i,
-/// j), where i is the index of the grain and j the index of the wall among the walls. A grain whose centre lies beyond
-/// a wall counts as close to it.
+/// Finds every pair of a grain and a wall whose surfaces are closer than `gap` (length). The pairs are sorted by
+/// (i, j), where i is the index of the grain and j the index of the wall in `walls`. A grain whose centre lies beyond a
+/// wall is paired with that wall, too.
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_wall_pairs(const std::vector<Wall<Dim>>& walls, const Grains<Dim>& grains,
                                                double gap);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kBitsPerAxis = 16;
 
-/// Returns the place of a point along the space-filling Morton curve, by interleaving the bits of its reduced
-/// coordinates.
+/// Returns the position of a point along the space-filling Morton curve, as a number whose bits are the interleaved
+/// bits of the reduced coordinates of the point (in lattice vectors).
 template <int Dim>
 std::uint64_t morton(const Vec<Dim>& s) {
   std::uint64_t code = 0;
@@ -23,15 +23,16 @@ std::uint64_t morton(const Vec<Dim>& s) {
   return code;
 }
 
-/// Number of spheres from which on an order by layers and rows of the cell makes time steps faster than the order along
-/// the Morton curve.
+/// Smallest number of spheres for which grains are stored by layers and rows of the cell. With fewer spheres, time
+/// steps are as fast if the grains are stored along the Morton curve.
 constexpr int kManySpheres = 10'000;
-/// Thickness of the rows and layers into which grains are sorted, divided by the mean spacing of the grains. With
-/// 108 000 spheres, time steps are slower by 8 % at 0.5 and at 0.9 than at this value.
+/// Thickness of the rows and layers into which grains are sorted, divided by the mean spacing of the grains (cube root
+/// of the volume per grain). With 108 000 spheres, time steps are slower by 8 % at 0.5 and at 0.9 than at this value.
 constexpr double kRowThickness = 0.7;
 constexpr int kBitsOfRows = 20, kBitsAlongRow = 24;
 
-/// Returns the number of rows (or layers) into which a width of the cell (length) is divided.
+/// Returns the number of rows (or layers) of grains into which the cell is divided across a width (length).
+/// @param spacing  mean spacing of the grains (length)
 double rows_across(double width, double spacing) {
   return std::clamp(std::round(width / (kRowThickness * spacing)), 1.0, std::exp2(kBitsOfRows));
 }
@@ -55,7 +56,7 @@ std::vector<std::uint64_t> places_along_curve(const Cell<Dim>& cell, const Grain
 std::vector<std::uint64_t> places_in_rows(const Cell<3>& cell, const Grains<3>& grains) {
   const Mat<3> to_reduced = cell.matrix.transpose().inverse();
   const double spacing = std::cbrt(cell.volume() / grains.size());
-  // The widths of the cell are distances between opposite faces, because the lattice may be oblique.
+  // The cell may be oblique, so that its width along a lattice vector is the distance between opposite faces.
   const double rows_of_layer = rows_across(1.0 / to_reduced.row(1).norm(), spacing),
                layers = rows_across(1.0 / to_reduced.row(2).norm(), spacing);
   std::vector<std::uint64_t> code;

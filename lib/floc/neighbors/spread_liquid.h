@@ -6,10 +6,11 @@ namespace floc {
 
 /// Changes of the liquid bridges when the liquid of a packing is shared out once more.
 struct LiquidChange {
-  int n_formed = 0;  ///< number of pairs that had no bridge before and have one now
-  int n_broken = 0;  ///< number of pairs that had a bridge before (intact or broken) and have none now
+  int n_formed = 0;  ///< number of pairs of grains that had no liquid bridge before and have one now
+  int n_broken =
+      0;  ///< number of pairs of grains that had a liquid bridge before (intact or broken) and have none now
 
-  double largest = 0.0;  ///< largest relative change of the volume of a bridge
+  double largest = 0.0;  ///< largest relative change of the volume of a liquid bridge
 
   int n_changed() const { return n_formed + n_broken; }
   /// Whether no liquid bridge has changed, up to rounding.
@@ -18,8 +19,9 @@ struct LiquidChange {
 
 /// Shares out the liquid of a packing among its pairs of grains at their present gaps (share_liquid()). Contacts that
 /// get no liquid and do not touch are removed from the packing; pairs that get liquid are added as contacts with
-/// unloaded springs. If bridges form only on contact, only pairs that touch or have a bridge get liquid. Forces are
-/// recomputed with the new volumes. If the contact law has no liquid, nothing is changed.
+/// unloaded springs. If the contact law lets bridges form only on contact, only pairs that touch or have a bridge get
+/// liquid. The contact forces are recomputed with the new volumes of the bridges. If the contact law has no liquid,
+/// nothing is changed.
 ///
 /// @throws InputError under the conditions of find_pairs()
 template <int Dim>

@@ -13,9 +13,9 @@ NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
   return canonical(NeighborPair<Dim>{c.i, c.j, c.image});
 }
 
-/// Returns the indices of the contacts in the order of their canonical pairs (i <= j). The contacts are usually in this
-/// order already, unless they were read from a file with another order. Only indices are sorted, because there may be
-/// millions of contacts.
+/// Returns the indices of the contacts, sorted by the canonical form (i <= j) of the pair of each contact. The contacts
+/// usually have this order already, unless they were read from a file with another order. Only indices are sorted,
+/// because there may be millions of contacts.
 template <int Dim>
 std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
   std::vector<int> order(contacts.size());

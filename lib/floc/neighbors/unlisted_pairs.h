@@ -6,10 +6,11 @@
 
 namespace floc {
 
-/// Returns the members of `pairs` that are not among the contacts of a packing, as contacts whose members i, j and
-/// image are set and whose other members have their defaults.
-/// @param pairs  pairs in canonical form (i <= j) and sorted, like those that find_pairs() and interacting_pairs()
-/// return; the contacts of the packing may be in any order and form
+/// Returns those members of `pairs` that are not among the contacts of a packing. They are returned as contacts whose
+/// members i, j and image are set; the other members have their default values.
+/// @param packing  packing whose contacts may be in any order, with i <= j or i > j
+/// @param pairs  pairs in canonical form (i <= j), sorted by (i, j, image), as find_pairs() and interacting_pairs()
+/// return them
 template <int Dim>
 std::vector<Contact<Dim>> unlisted_pairs(const Packing<Dim>& packing,
                                          const std::vector<NeighborPair<Dim>>& pairs);

@@ -10,32 +10,34 @@ namespace floc {
 /// Force-carrying structure of a packing (docs/physics.md, "Force-carrying structure"): the contacts and attractions
 /// that carry a normal force, compressive or tensile, between grains that are not rattlers.
 struct CarryingStructure {
-  std::vector<bool> rattler;  ///< one entry per grain: whether it is a rattler
+  std::vector<bool> rattler;  ///< for each grain, whether it is a rattler
   std::vector<int> contacts;  ///< indices of the carrying contacts in Packing::contacts, ascending
-  std::vector<int> degree;    ///< one entry per grain: its number of carrying contacts
+  std::vector<int> degree;    ///< for each grain, the number of its carrying contacts
   int n_rattlers = 0;
 
   int n_held() const { return static_cast<int>(rattler.size()) - n_rattlers; }
 };
 
-/// Returns the least number of contacts that can hold a grain in equilibrium: two if some contact carries a tangential
-/// force, otherwise Dim + 1, the least number of normal forces that can balance.
+/// Returns the smallest number of contacts that can hold a grain in equilibrium: two if any contact of the packing
+/// carries a tangential force; otherwise Dim + 1, because fewer normal forces cannot balance in general directions.
 template <int Dim>
 int least_contacts(const Packing<Dim>& packing);
 
-/// Allowed range of the least number of carrying contacts of a grain.
+/// Allowed values of `least` in carrying_structure(): the smallest number of carrying contacts of a grain.
 inline constexpr WholeRange kLeastContacts{.least = 1, .most = 100};
 
-/// Finds the force-carrying structure of a packing. Grains with fewer than `least` carrying contacts are removed
-/// together with their contacts, until no such grain is left. Contacts with walls count. Unlike in find_rattlers(),
-/// contacts that carry `smallest_force` or less do not hold a grain.
-/// @param smallest_force  normal force that |F_N| of a carrying contact must exceed (force), >= 0
-/// @param least           least number of carrying contacts of a grain, in kLeastContacts
+/// Finds the force-carrying structure of a packing. Only contacts that carry more than `smallest_force` count, contacts
+/// with walls included. Grains with fewer than `least` of them are rattlers and are removed together with their
+/// contacts; this is repeated until no such grain is left. (In find_rattlers(), a contact that carries less may hold a
+/// grain.)
+/// @param smallest_force  absolute normal force above which a contact is carrying (force), >= 0
+/// @param least           smallest number of carrying contacts of a grain that is not a rattler, in kLeastContacts
 /// @throws InputError if a parameter is out of range
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least);
 
-/// Returns the contact network of the carrying contacts alone. The unknowns keep their numbers.
+/// Returns the contact network that consists of the carrying contacts alone. Its unknowns are those of the whole
+/// network, with the same numbers.
 template <int Dim>
 ContactNetwork<Dim> carrying_network(const Packing<Dim>& packing, const CarryingStructure& carrying);
 

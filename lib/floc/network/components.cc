@@ -8,17 +8,19 @@
 namespace floc {
 namespace {
 
-/// Largest number of cells along a closed path through the periodic images of a grain. Up to this number the arithmetic
-/// is exact.
+/// Largest number of cells along a closed path that leads through contacts back to a grain or its periodic image. Up to
+/// this number the arithmetic is exact.
 constexpr std::int64_t kMaxCells = std::int64_t{1} << 40;
 
 using Wide = __int128;  // integer type that holds products of three numbers up to kMaxCells
 
-/// Set of at most Dim linearly independent integer vectors with components up to kMaxCells, tested by exact arithmetic.
+/// Set of at most Dim linearly independent integer vectors with components up to kMaxCells. Linear independence is
+/// tested by exact arithmetic.
 template <int Dim>
 class Lattice {
  public:
-  /// Adds a vector if it is linearly independent of the vectors already in the set. @return whether it was added
+  /// Adds a vector if it is linearly independent of the vectors already in the set.
+  /// @return whether the vector was added
   bool extend(const CellCount<Dim>& w) {
     if (rank_ == Dim || !independent(w)) return false;
     vectors_[rank_++] = w;
@@ -96,8 +98,8 @@ class Walk {
   const ContactNetwork<Dim>& network_;
   const Adjacency& of_;
   const std::vector<bool>& active_;
-  std::vector<int> index_;             // index of each grain in its part; -1 if it has not been reached
-  std::vector<CellCount<Dim>> image_;  // periodic image of each grain in its unwrapped part
+  std::vector<int> index_;             // for each grain, its index in its part; -1 if it has not been reached
+  std::vector<CellCount<Dim>> image_;  // for each grain, the periodic image in which its part contains it
 };
 
 }  // namespace

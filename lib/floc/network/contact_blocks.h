@@ -8,16 +8,17 @@
 
 namespace floc {
 
-/// Graph of the pairs of grains in contact, each pair once: for every grain its neighbours with a higher number, in
-/// ascending order. These pairs are the blocks below the diagonal of the stiffness matrix.
+/// Graph of the pairs of grains in contact, each pair once: for every grain, its neighbours with a higher number, in
+/// ascending order. Each pair is a block below the diagonal of the stiffness matrix.
 struct ContactGraph {
-  std::vector<int>
-      start;  ///< index in `neighbour` of the first neighbour of each grain, and the size of `neighbour`
+  /// for each grain, the index of its first neighbour in `neighbour`; then the size of `neighbour`
+  std::vector<int> start;
   std::vector<int> neighbour;
 };
 
-/// Returns the graph of a range of contacts.
-/// @param contacts  objects with the grain numbers i and j; contacts of a grain with its own image are ignored
+/// Returns the graph of the pairs of grains that given contacts connect.
+/// @param contacts  range of objects with the numbers i and j of two grains; contacts of a grain with its own image are
+///                  ignored
 template <class Contacts>
 ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   ContactGraph graph;
@@ -29,7 +30,7 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   std::vector<int> next(graph.start.begin(), graph.start.end() - 1);
   for (const auto& c : contacts)
     if (c.i != c.j) graph.neighbour[next[std::min(c.i, c.j)]++] = std::max(c.i, c.j);
-  int kept = 0;  // number of pairs so far; several contacts of one pair count once
+  int kept = 0;  // number of different pairs so far: several contacts of one pair count once
   for (int g = 0; g < n_grains; ++g) {
     const auto first = graph.neighbour.begin() + graph.start[g];
     const auto last = graph.neighbour.begin() + graph.start[g + 1];
@@ -43,18 +44,18 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   return graph;
 }
 
-/// Adds G^T D G for one contact to a stiffness matrix; all stiffness matrices are assembled by this function. The rows
-/// of G are the components of the relative motion of the contact, its columns the unknowns of grain i, of grain j and
+/// Adds G^T D G for one contact to a stiffness matrix; all stiffness matrices are assembled by this function. Each row
+/// of G is a component of the relative motion at the contact. Its columns are the unknowns of grain i, of grain j and
 /// of the boundary.
 ///
 /// @param i, j        numbers of the two grains
-/// @param on_i, on_j  rows x kDofs: columns of G for the unknowns of i and of j; if i = j, `on_i` contains both and
-///              `on_j` is zero
+/// @param on_i, on_j  columns of G for the unknowns of i and of j, rows x kDofs; if i = j, `on_i` contains both and
+///                    `on_j` is zero
 /// @param boundary    columns of G for the unknowns of the boundary (strains of a cell, displacements of walls)
 /// @param d           D, rows x rows, an Eigen expression; it must be symmetric if `sum` stores one triangle only
-/// @param sum         receives the blocks: add(grain, grain, block), with the lower grain first if `kSymmetric`;
-///                    border(grain), boundary() and, if not symmetric, border_row(grain) return blocks to which values
-///                    are added
+/// @param sum         stiffness matrix to which the blocks are added. add(grain, grain, block) adds one, with the lower
+///                    grain first if `kSymmetric`. border(grain), boundary() and, if not symmetric, border_row(grain)
+///                    return blocks of the matrix to which values are added
 template <class Rows, class Boundary, class Stiffness, class Sum>
 void add_contact(int i, int j, const Rows& on_i, const Rows& on_j, const Boundary& boundary, const Stiffness& d,
                  Sum& sum) {

@@ -22,7 +22,7 @@ Mat<3> contact_frame(const Vec<3>& n) {
 
 namespace {
 
-/// Returns the middle between the two walls of each axis (length).
+/// Returns, for each axis with walls, the coordinate of the middle between its two walls (length).
 template <int Dim>
 Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   Vec<Dim> middle = Vec<Dim>::Zero();
@@ -30,8 +30,8 @@ Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   return middle;
 }
 
-/// Returns the branch vector of a contact with a wall, see NetworkContact::branch. @param to_foot  vector from the
-/// centre of the grain to its foot on the wall
+/// Returns the branch vector of a contact with a wall, see NetworkContact::branch.
+/// @param to_foot  vector from the centre of the grain to the point of the wall that is nearest to it
 template <int Dim>
 Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {
   const Vec<Dim> to_middle = middle(packing.walls) - packing.grains.position[c.i];

@@ -12,11 +12,12 @@
 namespace floc {
 namespace {
 
-/// Smallest displacement, as a share of the largest displacement in the motion, at which a rigid motion counts as
-/// independent of the motions already fixed.
+/// A rigid motion counts as independent of the motions already fixed if, without them, its largest displacement is
+/// still more than this share of what it was.
 constexpr double kDistinct = 1e-6;
 
-/// Returns orthonormal columns v with |matrix v| <= bound. @param matrix  matrix with at least as many rows as columns
+/// Returns the null space of a matrix to rounding: orthonormal columns v with |matrix v| <= bound.
+/// @param matrix  matrix with at least as many rows as columns
 Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
   const SingularValues found = singular_values(matrix);
   const Eigen::Index rank = (found.values.array() > bound).count();
@@ -26,7 +27,7 @@ Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
 template <int Dim>
 using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the axes about which a connected part can rotate without straining its periodic images.
+/// Returns the axes about which a connected part can rotate as a rigid body and still fit its periodic images.
 std::vector<RotationVector<2>> free_axes(const Component<2>& part) {
   if (!part.winding.empty()) return {};
   return {RotationVector<2>(1.0)};
@@ -61,17 +62,17 @@ class FreeMotionFinder {
   }
 
  private:
-  /// Grain that hangs on a single contact. The dead ends held by the same grain form a linked list.
+  /// Grain that hangs on a single contact. All dead ends that hang on the same grain form a linked list.
   struct DeadEnd {
     int grain;
     int contact;
-    int next_held;  // index of the next dead end in the list; -1 at the end
+    int next_held;  // index of the next dead end on the same grain; -1 at the end of the list
   };
-  /// Spin without resistance that is common to a group of grains that are no dead ends.
+  /// Common rotation, which nothing resists, of a group of grains that are no dead ends.
   struct CoreSpin {
     std::vector<int> grains;
     GrainMotion<Dim> motion;
-    int pinned;  // unknown of the stiffness matrix that is not solved for because of this motion
+    int pinned;  // unknown of the stiffness matrix that is not solved for because of this rotation
   };
 
   void keep_grain(int grain, bool keep) {
@@ -89,7 +90,7 @@ class FreeMotionFinder {
     alone_.push_back(grain);
   }
 
-  /// Removes dead ends from their tips. The contacts that stay active are those of the remaining network.
+  /// Removes dead ends, from the tips. The contacts of the remaining grains stay active.
   void remove_dead_ends() {
     std::vector<int> degree(network_.n_grains);
     std::vector<int> tips;
@@ -127,8 +128,8 @@ class FreeMotionFinder {
         entries_.emplace_back(first_unknown<Dim>(grain) + u, static_cast<int>(free_.kind.size()), motion[u]);
   }
 
-  /// Adds a motion of one grain to the current free motion, and the motions of the dead ends that it holds, which keep
-  /// their contacts unchanged.
+  /// Adds a motion of one grain to the current free motion. The dead ends that hang on the grain move along, so that
+  /// their contacts do not change.
   void add_with_dead_ends(int grain, const GrainMotion<Dim>& motion) {
     std::vector<std::pair<int, GrainMotion<Dim>>> moved{{grain, motion}};
     while (!moved.empty()) {
@@ -147,8 +148,8 @@ class FreeMotionFinder {
 
   void finish_mode(FreeMotionKind kind) { free_.kind.push_back(kind); }
 
-  /// Adds the free motions of grains without contact, which can move in any way, and of dead ends, each of which moves
-  /// along every component of its contact that has no stiffness.
+  /// Adds the free motions of grains without contact, which can move in any way, and of dead ends, each of which can
+  /// move at its contact in every direction without stiffness.
   void add_rolls() {
     for (const int grain : alone_)
       for (int u = 0; u < kDofs<Dim>; ++u) {
@@ -178,8 +179,8 @@ class FreeMotionFinder {
     spins_.push_back({grains, motion, pinned});
   }
 
-  /// Returns the grains connected to `start` by rolling or twisting stiffness, including `start`; empty if a tangential
-  /// spring or a wall resists their rotation.
+  /// Returns `start` and the grains that rolling or twisting stiffness connects to it, directly or through others;
+  /// empty if a tangential spring or a wall resists their rotation.
   std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
@@ -198,8 +199,8 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
-  /// Finds free spins: a grain without tangential springs spins freely, and grains connected by rolling or twisting
-  /// stiffness spin together.
+  /// Finds rotations of single grains that nothing resists. A grain without tangential springs rotates freely; grains
+  /// that rolling or twisting stiffness connects rotate together.
   void find_free_spins() {
     std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {
@@ -212,8 +213,8 @@ class FreeMotionFinder {
     }
   }
 
-  /// Finds spins about an axis: a sphere with two contacts without rolling stiffness rotates freely about the line
-  /// through both.
+  /// Finds free rotations about an axis: a sphere with two contacts without rolling stiffness rotates freely about the
+  /// line through both.
   void find_axis_spins() {
     if constexpr (Dim == 3) {
       for (int i = 0; i < network_.n_grains; ++i) {
@@ -239,9 +240,9 @@ class FreeMotionFinder {
     }
   }
 
-  /// Returns a rigid motion of a connected part at a point.
-  /// @param place  position of the point in the part (length)
-  /// @param m      number of the motion: translations along the axes first, then rotations about `axes`
+  /// Returns the motion of a grain in a rigid motion of a connected part.
+  /// @param place  position of the grain in the part (length)
+  /// @param m      number of the rigid motion: translations along the axes first, then rotations about `axes`
   GrainMotion<Dim> rigid_motion(const Vec<Dim>& place, int m,
                                 const std::vector<RotationVector<Dim>>& axes) const {
     GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
@@ -252,8 +253,8 @@ class FreeMotionFinder {
     return motion;
   }
 
-  /// Returns the distance from the first grain of a part to its farthest point, by which rotations are scaled to
-  /// displacements (length).
+  /// Returns the distance from the first grain of a part to its farthest point (length). Rotations are multiplied by it
+  /// to be comparable to displacements.
   double reach_of(const Component<Dim>& part) const {
     double reach = 0.0;
     for (std::size_t k = 0; k < part.grains.size(); ++k)
@@ -261,10 +262,11 @@ class FreeMotionFinder {
     return reach;
   }
 
-  /// Returns the rigid motions of a connected part that the walls it touches do not resist, one per column, as
-  /// coefficients of all its rigid motions.
+  /// Returns the rigid motions of a connected part that no wall resists, one per column, as linear combinations of the
+  /// Dim translations and the rotations about `axes`.
+  /// @param axes    free_axes() of the part
   /// @param reach   reach_of() the part (length)
-  /// @param row_of  first row of each grain of the part in the motions of the part
+  /// @param row_of  for each grain of the part, its first row among the unknowns of the part
   Eigen::MatrixXd free_of_walls(const Component<Dim>& part, const std::vector<RotationVector<Dim>>& axes,
                                 double reach, const std::vector<int>& row_of) const {
     const auto n = Dim + static_cast<Eigen::Index>(axes.size());
@@ -285,7 +287,7 @@ class FreeMotionFinder {
             (stiffness.array() != 0.0).select(change, 0.0);
       }
     }
-    // Translations among the motions are found first, then the motions orthogonal to them.
+    // First the translations that no wall resists, then the motions orthogonal to them.
     const double bound = kDistinct * felt.norm();
     const Eigen::MatrixXd slides = kernel(felt.leftCols(Dim), bound);
     Eigen::MatrixXd across = Eigen::MatrixXd::Zero(felt.rows() + slides.cols(), n);
@@ -300,8 +302,8 @@ class FreeMotionFinder {
 
   double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
 
-  /// Subtracts a spin that is already fixed from the motions of a part (rows: unknowns of the part, with rotations
-  /// times grain size).
+  /// Subtracts a rotation of single grains that is already fixed from the rigid motions of their part.
+  /// @param motions  rigid motions, one per column; rows are the unknowns of the part, with rotations times grain size
   void take_out(const CoreSpin& spin, const std::vector<int>& row_of, Eigen::MatrixXd& motions) const {
     const int pinned_dof = spin.pinned % kDofs<Dim>;
     const int pinned_grain = spin.pinned / kDofs<Dim>;
@@ -313,15 +315,17 @@ class FreeMotionFinder {
     motions.row(row_of[pinned_grain] + pinned_dof).setZero();
   }
 
-  /// Fixes one unknown for each rigid motion of a part: the unknown that the motion moves most, once the previous
-  /// motions are fixed.
+  /// Fixes one unknown for each rigid motion of a part: the one that this motion moves most, after the rigid motions
+  /// before it have been subtracted.
+  /// @param spins   rotations of single grains that are already fixed
+  /// @param row_of  receives, for each grain of the part, its first row among the unknowns of the part
   void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
     const std::vector<RotationVector<Dim>> axes = free_axes(part);
     const double reach = reach_of(part);
     const int n = static_cast<int>(part.grains.size());
     for (int k = 0; k < n; ++k) row_of[part.grains[k]] = kDofs<Dim> * k;
     const Eigen::MatrixXd shares = free_of_walls(part, axes, reach, row_of);
-    if (shares.cols() == 0) return;  // the walls resist every motion of the part
+    if (shares.cols() == 0) return;  // the walls resist every rigid motion of the part
     const auto motion_at = [&](const Vec<Dim>& place, int m) {
       GrainMotion<Dim> motion = GrainMotion<Dim>::Zero();
       for (int k = 0; k < static_cast<int>(shares.rows()); ++k)
@@ -340,7 +344,8 @@ class FreeMotionFinder {
     for (int m = 0; m < motions.cols(); ++m) {
       Eigen::Index row = 0;
       const double most = motions.col(m).cwiseAbs().maxCoeff(&row);
-      // The rotation of a straight part about its own axis may be no more than the spin of its grains.
+      // If all grains of a part lie on a line, its rotation about this line may already be fixed as rotations of its
+      // grains.
       if (!(most > kDistinct * extent[m])) continue;
       free_.kept[first_unknown<Dim>(part.grains[row / kDofs<Dim>]) + row % kDofs<Dim>] = false;
       const double turn = shares.col(m).tail(shares.rows() - Dim).norm() * reach;
@@ -370,10 +375,10 @@ class FreeMotionFinder {
   const ContactNetwork<Dim>& network_;
   const Adjacency of_;
   std::vector<bool> active_;
-  std::vector<int>
-      first_held_;  // for each grain, index of the first dead end that it holds; -1 if there is none
+  // for each grain, index of the first dead end that hangs on it; -1 if there is none
+  std::vector<int> first_held_;
   std::vector<int> alone_;
-  std::vector<DeadEnd> dead_ends_;  // in the order of removal, tips first
+  std::vector<DeadEnd> dead_ends_;  // in the order in which they were removed, tips first
   std::vector<CoreSpin> spins_;
   std::vector<Eigen::Triplet<double>> entries_;
   FreeMotions free_;

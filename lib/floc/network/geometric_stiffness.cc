@@ -3,7 +3,7 @@
 namespace floc {
 namespace {
 
-/// Returns the matrix of the map v -> v x force.
+/// Returns the matrix of the linear map that takes a vector v to v x force.
 Eigen::Matrix<double, 1, 2> crossed_with(const Vec<2>& force) {
   return {force[1], -force[0]};
 }
@@ -11,10 +11,10 @@ Eigen::Matrix3d crossed_with(const Vec<3>& f) {
   return Eigen::Matrix3d{{0.0, f[2], -f[1]}, {-f[2], 0.0, f[0]}, {f[1], -f[0], 0.0}};
 }
 
-/// Returns the motion of a contact (rows of MotionMatrix) per unit of each unknown of one grain (columns). Rotations
-/// are the unknowns divided by `size`.
-/// @param sign            1 or -1: sign of the displacement
+/// Returns the motion at a contact (rows as in MotionMatrix) per unit of each unknown of one of its grains (columns).
+/// @param sign            1 for grain j, -1 for grain i: sign of its displacement in that of j relative to i
 /// @param first_rotation  first row of the rotation of this grain
+/// @param size            length by which rotations are multiplied to give the unknowns
 template <int Dim>
 Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> motion_of_grain(double sign, int first_rotation,
                                                                     double size) {
@@ -38,9 +38,9 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   const double share_i = c.arm_i.dot(n) / r;
   const double share_j = -c.arm_j.dot(n) / r;
 
-  // The displacement of j relative to i is work-conjugate to the force on j, which is -f, so its rows contain +df. The
-  // rows of the rotations contain minus the changes of the moments. The turn n x dn gives w x S = -n (S.dn), whose
-  // contribution to r x (w x S) is zero.
+  // The displacement of j relative to i does work on the force on j, which is -f. Its rows therefore contain +df, and
+  // the rows of the rotations contain minus the changes of the moments. The turn n x dn of the frame gives w x S = -n
+  // (S.dn), which contributes nothing to r x (w x S).
   MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
   k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
   const auto moment_by_displacement = crossed_with(shear).eval();

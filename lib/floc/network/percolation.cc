@@ -7,17 +7,18 @@
 namespace floc {
 namespace {
 
-/// Block of a network: a maximal set of contacts any two of which lie on a common loop, or a single contact.
+/// Block of a network: a maximal set of contacts any two of which lie on a common loop, or a single contact that lies
+/// on none.
 struct Block {
   std::vector<int> contacts;
   std::vector<int> grains;
   bool winds = false;  // whether the block contains a loop around the cell, or from one wall to another
-  bool held = false;   // whether the block contains a loop through any walls
+  bool held = false;   // whether the block contains a loop that passes through walls
 };
 
 /// Finds the blocks of a network by depth-first search (Hopcroft and Tarjan). Several contacts between the same two
-/// grains, and contacts of a grain with its own image, are kept apart. All walls together count as one additional
-/// grain, whose periodic images are the upper walls.
+/// grains, and contacts of a grain with its own image, are different contacts. All walls together count as one more
+/// grain; the upper walls are periodic images of it.
 template <int Dim>
 class BlockSearch {
  public:
@@ -40,8 +41,8 @@ class BlockSearch {
  private:
   struct Visit {
     int grain;
-    int contact;           // contact through which the grain was reached; -1 for the root
-    std::size_t next = 0;  // number of contacts of the grain already followed
+    int contact;           // contact through which the search has reached the grain; -1 for the root
+    std::size_t next = 0;  // number of contacts of the grain that the search has already followed
   };
 
   void search(int root) {
@@ -82,7 +83,7 @@ class BlockSearch {
     path.push_back({other, c});
   }
 
-  /// Closes a block, which consists of the contacts opened since `first`, including `first`.
+  /// Completes a block, which consists of the contact `first` and all contacts that the search has followed since.
   void close_block(int first) {
     Block block;
     const int number = static_cast<int>(blocks_.size());
@@ -108,15 +109,16 @@ class BlockSearch {
   static CellCount<Dim> cells(const NetworkContact<Dim>& contact) {
     CellCount<Dim> cells = contact.image.template cast<std::int64_t>();
     if (!contact.on_wall()) return cells;
-    constexpr double kAlong = 0.5;  // the normal of a wall is along an axis
+    // the normal of a wall is along an axis, so that its components are 0, 1 or -1
+    constexpr double kAlong = 0.5;
     for (int a = 0; a < Dim; ++a) cells[a] += contact.normal()[a] > kAlong;
     return cells;
   }
 
   const ContactNetwork<Dim>& network_;
   Adjacency of_;
-  std::vector<int> depth_;  // depth of each grain in the search tree, from 1; 0 if not reached
-  std::vector<int> low_;    // least depth of a grain that the subtree of each grain touches
+  std::vector<int> depth_;  // for each grain, its depth in the search tree, from 1; 0 if not reached
+  std::vector<int> low_;    // for each grain, the smallest depth of a grain that its subtree touches
   std::vector<CellCount<Dim>> image_;
   std::vector<bool> seen_;
   std::vector<int> open_;  // contacts that do not yet belong to a block
@@ -124,17 +126,17 @@ class BlockSearch {
   std::vector<Block> blocks_;
 };
 
-/// Removes hanging blocks, from the tips: blocks that do not wind around the cell and are connected to at most one
-/// other part of the network, through a single grain.
+/// Removes dead ends, block by block from the tips: blocks without a loop around the cell or through walls that share
+/// at most one grain with the remaining blocks.
 /// @param n_nodes  number of grains, plus one for the walls
-/// @return one entry per block: whether it was removed
+/// @return for each block, whether it was removed
 std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
   std::vector<std::vector<int>> of(n_nodes);
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b)
     for (const int grain : blocks[b].grains) of[grain].push_back(b);
   std::vector<int> n_left(n_nodes);
   for (int i = 0; i < n_nodes; ++i) n_left[i] = static_cast<int>(of[i].size());
-  // Joints are grains that a block shares with other remaining blocks. Blocks and joints form trees, so that a block
+  // A joint is a grain that a block shares with other remaining blocks. Blocks and joints form trees, so that a block
   // with at most one joint is a tip.
   std::vector<int> n_joints(blocks.size(), 0);
   std::vector<int> tips;
@@ -150,7 +152,7 @@ std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
     if (gone[tip]) continue;
     gone[tip] = true;
     for (const int grain : blocks[tip].grains) {
-      // If a single block remains at a grain, the grain is no longer a joint of that block. As long as two blocks
+      // If a single block remains at a grain, the grain is no longer a joint of this block. As long as two blocks
       // remain, the grain still joins them.
       if (--n_left[grain] != 1) continue;
       const int last = *std::find_if(of[grain].begin(), of[grain].end(), [&](int b) { return !gone[b]; });

@@ -13,8 +13,8 @@ bool carries_force(const Packing<Dim>& packing, double smallest_force) {
                      [&](const Contact<Dim>& c) { return c.normal_force > smallest_force; });
 }
 
-/// Marks as rattlers the grains that the remaining contacts do not hold, in one pass. @return whether a grain was
-/// marked
+/// Marks as rattlers, in one pass over the grains, those that their remaining contacts do not hold.
+/// @return whether a grain was marked
 template <int Dim>
 bool remove_unheld(const Packing<Dim>& packing, double smallest_force, std::vector<bool>& rattler) {
   const int n = packing.grains.size();

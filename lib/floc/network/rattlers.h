@@ -8,14 +8,16 @@ namespace floc {
 
 /// Finds the rattlers, grains that carry no force (docs/physics.md, "Coordination and rattlers").
 ///
-/// With adhesion, rattlers are grains without any contact or attraction; a grain held by a contact of zero force is not
-/// a rattler. Without adhesion, a grain is a rattler if none of its contacts carries more than `smallest_force`, or if
-/// it has fewer than two contacts. Rattlers are removed with their contacts, and the search is repeated until no new
-/// rattler is found. In a packing that carries no force at all, this criterion cannot distinguish rattlers from other
-/// grains, and only grains without contact are rattlers.
+/// With adhesion, rattlers are the grains without any contact or attraction; a grain that is held by a contact of zero
+/// force is not a rattler.
+///
+/// Without adhesion, a grain is a rattler if none of its contacts carries more than `smallest_force`, or if it has
+/// fewer than two contacts. Rattlers are removed with their contacts, and the search is repeated until it finds no
+/// other rattler. In a packing that carries no force at all, this rule cannot tell rattlers from other grains, and only
+/// grains without contact are rattlers.
 ///
 /// @param smallest_force  largest normal force that counts as zero (force), >= 0
-/// @return one entry per grain: whether it is a rattler
+/// @return for each grain, whether it is a rattler
 /// @throws InputError if `smallest_force` is negative or not finite
 template <int Dim>
 std::vector<bool> find_rattlers(const Packing<Dim>& packing, double smallest_force);

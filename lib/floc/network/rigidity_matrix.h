@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Strains of the cell that are unknowns of the response.
+/// Strains of the cell that are unknowns of the elastic response.
 enum class StrainSet {
   diagonal,  ///< eps_11, eps_22 (and eps_33); shear strains are fixed at zero
   full,      ///< diagonal strains, then gamma_12 (2D) or gamma_23, gamma_13, gamma_12 (3D); gamma = 2 eps
@@ -17,15 +17,15 @@ constexpr int n_strains(StrainSet set) {
   return set == StrainSet::diagonal ? Dim : kSymmetric<Dim>;
 }
 
-/// Returns the strain tensor for a unit of one strain unknown, shortening positive.
-/// @param column  number of the strain unknown in the order of StrainSet
+/// Returns the strain tensor in which one strain unknown is 1 and the others are 0; shortening is positive.
+/// @param column  number of this strain unknown in the order of StrainSet
 template <int Dim>
 Mat<Dim> unit_strain(int column);
 
-/// Matrix of the relative motion of one contact, which is linear in the unknowns. Its rows are: overlap; tangential
-/// displacement of j relative to i along each tangent; rotation of j relative to i, in 3D about the normal (twisting),
-/// then about each tangent (rolling). The rows are work-conjugate to the normal force, the tangential force on i and
-/// the moments on i: contact forces f balance the loads G^T f.
+/// Matrix G that gives the relative motion at one contact as a linear function of the unknowns. Its rows are: the
+/// overlap; the tangential displacement of j relative to i along each tangent; the rotation of j relative to i, in 3D
+/// about the normal (twisting), then about each tangent (rolling). The normal force, the tangential force on i and the
+/// moments on i do work on these rows: the contact forces f balance the loads G^T f.
 template <int Dim>
 struct ContactRows {
   /// columns for the unknowns of i; if i = j, those of j are added
@@ -35,17 +35,16 @@ struct ContactRows {
   Eigen::Matrix<double, kDofs<Dim>, kSymmetric<Dim>> on_strain;
 };
 
-/// Stiffness for each component of the relative motion of a contact, in the order of the rows of `ContactRows`.
+/// Stiffness for each component of the relative motion at a contact, in the order of the rows of `ContactRows`.
 template <int Dim>
 using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the matrix of the relative motion of a contact.
+/// Returns the matrix that gives the relative motion at a contact as a linear function of the unknowns.
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// Returns the relative motion of a contact for unit displacements of the walls, which the two walls of an axis share;
-/// one column per axis. The entries are zero except for the overlap with a wall of that axis, since a wall moves along
-/// its normal only.
+/// Returns the relative motion at a contact if the two walls of an axis are displaced by 1 together, one column per
+/// axis. Only the overlap with a wall of this axis changes, because a wall moves along its normal only.
 template <int Dim>
 Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
 
@@ -54,23 +53,23 @@ Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& 
 template <int Dim>
 int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns the side of a cube (square in 2D) that has the volume of the network (length). Dividing a displacement of
-/// walls by it gives a number comparable to a strain.
+/// Returns the side of a cube (square in 2D) that has the volume of the network (length). Displacements of walls are
+/// divided by it, which makes them comparable to strains.
 template <int Dim>
 double wall_shift_unit(const ContactNetwork<Dim>& network);
 
-/// Relative motion of a contact (rows as in ContactRows) per unit of each unknown of the boundary (columns).
+/// Relative motion at a contact (rows as in ContactRows) per unit of each unknown of the boundary (columns).
 template <int Dim>
 using BoundaryRows =
     Eigen::Matrix<double, kDofs<Dim>, Eigen::Dynamic, Eigen::ColMajor, kDofs<Dim>, kSymmetric<Dim> + Dim>;
 
-/// Returns the relative motion of a contact per unit of each unknown of the boundary.
+/// Returns the relative motion at a contact per unit of each unknown of the boundary.
 /// @param rows  contact_rows() of the contact
 template <int Dim>
 BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact,
                                 const ContactRows<Dim>& rows, StrainSet strains);
 
-/// Returns the axes of the relative rotations in `ContactRows`, as columns in the coordinates of space.
+/// Returns the axes of the relative rotations in `ContactRows`, one per column, for a contact with the given frame.
 inline Mat<1> rotation_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }
@@ -83,22 +82,25 @@ inline Mat<3> rotation_axes(const Mat<3>& frame) {
 template <int Dim>
 RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 
-/// Returns the rows of a contact for relative translation alone, without rotations, on which the contact force acts.
+/// Returns the relative motion at a contact without its rotations: the displacement of the centre of j relative to that
+/// of i, on which the contact force does work.
+/// @param rows  contact_rows() of the contact
 template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
-/// Returns the geometric stiffness of the normal force for the rows of translation_rows(): -F_N/r along the tangents
-/// (force/length). It is zero at a wall, whose normal does not turn.
+/// Returns the geometric stiffness of the normal force F_N for the rows of translation_rows(): -F_N/r along the
+/// tangents, with the branch length r (force/length). It is zero at a wall, whose normal does not turn.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 
-/// Returns the rigidity matrix G of a network. It has kDofs rows per contact (in the order of `ContactRows`); its
-/// columns are kDofs unknowns per grain, then the strains. Without prestress the stiffness matrix is K = G^T k G.
+/// Returns the rigidity matrix G of a network. It has kDofs rows per contact, in the order of `ContactRows`. Its
+/// columns are kDofs unknowns per grain, then the strains. Without prestress the stiffness matrix is K = G^T k G, with
+/// the contact stiffnesses k.
 template <int Dim>
 Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; its square is the stiffness matrix K. For
-/// soft modes, it loses only half as many digits to rounding as K.
+/// Returns R = sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; R^T R is the stiffness matrix K.
+/// Rounding takes only half as many digits of a soft mode from R as from K.
 /// @pre no stiffness is negative (attractions across a gap have a negative stiffness)
 template <int Dim>
 Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);

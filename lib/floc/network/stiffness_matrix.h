@@ -9,37 +9,38 @@ namespace floc {
 
 struct StiffnessOptions {
   StrainSet strains = StrainSet::diagonal;
-  /// Adds the geometric terms -(F_N/r)(1 - n n) for the relative translation. Terms in F_T are left out, so that the
-  /// matrix is the exact derivative of the forces only if F_T = 0.
+  /// Adds, for each contact, the geometric terms -(F_N/r)(1 - n n) of the normal force F_N, with the branch length r
+  /// and the normal n. Those of the tangential force F_T are left out, so that the matrix is the exact derivative of
+  /// the forces only if F_T = 0.
   bool prestress = false;
-  /// Adds unknowns after the strains: the common displacement of the two walls of each axis, divided by
+  /// Adds unknowns after the strains: for each axis between walls, the common displacement of its two walls divided by
   /// wall_shift_unit().
   bool wall_shifts = false;
-  /// Adds the symmetric part of the geometric terms in F_T and in the moments of contacts. With `prestress`, the
-  /// quadratic form of the matrix is then the second-order work of all forces.
+  /// Adds the symmetric part of the geometric terms of the tangential forces and of the moments of contacts. If
+  /// `prestress` is set too, the quadratic form of the matrix is the second-order work of all forces.
   bool shear_prestress = false;
 };
 
-/// Stiffness matrix K of a network in blocks: [grains, border; border^T, boundary]. The unknowns U are the translations
-/// and rotations of each grain relative to the affine motion, then the unknowns of the boundary (strains of the cell
-/// and, if chosen, displacements of walls). K U is the load: forces and moments on the grains, volume times stress for
-/// the strains.
+/// Stiffness matrix K of a network in blocks: [grains, border; border^T, boundary]. Its unknowns U are the translations
+/// and rotations of each grain relative to the affine motion, then the unknowns of the boundary: strains of the cell
+/// and, if StiffnessOptions::wall_shifts is set, displacements of walls. K U is the load: forces and moments on the
+/// grains, and volume times stress for the strains.
 struct StiffnessMatrix {
-  Eigen::SparseMatrix<double> grains;  ///< lower triangle of the block of the grains, of order kDofs * n_grains
-  Eigen::MatrixXd
-      border;  ///< coupling of grains and boundary: rows as in `grains`, one column per boundary unknown
+  Eigen::SparseMatrix<double> grains;  ///< block of the grains, lower triangle, of order kDofs * n_grains
+  /// coupling of grains and boundary: rows as in `grains`, one column per boundary unknown
+  Eigen::MatrixXd border;
   Eigen::MatrixXd boundary;  ///< block of the boundary unknowns, both triangles
 
-  /// Returns both triangles of the whole matrix, for inspection.
+  /// Returns the whole matrix K, both triangles, for inspection.
   Eigen::SparseMatrix<double> whole() const;
 };
 
-/// Assembles the stiffness matrix K in compressed columns. The sparsity pattern follows from the contact graph: a full
-/// block for each pair of grains in contact, zeros included, so that the pattern does not depend on the stiffnesses.
+/// Assembles the stiffness matrix K in compressed columns. For each pair of grains in contact it stores a full block,
+/// zeros included, so that the pattern does not depend on the stiffnesses.
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 
-/// Returns the block of K for the strains: volume times the moduli that the network would have if every grain followed
+/// Returns the stiffness of affine motion: volume times the moduli that the network would have if every grain followed
 /// the strain without rotating (Voigt).
 template <int Dim>
 Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>& network, StrainSet strains);

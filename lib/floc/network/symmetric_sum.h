@@ -9,17 +9,17 @@
 
 namespace floc {
 
-/// Stiffness matrix of bodies with `Size` unknowns each, as a sum over contacts by add_contact(). The block of the
-/// bodies is stored as its lower triangle in compressed columns. The columns of a body contain its diagonal block from
-/// the diagonal down, then one block for each neighbour, zeros included, so that the pattern does not depend on the
-/// stiffnesses.
+/// Stiffness matrix of bodies with `Size` unknowns each, to which add_contact() adds one contact after another. The
+/// block of the bodies is stored as its lower triangle in compressed columns. The columns of a body contain its
+/// diagonal block, from the diagonal down, then one block for each neighbour with a higher number. Zeros are stored
+/// too, so that the pattern does not depend on the stiffnesses.
 template <int Size>
 class SymmetricSum {
  public:
   static constexpr bool kSymmetric = true;
   using Block = Eigen::Matrix<double, Size, Size>;
 
-  /// @param contacts  range of objects with members i and j
+  /// @param contacts  range of objects with the numbers i and j of two bodies
   template <class Contacts>
   SymmetricSum(int n_grains, const Contacts& contacts, int n_boundary)
       : graph_(contact_graph(n_grains, contacts)) {
@@ -29,8 +29,8 @@ class SymmetricSum {
     lay_out(n_grains);
   }
 
-  /// Adds a block for a pair of grains, low <= high.
-  /// @param block  rows of grain `low`, columns of grain `high`; its transpose is stored below the diagonal
+  /// Adds a block for a pair of bodies, low <= high.
+  /// @param block  rows of body `low`, columns of body `high`; its transpose is stored below the diagonal
   void add(int low, int high, const Block& block) {
     if (low == high) return add_diagonal(low, block);
     const auto first = graph_.neighbour.begin() + graph_.start[low];

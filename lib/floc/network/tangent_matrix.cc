@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Access to the blocks of the matrix for add_contact(), in both triangles.
+/// Blocks of the tangent matrix, in both triangles, in the form that add_contact() requires.
 template <int Dim>
 class TangentMatrix<Dim>::Sum {
  public:
@@ -67,8 +67,8 @@ TangentMatrix<Dim>::TangentMatrix(std::vector<double> grain_size, const ContactG
 template <int Dim>
 void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   const int n = static_cast<int>(grain_size_.size());
-  // Each grain counts as its own neighbour, which gives its diagonal block. The tangent is not symmetric, so both
-  // triangles are stored.
+  // Each grain is listed among its own neighbours, which gives its diagonal block. The tangent matrix is not symmetric,
+  // so both triangles are stored.
   std::vector<std::vector<int>> neighbours(n);
   for (int g = 0; g < n; ++g) neighbours[g].push_back(g);
   for (int g = 0; g < n; ++g)
@@ -86,8 +86,8 @@ void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   matrix_.resize(order, order);
   matrix_.resizeNonZeros(kDofs<Dim> * (kDofs<Dim> * static_cast<int>(neighbour_.size()) + n * n_boundary_) +
                          n_boundary_ * order);
-  // Row indices ascend in each column, as compressed storage requires. The blocks of a grain are full, zeros included,
-  // so that the pattern does not depend on values; the columns of the boundary contain all rows.
+  // Row indices ascend in each column, as compressed storage requires. The blocks of a grain are stored in full, zeros
+  // included, so that the pattern does not depend on values; the columns of the boundary contain all rows.
   int at = 0;
   for (int column = 0; column < order; ++column) {
     matrix_.outerIndexPtr()[column] = at;
@@ -118,7 +118,7 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   Sum sum(*this);
   const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
   const GrainMotions<Dim> of_grains = grain_motions(c, size_i, size_j);
-  // The boundary displaces the two sides of the contact but does not rotate them.
+  // An unknown of the boundary displaces the two sides of the contact but does not rotate them.
   using OnBoundary = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>,
                                    BoundaryColumns<Dim>::kMaxColumns>;
   OnBoundary moved = OnBoundary::Zero(kMotionRows<Dim>, n_boundary_);

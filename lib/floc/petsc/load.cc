@@ -10,11 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Directories in which the PETSc module of floc may be, relative to the program: in the build tree, and as installed.
+/// Directories in which floc's PETSc module may be, relative to that of the program: in the build tree, and as
+/// installed.
 constexpr const char* kPlaces[] = {".", FLOC_PETSC_MODULE_FROM_PROGRAM};
 
-/// Returns the path of the PETSc module; if it is in none of these directories, its file name, for which the dynamic
-/// loader searches.
+/// Returns the path of floc's PETSc module. If the module is in none of the directories kPlaces, this is its file name
+/// alone, which the dynamic loader then looks for in its own directories.
 fs::path module_path() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();

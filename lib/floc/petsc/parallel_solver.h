@@ -6,21 +6,21 @@
 
 namespace floc {
 
-/// Result of the solution of one linear system, identical on every process.
+/// Result of the solution of one linear system A x = b; the same on every process.
 struct ParallelSolution {
   bool converged = false;
-  std::string failure;  ///< reason why the solution did not converge, as a sentence
+  std::string failure;  ///< reason why the iteration did not converge, as a sentence; empty if it converged
   int iterations = 0;
-  /// Estimates (Ritz values) of the extreme eigenvalues of M^-1 A, with the matrix A and the preconditioner M, among
-  /// the modes that the load excites; 0 if no step was taken.
+  /// Estimates (Ritz values) of the smallest and largest eigenvalue of M^-1 A, with the matrix A and the preconditioner
+  /// M, among the modes that b excites; 0 if no step was taken.
   double smallest_ratio = 0.0;
   double largest_ratio = 0.0;
 };
 
-/// Solver of symmetric linear systems whose rows are distributed over the processes of an MPI run, or are all on a
-/// single process. The method is preconditioned conjugate gradients of PETSc, in a module that is loaded when needed.
-/// Rows come in blocks of one size (the unknowns of a grain); each process has consecutive blocks. All members are
-/// collective unless stated otherwise: all processes have to call them in the same order.
+/// Solver of symmetric linear systems A x = b whose rows are distributed over the processes of an MPI run, or are all
+/// on a single process. The method is preconditioned conjugate gradients of PETSc, in a module that is loaded when
+/// needed. The rows of A come in blocks of one size (the unknowns of a grain); each process has consecutive blocks. All
+/// members are collective unless stated otherwise: all processes have to call them in the same order.
 ///
 /// Members throw std::runtime_error with PETSc's message on the process that failed. The other processes may then wait
 /// for it, so that abort() has to be called.
@@ -36,38 +36,40 @@ class ParallelSolver {
   /// Terminates all processes immediately with the given exit code. Not collective.
   [[noreturn]] virtual void abort(int code) = 0;
 
-  /// Begins a new matrix, which replaces the previous one.
-  /// @param own      number of blocks in each block row of this process whose columns belong to this process
-  /// @param foreign  number of blocks in each block row of this process whose columns belong to other processes
+  /// Begins a new matrix, which replaces the previous one. A block row consists of the rows of one grain.
+  /// @param block_size  number of rows and columns of a block
+  /// @param own         for each block row of this process, number of nonzero blocks in columns of this process
+  /// @param foreign     for each block row of this process, number of nonzero blocks in columns of other processes
   virtual void begin_matrix(int block_size, std::span<const int> own, std::span<const int> foreign) = 0;
-  /// Sets one block row of this process. Not collective.
+  /// Sets one block row of this process in the matrix that begin_matrix() has begun. Not collective.
   /// @param row      number of the block row in the whole matrix
-  /// @param columns  numbers of the block columns, ascending
-  /// @param values   values row by row: block_size x (block_size * columns.size())
+  /// @param columns  numbers of its nonzero blocks' columns in the whole matrix, ascending
+  /// @param values   entries of these blocks, row by row: block_size x (block_size * columns.size())
   virtual void set_row(int row, std::span<const int> columns, std::span<const double> values) = 0;
   /// Completes the matrix A and sets up its preconditioner.
-  /// @param near_null  vectors v with A v close to zero, one after another, each with the rows of this process; coarse
-  ///                   grids of the preconditioner have to represent them
+  /// @param near_null  vectors v with A v close to zero, one after another, each with the entries in the rows of this
+  ///                   process; the coarse grids of the preconditioner have to represent these vectors
   /// @param n_vectors  number of vectors in `near_null`
   virtual void finish_matrix(std::span<const double> near_null, int n_vectors) = 0;
 
-  /// Selects the blocks of other processes whose values this process needs.
-  /// @param blocks  numbers of the blocks in the whole matrix
+  /// Selects blocks of a distributed vector that belong to other processes and that this process needs (ghosts).
+  /// @param blocks  numbers of these blocks in the whole vector
   virtual void set_ghosts(std::span<const int> blocks) = 0;
-  /// Obtains the values of the blocks selected by set_ghosts().
-  /// @param own     values in the rows of this process
-  /// @param ghosts  receives the values of the selected blocks, in their order
+  /// Fetches, from other processes, the entries of a distributed vector in the blocks that set_ghosts() has selected.
+  /// @param own     entries of the vector in the rows of this process
+  /// @param ghosts  receives the entries in the selected blocks, in the order given to set_ghosts()
   virtual void exchange(std::span<const double> own, std::span<double> ghosts) = 0;
 
   /// Solves A x = b, starting from x = 0, until sqrt(r^T M^-1 r) for the residual r and the preconditioner M has
-  /// decreased to `reduction` times its initial value. The vectors contain the rows of this process.
+  /// decreased to `reduction` times its initial value. `b` and `x` contain the entries in the rows of this process.
   virtual ParallelSolution solve(std::span<const double> b, std::span<double> x, double reduction) = 0;
   /// Returns r^T M^-1 r for the preconditioner M of the current matrix.
+  /// @param r  entries of r in the rows of this process
   virtual double preconditioned_square(std::span<const double> r) = 0;
 };
 
-/// Loads the PETSc module, which joins the processes of `mpirun` or runs on a single process. This is possible once per
-/// process, because destroying the solver ends MPI.
+/// Loads floc's PETSc module, which joins the processes of `mpirun` or runs on a single process. This is possible once
+/// per process, because destroying the solver ends MPI.
 /// @throws std::runtime_error if floc was built without PETSc or the module cannot be loaded
 std::unique_ptr<ParallelSolver> load_parallel_solver();
 

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Largest number of steps of one solution, and number of steps without a new smallest residual after which it is
-/// stopped.
+/// A solution by conjugate gradients is stopped after kMostSteps steps, or after kPatience steps without a new smallest
+/// residual.
 constexpr PetscInt kMostSteps = 20000;
 constexpr PetscInt kPatience = 2000;
 
@@ -26,7 +26,7 @@ void check(PetscErrorCode code) {
                            (specific != nullptr && *specific != '\0' ? std::string(": ") + specific : ""));
 }
 
-/// Owner of a PETSc object, which it destroys.
+/// Owner of a PETSc object; its destructor destroys the object.
 template <class T, PetscErrorCode (*Destroy)(T*)>
 class Owned {
  public:
@@ -48,7 +48,7 @@ class Owned {
   T object_ = nullptr;
 };
 
-/// Makes a PETSc vector use an existing array as long as this object exists.
+/// Makes a PETSc vector use an existing array as long as this object exists, so that no entry is copied.
 class Lent {
  public:
   Lent(Vec vector, const double* values) : vector_(vector) { check(VecPlaceArray(vector, values)); }
@@ -60,7 +60,8 @@ class Lent {
   Vec vector_;
 };
 
-/// Progress of a solution, for the convergence test: residual norms and the step of the smallest one.
+/// Residual norms of a solution (the first and the smallest), and the step with the smallest norm, for the convergence
+/// test.
 struct Progress {
   double reduction = 0.0;
   double first = 0.0;
@@ -97,7 +98,7 @@ std::string words_for(KSPConvergedReason reason, PetscInt steps) {
              after;
     case KSP_DIVERGED_DTOL:
     case KSP_DIVERGED_ITS:
-      return "the remaining forces no longer decrease" + after;
+      return "the forces that do not balance no longer decrease" + after;
     default:
       return std::string("PETSc gave up (") + KSPConvergedReasons[reason] + ")" + after;
   }
@@ -106,7 +107,7 @@ std::string words_for(KSPConvergedReason reason, PetscInt steps) {
 class PetscSolver final : public ParallelSolver {
  public:
   PetscSolver() {
-    // Signals and error output are handled by floc, not by PETSc.
+    // floc, not PETSc, handles signals and prints error messages.
     PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
     check(PetscInitializeNoArguments());
     check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
@@ -230,8 +231,8 @@ class PetscSolver final : public ParallelSolver {
     for (Vec& vector : vectors) check(VecDestroy(&vector));
   }
 
-  /// Sets up conjugate gradients and their preconditioner; PETSC_OPTIONS in the environment overrides the
-  /// settings.
+  /// Sets up conjugate gradients and their preconditioner. The environment variable PETSC_OPTIONS overrides what is set
+  /// here.
   void make_method() {
     check(KSPCreate(PETSC_COMM_WORLD, method_.fill()));
     check(KSPSetOperators(method_, matrix_, matrix_));

@@ -14,18 +14,18 @@ struct DrawnScale {
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture);
 
-/// Returns the root mean square of the forces of all lines with a force > 0; 0 if there are none.
+/// Returns the root mean square of the forces of those lines of a picture whose force is > 0; 0 if there are none.
 template <int Dim>
 double rms_force(const PackingPicture<Dim>& picture);
 
-/// Returns the root mean square of the lengths of all displacement arrows; 0 if there are none.
+/// Returns the root mean square of the displacements that the arrows of a picture show; 0 if there are none.
 template <int Dim>
 double rms_displacement(const PackingPicture<Dim>& picture);
 
 /// Returns the largest number not above x > 0 that is 1, 2 or 5 times a power of ten.
 double round_number_below(double x);
 
-/// Formats a number with at most three digits: "13.3", "0.01", "2×10⁻⁵".
+/// Formats a number with at most three significant digits: "13.3", "0.01", "2×10⁻⁵".
 std::string short_number(double x);
 
 }  // namespace floc

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Unit in which the forces of a picture are measured (force), and its symbol in the legend.
+/// Force that is the unit of the forces in a picture, and the symbol of this unit in the legend.
 struct UnitForce {
   double size;
   const char* name;
@@ -50,8 +50,8 @@ double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
   return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
 }
 
-/// Returns the sign of the pressure of each grain: 1 or -1, and 0 for rattlers and for grains whose pressure is zero
-/// within the tolerance.
+/// Returns the sign of the pressure of each grain: 1 or -1, and 0 for rattlers and for grains whose pressure is not
+/// above the pressure that a normal force of `zero_force` would give.
 template <int Dim>
 std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
   std::vector<int> sign;
@@ -60,8 +60,9 @@ std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& 
   return sign;
 }
 
-/// Sets `shade` to `value` for the grains of the largest connected cluster. @param active  whether each contact joins
-/// its two grains
+/// Finds the clusters of grains that active contacts connect, and sets `shade` to `value` for the grains of the largest
+/// cluster.
+/// @param active  whether each contact is active
 template <int Dim>
 void mark_largest(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
                   double value, std::vector<double>& shade) {

@@ -11,7 +11,8 @@ namespace {
 constexpr double kTilesPerRadius = 8.0;
 constexpr double kMaxTilesPerSide = 3000.0;
 
-/// Square tiles that cover the picture. Each tile is marked once a sphere covers it completely.
+/// Square tiles that cover the picture, for finding hidden spheres. A tile is marked as soon as one sphere covers it
+/// completely.
 class Tiles {
  public:
   explicit Tiles(const std::vector<SeenSphere>& spheres) {
@@ -29,8 +30,8 @@ class Tiles {
                     false);
   }
 
-  /// Returns whether all tiles that a sphere overlaps are covered by earlier spheres. Afterwards, the tiles that lie
-  /// within the sphere are covered too.
+  /// Returns whether all tiles that a sphere overlaps were marked in earlier calls. Then marks the tiles that lie
+  /// within the sphere. Spheres have to be passed in the order from the nearest to the farthest.
   bool hides_then_cover(const SeenSphere& s) {
     bool hidden = true;
     const int first_row = row_of(s.centre[1] - s.radius, 1), last_row = row_of(s.centre[1] + s.radius, 1);
@@ -50,8 +51,9 @@ class Tiles {
 
  private:
   int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
-  /// Returns the distances from the coordinate `x` to the nearest and to the farthest point of a row (axis 1) or column
-  /// (axis 0) of tiles.
+  /// Returns the distances from the coordinate `x` to the nearest and to the farthest coordinate of a row (axis 1) or
+  /// column (axis 0) of tiles.
+  /// @param row  number of this row or column
   std::pair<double, double> distances(int row, int axis, double x) const {
     const double begin = low_[axis] + row * side_ - x, end = begin + side_;
     return {std::max({begin, -end, 0.0}), std::max(-begin, end)};

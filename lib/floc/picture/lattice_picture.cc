@@ -58,12 +58,12 @@ int nearest_node(const NodeGrid<Dim>& grid, const Vec<Dim>& point, double spacin
   return nearest;
 }
 
-/// Returns the periodic image of the point x that lies in the rectangular box along the axes, whose sides are the
-/// diagonal elements of the cell matrix.
+/// Returns the periodic copy of the point x that lies in a rectangular box along the axes, whose sides are the diagonal
+/// elements of the cell matrix.
 template <int Dim>
 Vec<Dim> brought_into_room(const Cell<Dim>& cell, Vec<Dim> x) {
-  // The lattice vector of an axis has components along this axis and the axes before it, so the last axis is treated
-  // first.
+  // Lattice vector a has no components along the axes after a, so the axes are treated from the last to the first: a
+  // shift along one axis does not change the coordinates that are already in the box.
   for (int a = Dim; a-- > 0;) {
     const double side = cell.matrix(a, a);
     const double times = std::floor(x[a] / std::abs(side));
@@ -77,7 +77,7 @@ std::uint32_t pixel_of(const Color& c) {
   return 0xff000000u | byte(c.red) << 16 | byte(c.green) << 8 | byte(c.blue);
 }
 
-/// Returns the section as an image, in which each pixel has the colour of the nearest node.
+/// Returns an image of the section through the lattice, in which each pixel has the colour of the nearest node.
 template <int Dim>
 cairo_surface_t* image_of(const Section<Dim>& section, const LatticePicture<Dim>& picture,
                           double pixels_a_length) {
@@ -104,8 +104,8 @@ void set_source(cairo_t* page, const Color& c) {
   cairo_set_source_rgb(page, c.red, c.green, c.blue);
 }
 
-/// Draws faces as lines across their bonds. In a 3D section, only faces whose midpoint is within half a spacing of the
-/// section are drawn.
+/// Draws the faces between two nodes, such as cracks, as lines across the bonds of these nodes. In a 3D section, only
+/// faces whose midpoint is within half a lattice spacing of the section are drawn.
 template <int Dim>
 void draw_faces(cairo_t* page, const Section<Dim>& section, const LatticePicture<Dim>& picture, double scale) {
   set_source(page, palette::kArrow);
@@ -149,7 +149,8 @@ std::vector<std::string> LatticeSheetOptions::validate() const {
     faults.push_back(fmt::format("width = {} points: must be 50 to 5000", width));
   if (cut_axis < 0 || cut_axis > 2) faults.push_back(fmt::format("cut axis = {}: must be 0 to 2", cut_axis));
   if (!(cut_at >= 0.0 && cut_at <= 1.0))
-    faults.push_back(fmt::format("cut = {}: must be a fraction of the cell, 0 to 1", cut_at));
+    faults.push_back(fmt::format(
+        "cut = {}: must be a position along the axis of the cut, as a fraction of the cell, 0 to 1", cut_at));
   if (!kPixels.holds(pixels_a_node))
     faults.push_back(fmt::format("pixels per node = {}: must be 1 to 100", pixels_a_node));
   return faults;

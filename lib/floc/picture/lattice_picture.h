@@ -16,7 +16,7 @@ namespace floc {
 template <int Dim>
 struct LatticePicture {
   std::vector<Color> color;  ///< colour of each node
-  /// Indices of the bonds that are drawn as the face between their two nodes, to show cracks.
+  /// Indices of broken bonds. Each is drawn as the face between its two nodes, which shows cracks.
   std::vector<int> faces;
   std::string caption;
   /// Colours and their meanings, which the legend lists.
@@ -59,9 +59,9 @@ template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options);
 
-/// Returns a colour for each stress: blue for compression, orange for tension, white for zero, and grey if there is no
-/// stress at this entry. Colours are full at +-`largest`.
-/// @param there  one entry per stress: whether the stress exists
+/// Returns the colours of nodes with the stresses `value`: blue for compression, orange for tension, white for zero,
+/// and grey for nodes without a stress. Stresses beyond +-`largest` have the last colours of the scale.
+/// @param there  whether each node has a stress
 std::vector<Color> stress_colors(const std::vector<double>& value, const std::vector<bool>& there,
                                  double largest);
 

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kBetween = 12.0;  ///< distance between two items of the legend (points)
 constexpr double kAfterSample = 4.0;
-/// Largest width of the sample line of a force (points), so that it does not cover text.
+/// Largest width of the line in the legend that shows how wide a force is drawn (points). A wider line would cover
+/// text.
 constexpr double kThickest = 8.0;
 
 template <int Dim>
@@ -92,9 +93,9 @@ LegendItem text_item(const std::string& text) {
   return {-kAfterSample, [](cairo_t*, double, double) {}, text};
 }
 
-/// Calls `place(item, x, line)` for each legend item, with its position x in a line (points) and the index of the line.
-/// Lines are filled from the left. An item that is wider than a line takes as many lines as its text needs. @return
-/// number of lines
+/// Distributes legend items over lines, and calls `place(item, x, line)` for each item, with its position x in the line
+/// (points) and the index of the line. Lines are filled from the left. An item that is wider than a line takes as many
+/// lines as its text needs. @return number of lines
 template <class Place>
 int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   double x = 0.0;
@@ -110,8 +111,8 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   return n_lines;
 }
 
-/// Returns the number of bytes of the longest beginning of a text that fits into `width` (points). It holds at least
-/// one letter, and never ends inside a letter of UTF-8.
+/// Returns the number of bytes of the longest beginning of a text that fits into `width` (points). This beginning holds
+/// at least one letter, and never ends inside a letter of several bytes (UTF-8).
 std::size_t end_of_fitting(const std::string& text, double width) {
   std::size_t end = 0;
   do {

@@ -37,8 +37,9 @@ struct LegendItem {
   std::string text;
 
   double width() const;
-  /// Returns the lines of the text, for an item with at most `room` points of width. The text is to the right of the
-  /// sample if each of its words fits there; otherwise it is below the sample, and the first line returned is empty.
+  /// Returns the lines into which the text is broken if the item is at most `room` wide (points). The text is to the
+  /// right of the sample if each of its words fits there; otherwise it is below the sample, and the first line returned
+  /// is empty.
   std::vector<std::string> lines(double room) const;
   void draw(cairo_t* page, double x, double baseline, double room) const;
 };
@@ -52,14 +53,14 @@ LegendItem line_item(const Color& color, double width, const std::string& text);
 /// @param room  largest length of the bar (points)
 LegendItem color_bar(const GrainShade& shade, double room);
 
-/// Returns a legend item that shows the line width of a force with a round value. The force is chosen so that the line
-/// is not thicker than the text is high.
-/// @pre some line has a force > 0
+/// Returns a legend item that shows how wide the line of a contact force is drawn, for a round value of the force. This
+/// value is chosen so that the line is not thicker than the text is high.
+/// @pre some line of the picture has a force > 0
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
-/// Returns the legend of a sheet, with an item for each element that some picture shows: scale bar, kinds of lines,
-/// rattlers, arrows, colours, notes.
+/// Returns the legend of a page with pictures, with an item for each element that some picture shows: scale bar, kinds
+/// of lines, rattlers, arrows, colours, notes.
 /// @param bar  approximate largest length of the scale bar (points)
 /// @param width  width of the legend (points)
 template <int Dim>

@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Number of shapes that are combined in one cairo path. The time for a path grows faster than its length.
+/// Largest number of shapes that are combined in one cairo path. The limit saves time, because the time to draw a path
+/// grows faster than the number of its shapes.
 constexpr int kBatch = 200;
 constexpr double kSmallestOutlined = 2.5;
 /// Step to which line widths are rounded (points). Lines of equal width share one path, which keeps files small.
@@ -101,8 +102,8 @@ class Drawing {
   }
 
  private:
-  /// Returns a number for the fill colour of a grain: the index of its shade or, in pictures without shades, 1 for
-  /// rattlers and 0 for other grains.
+  /// Returns a number for the fill colour of a grain: its place on the colour scale, from -kShades to kShades, or, in
+  /// pictures that do not colour grains by a value, 1 for rattlers and 0 for other grains.
   int fill_of(int i) const {
     if (!picture_.shade.value.empty()) {
       const double share = std::clamp(picture_.shade.value[i] / picture_.shade.largest, -1.0, 1.0);

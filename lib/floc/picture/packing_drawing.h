@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Rectangle around a periodic cell that has one corner at the origin (length).
+/// Rectangle around a periodic cell, in coordinates in which one corner of the cell is the origin (length).
 struct Box {
   Vec<2> low = Vec<2>::Zero();
   Vec<2> high = Vec<2>::Zero();
@@ -27,8 +27,9 @@ void set_color(cairo_t* page, const Color& color);
 
 Color color_of(LineKind kind);
 
-/// Draws the grains, lines and arrows of a picture, clipped at the border of the cell. Periodic copies that reach into
-/// the cell are drawn too. Outlines of grains are left out if the mean diameter is below 2.5 points.
+/// Draws the grains, lines and arrows of a picture, clipped at the border of the cell. Periodic copies of grains, lines
+/// and arrows that reach into the cell are drawn too. Outlines of grains are left out if the mean diameter is below 2.5
+/// points.
 void draw_packing(cairo_t* page, const PackingPicture<2>& picture, const Placement& placement);
 
 /// Draws the border of the periodic cell.

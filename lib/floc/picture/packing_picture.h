@@ -21,11 +21,12 @@ enum class LineKind {
   gained,
 };
 
-/// A contact, drawn as a line between the centres of its two grains.
+/// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to that of grain
+/// j.
 template <int Dim>
 struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
-  Vec<Dim> to = Vec<Dim>::Zero();  ///< centre of the periodic image of the second grain that is in contact
+  Vec<Dim> to = Vec<Dim>::Zero();  ///< centre of the periodic image of grain j that interacts with grain i
   LineKind kind = LineKind::compression;
   double force = 0.0;  ///< force in `PackingPicture::force_unit`, to which the line width is proportional
   int i = 0, j = 0;    ///< indices of the grains (or walls) at both ends
@@ -56,7 +57,7 @@ struct Slab {
 };
 
 /// A picture of a packing: grains, lines, arrows and colours, in the unit of length of the state. It holds each element
-/// once, without periodic copies; the functions that draw it add copies and clip at the border of the cell.
+/// once, without periodic copies; the functions that draw the picture add copies and clip at the border of the cell.
 template <int Dim>
 struct PackingPicture {
   Cell<Dim> cell;
@@ -73,7 +74,8 @@ struct PackingPicture {
   std::vector<DisplacementArrow<Dim>> arrows;
   std::optional<Slab> slab;  ///< part of the cell that is shown, see part_in_slab()
   GrainShade shade;          ///< values that colour the grains; if there are none, grains are grey
-  /// Parts of the caption above the picture. A part is broken only if it is wider than a line.
+  /// Parts of the caption above the picture. A line of the caption can end after each part; a part is broken only if it
+  /// is wider than a line.
   std::vector<std::string> caption;
   std::string note;  ///< note in the legend; may be empty
 };

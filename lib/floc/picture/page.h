@@ -35,7 +35,7 @@ class Page {
 /// page. It is used for drawings with so many shapes that a file with all of them as vectors would be slow to display.
 class ImageLayer {
  public:
-  /// @param left,  top, width, height  part of the page that the image covers (points)
+  /// @param left,top,width,height  part of the page that the image covers (points)
   ImageLayer(cairo_t* page, double left, double top, double width, double height, double pixels_per_point);
   ~ImageLayer();
   ImageLayer(const ImageLayer&) = delete;

@@ -29,7 +29,7 @@ inline constexpr Color kGained = kCompression;
 inline constexpr Color kArrow = hex_color(0x222222);
 inline constexpr Color kGrain = hex_color(0xEFEFEF);
 inline constexpr Color kSphere = hex_color(0xD6D6D6);  ///< grains in 3D, before shading
-/// Small spheres at the ends of the tubes that show contacts.
+/// Colour of the small spheres at the ends of the tubes that show contacts.
 inline constexpr Color kNode = hex_color(0x9C9C9C);
 inline constexpr Color kRattler = hex_color(0xFFFFFF);
 inline constexpr Color kOutline = hex_color(0xA6A6A6);

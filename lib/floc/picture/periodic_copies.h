@@ -42,7 +42,7 @@ class PeriodicCopies {
 
   Cell<Dim> cell_;
   Mat<Dim> reciprocal_;  ///< its rows are the reciprocal lattice vectors, so that s = reciprocal_ x
-  Vec<Dim> reach_;       ///< extent of a ball of radius 1 along each reduced coordinate
+  Vec<Dim> reach_;       ///< half the extent of a ball of radius 1 along each reduced coordinate
 };
 
 }  // namespace floc

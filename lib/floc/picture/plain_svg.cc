@@ -34,10 +34,11 @@ void append_path(std::string_view path, std::string& out) {
   }
 }
 
-/// Texts that precede a name in an svg, beginnings of the names that cairo numbers, and the text that precedes the data
-/// of a path.
+/// Texts in an svg after which the name of an element follows.
 constexpr std::string_view kBeforeName[] = {"id=\"", "href=\"#", "url(#"};
+/// Beginnings of the names that cairo ends with a number.
 constexpr std::string_view kCounted[] = {"surface", "image", "source-"};
+/// Text in an svg after which the coordinates of a path follow.
 constexpr std::string_view kBeforePath = " d=\"";
 
 }  // namespace
@@ -53,8 +54,8 @@ std::string plain_svg(std::string_view svg) {
     i += text.size();
     return true;
   };
-  // The names that cairo numbers are numbered again, in the order of their first appearance. A definition and the
-  // references to it thus get the same new name.
+  // Gives a name that ends in a number a new number, in the order in which such names first appear. The definition of
+  // an element and the references to it thus get the same new name.
   const auto take_name = [&] {
     for (const std::string_view prefix : kCounted) {
       if (!take(prefix)) continue;
@@ -65,7 +66,8 @@ std::string plain_svg(std::string_view svg) {
       return;
     }
   };
-  // Only names depend on the process, and only paths take much space, so all other text is copied unchanged.
+  // Only names depend on earlier drawings of the process, and only paths take much space, so all other text is copied
+  // unchanged.
   while (i < svg.size()) {
     bool taken = false;
     for (const std::string_view before : kBeforeName)

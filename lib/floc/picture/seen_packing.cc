@@ -12,8 +12,8 @@ namespace floc {
 namespace {
 
 constexpr double kWithLines = 0.25;
-/// Tubes shorter than this, in units of their width, are not drawn: they would be slivers around the contact point of
-/// two spheres of full size.
+/// Smallest length of a tube that is drawn, in units of its width. Between spheres of full size, shorter tubes would be
+/// slivers around the contact point.
 constexpr double kShortest = 0.05;
 /// Cosine of the angle between the normal of a face and the line of sight below which the face counts as seen edge-on.
 constexpr double kEndOn = 1e-9;
@@ -29,8 +29,8 @@ std::optional<Interval> negative_part(double a, double b, double c) {
   return Interval{(-b - std::sqrt(root)) / (2.0 * c), (-b + std::sqrt(root)) / (2.0 * c)};
 }
 
-/// Returns the part of a line segment that lies in the cell 0 <= s <= 1, as fractions of its length. Both ends are
-/// given in reduced coordinates.
+/// Returns the part of a line segment that lies in the cell 0 <= s <= 1, as fractions of the length of the segment. Its
+/// ends are given in reduced coordinates.
 std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   Interval part{0.0, 1.0};
   for (int a = 0; a < 3; ++a) {
@@ -77,7 +77,8 @@ class Sight {
   }
 
  private:
-  /// Adds the spheres and sets the range of their depths, which includes spheres that will be hidden.
+  /// Adds all spheres, and sets `far` and `near`, the ends of the range of the depths (coordinates towards the eye) of
+  /// their centres. This range includes spheres that are removed later, because other spheres hide them.
   void add_spheres() {
     seen_.far = std::numeric_limits<double>::infinity();
     seen_.near = -seen_.far;
@@ -101,8 +102,8 @@ class Sight {
     }
   }
 
-  /// Adds the tube of a contact. It begins where its surface meets the sphere, at the distance sqrt(R^2 - (width/2)^2)
-  /// from the centre of a sphere of radius R.
+  /// Adds the tube of a contact. A tube begins where its surface meets the sphere, at the distance sqrt(R^2 -
+  /// (width/2)^2) from the centre of a sphere of radius R.
   void add_tube(const ContactLine<3>& line, const Vec<3>& from, const Vec<3>& to) {
     const auto in_cell = part_in_cell(picture_.cell.reduced(from), picture_.cell.reduced(to));
     if (!in_cell) return;

@@ -55,7 +55,7 @@ struct SeenPacking {
   struct Mark {
     Part part;
     int index;
-    /// Coordinate towards the eye: of the centre of a sphere, or of the middle of a tube or arrow.
+    /// Coordinate towards the eye (length), of the centre of a sphere or of the middle of a tube or arrow.
     double depth;
   };
 
@@ -74,8 +74,8 @@ struct SeenPacking {
 /// Returns the ratio of the drawn radius of spheres to their true radius.
 double sphere_size(const PackingPicture<3>& picture, const View& view);
 
-/// Returns the visible parts of a packing: each sphere once, at the image of its centre in the cell, and the contacts,
-/// cut at the faces of the cell. Spheres that are completely hidden are left out.
+/// Returns the visible parts of a packing: each sphere once, at the periodic copy whose centre is in the cell, and the
+/// contacts, cut at the faces of the cell. Spheres that are completely hidden are left out.
 /// @param scale  scale of the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 
@@ -84,8 +84,8 @@ SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, con
 std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
                                                      const SeenSphere& sphere);
 
-/// Returns the edges of the part of a cell between two corners, given in reduced coordinates. Each edge is marked as
-/// visible over its whole length.
+/// Returns the twelve edges of the part of a cell between the corners `low` and `high`, which are given in reduced
+/// coordinates. Each edge is marked as visible over its whole length.
 std::vector<SeenEdge> edges_of(const Cell<3>& cell, const Camera& camera, const Vec<3>& low,
                                const Vec<3>& high);
 

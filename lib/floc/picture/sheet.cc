@@ -23,8 +23,8 @@ template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsPerSide = 3000.0;
 constexpr double kPixelsPerDiameter = 6.0;
-/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D each shape has a
-/// separate colour gradient, which takes about 600 bytes.
+/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D each shape has its own
+/// colour gradient, which takes about 600 bytes of the file.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
 constexpr double kAxisRoom = 10.0;  ///< margin around a picture in 3D for the names of the axes (points)
@@ -94,7 +94,7 @@ class Layout {
   }
 
  private:
-  /// Sets the lengths (points) that a unit force and a unit displacement have on the page.
+  /// Sets the line width of a unit force and the length of a unit displacement on the page (points).
   void set_scales() {
     double moved = 0.0, force = 0.0, force_diameter = 0.0;
     for (const PackingPicture<Dim>& p : pictures_) {

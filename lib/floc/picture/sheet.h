@@ -15,8 +15,9 @@ struct SheetOptions {
   PictureFormat format = PictureFormat::svg;
   double width = 482.0;  ///< width of the page (points); the default is 17 cm, two columns of a journal
   int columns = 4;       ///< number of columns if there are several pictures, >= 1
-  /// Width of the line of the root mean square force, in mean diameters. Forces in granular media are distributed about
-  /// exponentially, so that the lines of the largest of thousands of forces are about as wide as a grain.
+  /// Width of the line for a force that equals the root mean square of all forces, in mean diameters. With the default,
+  /// the line of the largest of thousands of forces is about as wide as a grain, because the distribution of forces in
+  /// granular media is about exponential.
   double line_width = 0.15;
   bool same_force_scale = false;  ///< whether all pictures have a common force scale
   bool bare = false;              ///< whether captions and legend are left out

@@ -164,8 +164,9 @@ class SeenDrawing {
   /// Returns the cell edge parallel to the first edge and diagonally opposite to it.
   const SeenEdge& opposite() const { return seen_.cell_edges[3]; }
 
-  /// Returns the edge along an axis, among the edges of the outline of the cell, that is lowest on the page; among
-  /// equally low edges, the left one. Null if the axis is seen end-on.
+  /// Returns the edge of the cell beside which the name of an axis is drawn. Of the edges along this axis in the
+  /// outline of the cell, it is the lowest on the page, and of equally low edges the leftmost. Null if the axis is seen
+  /// end-on.
   const SeenEdge* labelled_edge(int axis) const {
     constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;
@@ -181,8 +182,9 @@ class SeenDrawing {
     return best;
   }
 
-  /// Returns the distance (points) from a point of the outline, in the direction `out`, at which a label with a given
-  /// length along the outline overlaps no sphere.
+  /// Returns the distance (points) by which a label has to be moved from a point of the outline of the cell, in the
+  /// direction `out`, so that it overlaps no sphere.
+  /// @param length  length of the label along the outline (points)
   double clear_of_spheres(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
     constexpr double kClearance = 4.0;
     double away = 0.0;
@@ -195,8 +197,8 @@ class SeenDrawing {
     return away + kClearance;
   }
 
-  /// Draws a labelled arrow for an axis beside a cell edge. @param middle  middle of the cell; the arrow is on the
-  /// other side of the edge
+  /// Draws a labelled arrow for an axis beside a cell edge.
+  /// @param middle  middle of the cell; the arrow is on the other side of the edge
   void draw_axis(const Vec<2>& from, const Vec<2>& to, const Vec<2>& middle, char name) const {
     constexpr double kLength = 18.0, kLetter = 5.0, kLeast = 6.0;
     const Vec<2> along = (to - from).normalized(), half_way = 0.5 * (from + to);
@@ -264,8 +266,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   cairo_translate(page, bar.from[0], bar.from[1]);
   cairo_rotate(page, std::atan2(along[1], along[0]));
   cairo_new_path(page);
-  // In the coordinates of the bar, an end is half an ellipse. It is the flat end of a cylinder tilted towards the eye,
-  // or a round end. Ends without bulge are straight lines, because cairo cannot scale an arc by zero.
+  // In the coordinates of the bar, each end is half an ellipse: a round end, or the flat end of a cylinder that is
+  // tilted towards the eye. Ends without bulge are drawn as straight lines, because cairo cannot scale an arc by zero.
   const auto end_at = [&](double x, double bulge, double begin) {
     if (bulge <= 1e-3 * half) {
       cairo_line_to(page, x, begin < 0.0 ? -half : half);

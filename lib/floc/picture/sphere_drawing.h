@@ -25,14 +25,14 @@ struct Bar {
 };
 void draw_bar(cairo_t* page, const Bar& bar, const Color& color);
 
-/// Draws spheres, tubes and arrows from the farthest to the nearest, after the edges of the cell (and of the slab) that
-/// lie behind them. Parts farther from the eye are paler.
+/// Draws the edges of the cell that lie behind the grains, and those of the slab if only a slab of the cell is shown.
+/// Then it draws spheres, tubes and arrows from the farthest to the nearest. Parts farther from the eye are paler.
 /// @param picture  picture from which `seen` was computed
 /// @param box  rectangle around the picture, from box_of()
 void draw_seen(cairo_t* page, const SeenPacking& seen, const PackingPicture<3>& picture, const Box& box,
                const Placement& placement);
 
-/// Draws the edges of the cell that are not behind the cell, except where spheres hide them.
+/// Draws the edges of the cell that are not at its back, except where spheres hide them.
 void draw_front_edges(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement);
 
 /// Draws short arrows along the three cell vectors, outside the outline of the cell, with the letters x, y and z.

@@ -12,12 +12,12 @@ namespace floc {
 enum class Demand {
   none,
   lengths,       ///< all axes have reached their imposed lengths
-  response,      ///< the stress has responded to the load of this step
+  response,      ///< the stress has responded to the load of this load step
   density,       ///< the solid fraction, or the void ratio of a packing between walls, is steady
   stress,        ///< the stress carried by axes with an imposed length is steady
   contacts,      ///< no contact has opened or closed for some time
   duration,      ///< the packing has been steady for long enough
-  rest,          ///< the kinetic energy of the grains that touch other grains is small
+  rest,          ///< the kinetic energy of the grains that interact with others is small
   wall_load,     ///< every wall has at some time borne half of its imposed pressure
   pressure,      ///< every wall bears its imposed pressure
   energy_ratio,  ///< the ratio of kinetic to elastic energy is small, if this ends a compaction
@@ -27,18 +27,18 @@ enum class Demand {
 };
 inline constexpr int kDemands = static_cast<int>(Demand::liquid) + 1;
 
-/// First criterion that a packing does not meet, with its measured value.
+/// First criterion of equilibrium that a packing does not meet, with the measured value that the criterion limits.
 struct Unmet {
   Demand demand = Demand::none;
   double value = 0.0;  ///< measured value; a count for mechanisms, stability and liquid
   double limit = 0.0;  ///< upper limit of the value, if the criterion has one
 };
 
-/// Describes an unmet criterion in words; empty if there is none.
+/// Describes a criterion that is not met, in words; empty for Demand::none.
 std::string in_words(const Unmet& unmet);
 
-/// Describes the residual with the largest ratio to its tolerance, with its grain, in words; empty if all residuals are
-/// below their tolerances.
+/// Describes in words the residual (of force, moment, stress or energy) that exceeds its tolerance by the largest
+/// ratio, and the grain on which it occurs; empty if all residuals are below their tolerances.
 /// @param id  identifiers of the grains; if empty, the message names grains by their indices
 std::string worst_residual(const Residuals& residuals, const EquilibriumTolerance& tolerance,
                            std::span<const std::int64_t> id = {});

@@ -10,18 +10,19 @@
 
 namespace floc {
 
-/// Kind of control of one component of the boundary of a packing.
+/// Kind of control of one strain component of the boundary (lattice and walls) of a packing.
 enum class Imposed {
-  stress,  ///< the component follows the stress that acts on it
-  rate,    ///< the component moves at a given strain rate; at rate zero it is fixed
+  stress,  ///< the strain component follows the stress that acts on it
+  rate,    ///< the strain component changes at a given rate; at rate zero it is fixed
 };
 
-/// Strain ramp that takes axes from one length to another; the axes are at rest at both ends. With t = time/duration,
-/// the logarithmic strain is proportional to 3 t^2 - 2 t^3 (docs/physics.md, "Boundary control"). The offset of a
-/// sheared lattice vector is a linear function of 3 t^2 - 2 t^3, too.
+/// Strain ramp: smooth change of the lengths of some axes of the cell, which are at rest at the beginning and at the
+/// end. With t = time/duration, the logarithmic strain of an axis is proportional to 3 t^2 - 2 t^3 (docs/physics.md,
+/// "Boundary control"). A lattice vector may be sheared: its offset (component along the first axis) is then a linear
+/// function of 3 t^2 - 2 t^3, too.
 template <int Dim>
 struct StrainRamp {
-  static constexpr double kPeak = 1.5;  ///< ratio of the largest strain rate to the mean strain rate
+  static constexpr double kPeak = 1.5;  ///< ratio of the largest strain rate on a ramp to the mean strain rate
 
   /// Lengths of the axes before and after the ramp (length); axes with equal lengths do not move.
   Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();
@@ -29,7 +30,7 @@ struct StrainRamp {
   double duration = 0.0;  ///< duration of the ramp (time)
   /// Index of the axis whose lattice vector is displaced along the first axis; 0 if there is no shear.
   int sheared_axis = 0;
-  /// Components of the sheared lattice vector along the first axis, before and after the ramp (length).
+  /// Offset of the sheared lattice vector (its component along the first axis), before and after the ramp (length).
   double offset_from = 0.0, offset_to = 0.0;
   double height = 1.0;  ///< length of the sheared axis before the ramp (length)
 
@@ -41,7 +42,8 @@ struct StrainRamp {
     if (over(since)) return to[axis];
     return from[axis] * std::pow(to[axis] / from[axis], share(since));
   }
-  /// Returns the offset of the sheared lattice vector when a time `since` from now has passed (length).
+  /// Returns the offset (component along the first axis) of the sheared lattice vector when a time `since` from now has
+  /// passed (length).
   double offset(double since) const {
     return over(since) ? offset_to : offset_from + share(since) * (offset_to - offset_from);
   }
@@ -54,27 +56,29 @@ struct StrainRamp {
   }
 
  private:
-  /// Returns the share of the ramp, from 0 to 1, that is completed when a time `since` from now has passed.
+  /// Returns the share of the total strain, from 0 to 1, that is reached when a time `since` from now has passed.
   double share(double since) const {
     const double t = (begun + since) / duration;
     return t * t * (3.0 - 2.0 * t);
   }
 };
 
-/// Control of the boundary of a packing (docs/physics.md, "Boundary control"): each component follows a stress or moves
-/// at a strain rate. The lattice is kept lower triangular (its first vector along the first axis), so that it shears
-/// but does not turn. The components are in the order of StrainSet::full: 11, 22, 12 in 2D, and 11, 22, 33, 23, 13, 12
-/// in 3D.
+/// Control of the boundary of a packing (docs/physics.md, "Boundary control"): each strain component follows a stress
+/// or moves at a strain rate. The lattice is kept lower triangular (its first vector along the first axis), so that it
+/// shears but does not turn. The components are in the order of StrainSet::full: 11, 22, 12 in 2D, and 11, 22, 33, 23,
+/// 13, 12 in 3D.
 template <int Dim>
 struct BoundaryControl {
   std::array<Imposed, kSymmetric<Dim>> imposed;
-  /// Imposed stress of each component, compression positive (force/length^(Dim-1)), or its imposed strain rate:
-  /// shortening positive, and the rate of the engineering shear strain gamma for shear components (1/time).
+  /// For each component that follows a stress: the imposed stress, compression positive (force/length^(Dim-1)). For
+  /// each component that moves at a strain rate: the strain rate, shortening positive (1/time); for a shear component
+  /// it is the rate of the engineering shear strain gamma.
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
-  double mass = 0.0;  ///< inertia M of a component of the lattice (mass)
+  double mass =
+      0.0;  ///< inertia M of each component of the lattice vectors, when it is accelerated by a stress (mass)
   /// Largest strain rate of components that follow a stress (1/time).
   double rate_cap = std::numeric_limits<double>::infinity();
-  StrainRamp<Dim> ramp;  ///< strain ramp of axes that are controlled by rate; it replaces their target
+  StrainRamp<Dim> ramp;  ///< strain ramp of axes that move at a strain rate; it replaces their `target`
   /// Mean stress that sets the scale of forces; if absent, the mean of the imposed stresses (force/length^(Dim-1)).
   std::optional<double> reference_stress;
 
@@ -116,7 +120,7 @@ struct BoundaryControl {
       if (imposed[k] == Imposed::stress || target[k] != 0.0) return false;
     return true;
   }
-  /// Whether a rectangular lattice stays rectangular.
+  /// Whether a rectangular lattice stays rectangular under this control.
   bool keeps_rectangular() const {
     if (ramp.shears()) return false;
     for (int k = Dim; k < kSymmetric<Dim>; ++k)
@@ -140,7 +144,8 @@ struct BoundaryControl {
   }
 };
 
-/// Returns the axes (a, b) of component k of the strain or stress, with a <= b.
+/// Returns the axes (a, b), with a <= b, of component k of a strain or stress, in the order 11, 22, 12 in 2D, and 11,
+/// 22, 33, 23, 13, 12 in 3D.
 template <int Dim>
 constexpr std::array<int, 2> component_axes(int k) {
   if (k < Dim) return {k, k};

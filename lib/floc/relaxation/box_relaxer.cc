@@ -20,20 +20,21 @@
 namespace floc {
 namespace {
 
-/// Change of the void ratio during the final phase of a relaxation (power control) beyond which the packing moves
-/// freely again.
+/// Largest change of the void ratio during the final phase of a relaxation (power control). Beyond it, the packing
+/// moves freely again.
 constexpr double kFinishVoidRatio = 1e-3;
-/// Longest duration of the final phase of a relaxation (power control), in time units T. If the scene accepts states
-/// that are not equilibria, the state is then recorded as it is.
+/// Longest duration of the final phase of a relaxation (power control), in time units T (compaction_time()). After it,
+/// the state is recorded as it is, if the scene accepts states that are not equilibria.
 constexpr double kLongestFinish = 60.0;
-/// Ratio of the distance between two walls to their distance at the start beyond which the walls count as lost if no
+/// Ratio of the distance between two walls to their distance at the start. Beyond it, the walls count as lost if no
 /// grain touches them.
 constexpr double kLargestExpansion = 4.0;
 /// Distance between two walls below which a box counts as closed, in largest diameters. Overlaps are small, so that
-/// grains do not fit into such a box.
+/// grains do not fit into a smaller box.
 constexpr double kBoxClosed = 0.5;
 
-/// Function that visits every member of a CompactionProgress under the name that it has in checkpoints.
+/// Function that calls visit(name, member) for every member of a CompactionProgress, with the name that the member has
+/// in checkpoints.
 constexpr auto kBoxMembers = [](auto& p, const auto& visit) {
   visit("stage", p.phase);
   visit("n_steps", p.n_steps);
@@ -51,7 +52,7 @@ CompactionProgress parsed(const std::string& text) {
   if (text.empty()) return {};
   return members_from_json<CompactionProgress>(
       text, "progress",
-      "does not hold the progress of a compaction between walls in the format of this version of floc",
+      "the text does not hold the progress of a compaction between walls in the format of this version of floc",
       kBoxMembers);
 }
 
@@ -79,7 +80,9 @@ BoxRelaxer<Dim>::BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packi
       time_step_(time_step_of(packing_, options.time_step, target_.mean())),
       time_unit_(compaction_time(packing_, target_.mean())) {
   if (load.any_strained())
-    throw InputError("packing", "has walls, so that each axis needs a pressure, but a length is imposed");
+    throw InputError(
+        "packing",
+        "the packing has walls, so that each axis needs a pressure, but a length is imposed on an axis");
   measure();
   if (progress_.skin == 0.0)
     progress_.skin = options.skin ? *options.skin * largest_diameter(packing_.grains)
@@ -93,15 +96,16 @@ BoxRelaxer<Dim>::BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packi
   }
 }
 
-/// Whether the walls of an axis follow the pressure, that is, whether their mass is finite.
+/// Whether the walls of an axis move under a pressure, that is, whether the mass of a wall is finite.
 template <int Dim>
 bool BoxRelaxer<Dim>::under_pressure(int axis) const {
   return std::any_of(packing_.walls.begin(), packing_.walls.end(),
                      [axis](const Wall<Dim>& w) { return w.axis == axis && follows_forces(w); });
 }
 
-/// Returns the control of the walls. Walls that still move at their given speed are under a strain rate, the other
-/// walls under the pressure. Walls of infinite mass do not move under a pressure.
+/// Returns the control of the walls for the next chunk of time steps: a strain rate for walls that still move at the
+/// speed given by the scene, and the imposed pressure for all other walls. Walls of infinite mass do not move under a
+/// pressure.
 template <int Dim>
 BoundaryControl<Dim> BoxRelaxer<Dim>::control() {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -126,10 +130,12 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
     // The packing is still in its state at the beginning of the chunk of time steps, but its contacts have been moved
-    // into the dynamics and have to be found again.
+    // into the object `dynamics` and have to be found again.
     find_contacts(packing_);
     measure();
-    return give_up("diverged", "the motion diverged: run.time_step is too large, or box.mass too small for it");
+    return give_up(
+        "diverged",
+        "the motion diverged: run.time_step is too large, or box.mass is too small for this time step");
   }
   // The old packing is freed first, so that a large packing is not stored twice.
   packing_ = {};
@@ -143,7 +149,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
   // If the scene sets a longest time, the state at that time is recorded as it is. If the final phase of the relaxation
-  // (power control) has begun by then, it goes on: check_finish() limits its duration.
+  // (power control) has begun by then, this phase goes on: check_finish() limits its duration.
   if (options_.compaction.longest) {
     if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
     return stop_here();
@@ -182,8 +188,8 @@ std::string BoxRelaxer<Dim>::lost() const {
             g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
-  // Walls that follow their forces close the box if the grains cannot bear the pressure, and move away without end if
-  // no grain touches them.
+  // Walls that move under the forces on them close the box if the grains cannot bear the pressure, and move away
+  // without end if no grain touches them.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);
@@ -251,8 +257,9 @@ bool BoxRelaxer<Dim>::has_ended() {
 }
 
 /// Begins the final phase of the relaxation (power control) once the compaction has ended and no mechanism is left. A
-/// packing with mechanisms moves on until more contacts support it, since power control would freeze it in its present
-/// state. If the ratio of energies ends the compaction, a state with mechanisms is recorded as it is.
+/// packing with mechanisms (motions without stiffness) moves on until more contacts support it, since power control
+/// would freeze it in its present state. If the ratio of energies ends the compaction, a state with mechanisms is
+/// recorded as it is.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::check_motion() {
   if (!has_ended()) return RelaxationStatus::running;
@@ -294,8 +301,8 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   return long_enough && may_stop() ? stop_here() : RelaxationStatus::running;
 }
 
-/// Returns the changes of the liquid bridges if the liquid were shared out once more. The packing itself is not
-/// changed. Without liquid, the changes are zero.
+/// Returns how the liquid bridges would change if the liquid were shared out once more among the pairs of grains. The
+/// packing itself is not changed. Without liquid, all changes are zero.
 template <int Dim>
 LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   if (!holds_liquid(packing_)) return {};
@@ -305,8 +312,8 @@ LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   return change;
 }
 
-/// Ends the relaxation with the present state, which need not be an equilibrium. Its stability is kept if it has been
-/// determined at rest.
+/// Ends the relaxation with the present state, which need not be an equilibrium. If check_finish() has determined the
+/// stability of this state at rest, the report contains it.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);

@@ -17,7 +17,9 @@ struct CompactionProgress {
   int phase = moving;
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
-  double skin = 0.0;         ///< skin of the Verlet lists (length); 0 before the first chunk of time steps
+  /// Skin (extra distance up to which pairs are listed) of the Verlet lists (length); 0 before the first chunk of time
+  /// steps.
+  double skin = 0.0;
   std::vector<double> start_side;  ///< sides of the box when the relaxation began (length)
   /// Void ratio at the end of each recent chunk of time steps, the oldest first.
   std::vector<double> void_ratio;

@@ -25,8 +25,8 @@ CellMotion<Dim>::CellMotion(const Cell<Dim>& cell, std::vector<Wall<Dim>> walls,
   strain_rate_ = right_quotient<Dim>(lattice_rate_, lattice_);
 }
 
-/// Returns the sides of the boundary: for an axis between two walls the distance between them, otherwise the diagonal
-/// component of the lattice.
+/// Returns the sides of the boundary (length): for an axis between two walls the distance between the walls, otherwise
+/// the diagonal component of the lattice matrix.
 template <int Dim>
 Vec<Dim> CellMotion<Dim>::sides() const {
   Vec<Dim> sides = lattice_.diagonal();
@@ -101,10 +101,10 @@ void CellMotion<Dim>::kick_walls(double half_step) {
   walls_.kick(half_step, control_, area);
 }
 
-/// Returns the generalised forces on the components of the lattice that follow a stress. In a small strain of these
-/// components, they do the work of W - V Sigma, where W is the sum of the momentum fluxes and of forces times branches,
-/// V the volume and Sigma the imposed stress. If all components follow a stress, the force is the upper part of (W - V
-/// Sigma) h^-T, with h the lattice matrix.
+/// Returns the generalised forces on the components of the lattice that follow a stress. Their work in a small strain
+/// of these components is the work of W - V Sigma, where W is the sum of the momentum fluxes and of forces times branch
+/// vectors, V the volume and Sigma the imposed stress. If all components follow a stress, the force is the upper part
+/// of (W - V Sigma) h^-T, with h the lattice matrix.
 template <int Dim>
 Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums) const {
   Mat<Dim> work = Mat<Dim>::Zero();
@@ -117,7 +117,7 @@ Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums)
     if (follows_stress_(a, b)) work(a, b) -= volume * control_.target[k];
   }
   // Solves the equation work = force h^T, with h the lattice matrix, for the components of `force` that follow a
-  // stress, from the last column on.
+  // stress, starting with the last column.
   Mat<Dim> force = Mat<Dim>::Zero();
   for (int a = 0; a < Dim; ++a)
     for (int b = Dim - 1; b >= a; --b) {
@@ -130,8 +130,8 @@ Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums)
 }
 
 /// Accelerates the lattice over half a time step by M h'' = (W - V Sigma) h^-T, and then caps its strain rates. Here h
-/// is the lattice matrix, M its inertia, W the sum of momentum fluxes and of forces times branches, V the volume and
-/// Sigma the imposed stress.
+/// is the lattice matrix, M its inertia, W the sum of momentum fluxes and of forces times branch vectors, V the volume
+/// and Sigma the imposed stress.
 template <int Dim>
 void CellMotion<Dim>::kick_lattice(double half_step, const std::vector<BlockSums<Dim>>& sums) {
   if (control_.any_stress()) {
@@ -200,8 +200,8 @@ Drift<Dim> CellMotion<Dim>::drift(double time_step) {
 
 template <int Dim>
 Kick<Dim> CellMotion<Dim>::kick_of_grains(double half_step) const {
-  // The acceleration of a grain is v' = F/m - h' h^-1 v, with h the lattice matrix; the second term is taken in the
-  // middle of the half step.
+  // The acceleration of a grain is v' = F/m - h' h^-1 v, with F its force, m its mass, v its peculiar velocity and h
+  // the lattice matrix; the second term is taken in the middle of the half step.
   const Mat<Dim> drag = 0.5 * half_step * strain_rate_;
   const Mat<Dim> one = Mat<Dim>::Identity();
   const Mat<Dim> gain = right_quotient<Dim>(one, Mat<Dim>(one + drag));

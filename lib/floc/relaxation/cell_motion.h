@@ -13,9 +13,9 @@ namespace floc {
 /// Boundary of a packing in motion: the lattice and the walls, moved by the velocity Verlet scheme that moves the
 /// grains. Each component of the boundary follows a stress or a strain rate (BoundaryControl).
 ///
-/// The matrices of this class are upper triangular, and their columns are the lattice vectors; they are diagonal for a
-/// rectangular cell. Along an axis between walls, the lattice does not move, so that the grains do not follow a
-/// deformation of the lattice there.
+/// The columns of the lattice matrix are the lattice vectors. This matrix and all other matrices of this class are
+/// upper triangular, and diagonal for a rectangular cell. Along an axis between walls, the lattice does not move, so
+/// that the grains do not follow a deformation of the lattice there.
 template <int Dim>
 class CellMotion {
  public:
@@ -24,8 +24,8 @@ class CellMotion {
   const WallMotion<Dim>& walls() const { return walls_; }
   /// Returns the lattice matrix h, whose columns are the lattice vectors (length).
   const Mat<Dim>& lattice() const { return lattice_; }
-  /// Returns the cell in the form that packings store. The side of an axis between walls is the distance between the
-  /// walls.
+  /// Returns the cell in the form in which a Packing stores it. The side of an axis between walls is the distance
+  /// between the walls.
   Cell<Dim> cell() const;
   /// Whether the lattice vectors, their velocities and the sides are finite.
   bool finite() const;
@@ -34,31 +34,33 @@ class CellMotion {
   /// For each component (a, b) of the lattice matrix: whether it follows a stress.
   const Mat<Dim, bool>& follows_stress() const { return follows_stress_; }
 
-  /// Returns the displacement of a periodic image (length).
+  /// Returns the displacement of a periodic image of a grain from the grain (length).
+  /// @param image  number of each lattice vector by which the image is displaced
   Vec<Dim> image_shift(const Vec<Dim, int>& image) const;
   /// Moves a position into the cell by lattice vectors, except along axes between walls.
   /// @return the number of lattice vectors along each axis by which the position was moved
   Vec<Dim, int> wrap(Vec<Dim>& position) const;
-  /// Returns the boundary in the form that force kernels read. The view of the walls is valid for the lifetime of this
-  /// object.
-  /// @param slip_time  time over which the present relative velocities stretch the springs (time)
+  /// Returns the boundary in the form that force kernels (compiled loops over pairs) read. It contains pointers to the
+  /// arrays of the walls, which are valid for the lifetime of this object.
+  /// @param slip_time  time over which the present relative velocities of the grains stretch the contact springs (time)
   PairCell<Dim> pair_cell(double slip_time) const;
 
-  /// Sorts the pairs of grains with walls by wall; to be called after new lists of these pairs have been built.
+  /// Lists, for each wall, the pairs of a grain with this wall; to be called after new lists of pairs have been built.
   void list_pairs_of_walls(const PairArrays<Dim>& pairs) { walls_.list_pairs(pairs); }
   /// Sums the forces on each wall; to be called after the forces of the pairs of grains with walls have been computed.
   void sum_forces_on_walls(const Interaction<Dim>& interaction) { walls_.sum_forces(interaction); }
 
-  /// Sets the strain rates of the axes on a strain ramp, so that the next drift over `time_step` takes them to their
-  /// lengths on the ramp at the end of the step.
+  /// Sets the strain rates of the axes whose lengths change along a strain ramp (StrainRamp), so that the next drift
+  /// over `time_step` takes these axes to the lengths that the ramp has at the end of the step.
   void advance_strain_ramp(double time_step);
   /// Accelerates the lattice and the walls over half a time step.
   /// @param sums  contributions of the blocks of grains to the virial and the momentum flux
   void kick(double half_step, const std::vector<BlockSums<Dim>>& sums);
-  /// Moves the lattice and the walls by a time step, and returns how this step deforms the positions of the grains.
+  /// Moves the lattice and the walls over a time step, and returns the coefficients by which this step changes the
+  /// positions of the grains.
   Drift<Dim> drift(double time_step);
-  /// Returns the coefficients of the acceleration of the grains over half a step, with the drag by the present
-  /// deformation of the lattice.
+  /// Returns the coefficients by which the grains are accelerated over half a step; they include the drag that the
+  /// present deformation of the lattice exerts on peculiar velocities.
   Kick<Dim> kick_of_grains(double half_step) const;
 
   /// Returns twice the kinetic energy of the components of the lattice that follow a stress; 0 if no component follows
@@ -69,7 +71,7 @@ class CellMotion {
 
  private:
   Vec<Dim> sides() const;
-  /// Whether a component of the boundary belongs to the lattice, and not to walls.
+  /// Whether component (a, b) of the boundary belongs to the lattice, and not to walls.
   bool belongs_to_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
   Mat<Dim> lattice_force(const std::vector<BlockSums<Dim>>& sums) const;
   void kick_lattice(double half_step, const std::vector<BlockSums<Dim>>& sums);
@@ -82,7 +84,7 @@ class CellMotion {
   /// Velocity gradient h' h^-1 of the lattice matrix h, in the middle of the last time step (1/time).
   Mat<Dim> strain_rate_;
   Mat<Dim, bool> follows_stress_ = Mat<Dim, bool>::Constant(false);
-  double time_ = 0.0;  ///< time since this object was made
+  double time_ = 0.0;  ///< simulated time since this object was made (time)
 };
 
 }  // namespace floc

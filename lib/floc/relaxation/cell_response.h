@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Options of one part of a run for the response of the cell, or of the walls, to their load. Members that are set
-/// replace the members of RelaxationOptions in that part of the run.
+/// Options that change, for one stage of a run (such as the assembly or a stage of the load path), how the cell or the
+/// walls respond to their load. Members that are set replace the members of RelaxationOptions during that stage.
 struct CellResponse {
   std::optional<double> inertial_number_cap;
   std::optional<double> cell_mass;
@@ -18,7 +18,8 @@ struct CellResponse {
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
-  /// Returns this response with its unset members taken from another. A cap of either kind replaces both caps.
+  /// Returns this response with its unset members taken from `other`. If a cap of either kind is set here, neither cap
+  /// is taken from `other`.
   CellResponse or_else(const CellResponse& other) const {
     CellResponse out = *this;
     if (!has_cap()) {

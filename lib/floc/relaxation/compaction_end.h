@@ -8,7 +8,7 @@ namespace floc {
 /// units of T = sqrt(m/(P a^(Dim-2))), with m the mass and a the diameter of the largest grain and P the pressure.
 struct CompactionEnd {
   enum class Criterion {
-    /// The void ratio has changed by less than kSettledVoidRatio in the time kSettledTime, every wall bears its
+    /// The void ratio has changed by less than kSettledVoidRatio in the time kSettledTime (in T), every wall bears its
     /// pressure, and the structure that carries the pressure has no mechanism (motion without stiffness).
     settled,
     /// The ratio of the kinetic energy of translations to the elastic energy is at most `energy_ratio`.
@@ -17,7 +17,7 @@ struct CompactionEnd {
   Criterion criterion = Criterion::settled;
   double energy_ratio = 2e-7;  ///< ratio of kinetic to elastic energy that ends a compaction [SVI2024]
   /// Longest duration of the compaction (in T), after which the state is recorded as it is; if absent, the relaxation
-  /// is given up at its max_time.
+  /// is given up after RelaxationOptions::max_time.
   std::optional<double> longest;
   /// Speed at which the walls of an axis move towards or away from each other until they bear their pressure
   /// (length/time); if absent, the pressure acts from the beginning.

@@ -8,19 +8,21 @@
 
 namespace floc {
 
-/// Number of time steps of a chunk, by which a relaxation advances at once. A run may be stopped between two chunks.
-/// The packing and the neighbour lists are rebuilt there, which costs as much time as about 20 steps.
+/// Number of time steps in a chunk, by which a relaxation advances at once. A run may be stopped between two chunks.
+/// Between chunks, the packing and the neighbour lists are rebuilt, which costs as much time as about 20 steps.
 inline constexpr int kStepsPerChunk = 500;
 
 /// Numerical settings for the time integration of a chunk of time steps.
 struct DynamicsSettings {
   double time_step;  ///< time step (time)
-  /// First guess of the skin of the Verlet lists (length); the skin is then adapted to the motion.
+  /// First guess of the skin, the extra distance up to which pairs are put on the Verlet lists (length); the skin is
+  /// then adapted to the motion.
   double skin;
   int threads = 1;
   InstructionSet instructions = widest_instruction_set();
-  /// Whether liquid bridges keep their volumes. Otherwise the liquid is shared out at the beginning and whenever new
-  /// neighbour lists are built; the skin of the lists is then a fixed share of the gap that bridges span.
+  /// Whether liquid bridges keep their volumes. Otherwise the liquid is shared out among the pairs of grains at the
+  /// beginning and whenever new neighbour lists are built; the skin of the lists is then a fixed share of the largest
+  /// gap that a bridge spans.
   bool holds_liquid = false;
 };
 
@@ -33,12 +35,13 @@ enum class Motion {
 };
 
 /// Explicit time integration of a packing under its contact law, in the order half kick, drift, forces, half kick
-/// (velocity Verlet). The lattice vectors are degrees of freedom, and velocities are peculiar velocities. The scheme is
-/// of second order. Dashpots act on the velocities of half a step earlier, and their coefficient is corrected for that
-/// lag: this is stable up to twice the step that a predicted velocity allows, without an error in the restitution.
-/// Results depend only on the initial packing and the number of steps. They are identical, bit for bit, for any
-/// neighbour lists, skin, number of threads and vector instructions, since the forces on every grain are summed in the
-/// order of its neighbours.
+/// (velocity Verlet). The lattice vectors are degrees of freedom, and velocities are peculiar velocities (relative to
+/// the affine motion of the lattice). The scheme is of second order. Dashpot forces are computed from the velocities of
+/// half a step earlier, and the damping coefficients are corrected for that lag. This is stable up to twice the time
+/// step that velocities predicted for the present time would allow, and it causes no error in the restitution. Results
+/// depend only on the initial packing and the number of steps. They are identical, bit for bit, for any neighbour
+/// lists, skin, number of threads and vector instructions, since the forces on every grain are summed in the order of
+/// its neighbours.
 template <int Dim>
 class Dynamics {
  public:
@@ -55,7 +58,7 @@ class Dynamics {
   virtual Packing<Dim> packing() const = 0;
 
   /// Returns the packing like packing(), but frees most of the data of the dynamics, so that a very large packing is
-  /// not stored twice. No other step can follow.
+  /// not stored twice. No other time step can follow.
   virtual Packing<Dim> release_packing() = 0;
 
   /// Returns a first guess of the skin of the neighbour lists for the next chunk of time steps (length).
@@ -76,20 +79,22 @@ std::unique_ptr<Dynamics<Dim>> make_dynamics(Packing<Dim>& packing, const Bounda
                                              const DynamicsSettings& settings);
 
 /// Returns the time step of a packing in the units of the scene (time; docs/physics.md, "Time step"):
-/// RelaxationOptions::time_step times sqrt(m_min/K_N), with m_min the smallest mass and K_N the normal stiffness. It is
-/// shorter if the tangential stiffness is above K_N, if the smallest grains roll faster than they vibrate, and in 3D,
-/// where grains have more neighbours. If the normal stiffness grows with the overlap, K_N is the largest of three
-/// stiffnesses: at 1.3 times the deepest overlap, twice the stiffness at the mean force under the pressure, and in a
-/// collision at twice the largest speed. The step is then valid for one chunk of time steps.
+/// RelaxationOptions::time_step times sqrt(m_min/K_N), with m_min the smallest mass and K_N the normal stiffness. The
+/// time step is shorter if the tangential stiffness is above K_N, if the smallest grains roll faster than they vibrate,
+/// and in 3D, where grains have more neighbours. If the normal stiffness grows with the overlap, K_N is the largest of
+/// three stiffnesses: at 1.3 times the deepest overlap, twice the stiffness at the mean force under the pressure, and
+/// the largest stiffness in a collision at twice the largest speed. The time step is then valid for one chunk of time
+/// steps.
+/// @param time_step_in_contact_times  value of RelaxationOptions::time_step
 /// @param pressure  present or next pressure of the packing (force/length^(Dim-1))
 template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times, double pressure = 0.0);
 
 /// Returns the longest time step for a cell that follows a stress (time): RelaxationOptions::time_step times 1/w, where
-/// w is the largest frequency at which the cell vibrates against its packing: w^2 = sum of K r_a^2/(M L_a^2) over the
-/// contacts of a close packing. Here K is the contact stiffness, r_a the component of the branch vector along axis a,
-/// and L_a the side of the cell. This time step is shorter than time_step_of() only if the cell weighs less than a
-/// grain or two, or some tens of grains in 3D.
+/// w is the largest frequency at which the cell vibrates against the packing in it. It is given by w^2 = sum of K
+/// r_a^2/(M L_a^2) over the contacts of a close packing. Here K is the contact stiffness, r_a the component of the
+/// branch vector along axis a, and L_a the side of the cell. This time step is shorter than time_step_of() only if the
+/// cell weighs less than a grain or two, or some tens of grains in 3D.
 /// @param cell_mass  M, inertia of a component of the lattice (mass)
 template <int Dim>
 double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double time_step_in_contact_times,

@@ -17,7 +17,8 @@ T extrapolated(const T& start, const T& end) {
   return start + kOvershoot * (end - start);
 }
 
-/// Whether the springs of a contact that touches stay below their caps.
+/// Whether all springs of a contact stay below their caps on the straight path from one state to another, and if the
+/// path is continued by its own length (kOvershoot). @pre the surfaces touch
 template <int Dim>
 bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   Contact<Dim> beyond = to;
@@ -26,8 +27,8 @@ bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   return !mobilised(law, beyond, 0.0).any() && !to.is_mobilised();
 }
 
-/// Whether the history variables of the normal force law of a contact are unchanged, so that it has dissipated no
-/// energy.
+/// Whether the history variables of the law of the normal force are the same in two states of a contact, so that this
+/// law has dissipated no energy between them.
 template <int Dim>
 bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
   constexpr int n = HistoryLayout<Dim>::kNormalRoom;

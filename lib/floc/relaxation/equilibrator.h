@@ -18,19 +18,22 @@ enum class RelaxationStatus { running, converged, gave_up };
 /// Report of a relaxation: its result, or its progress so far.
 struct RelaxationReport {
   Residuals residuals;
-  Stability stability;  ///< stability of the equilibrium; not determined before the end
+  Stability stability;  ///< stability of the equilibrium; not determined before the relaxation ends
   /// Number of liquid bridges that would form or break if the liquid of the equilibrium were shared out once more; -1
-  /// before the equilibrium, and without liquid.
+  /// before an equilibrium is found and in packings without liquid.
   int n_bridges_unsettled = -1;
-  /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 if not
-  /// counted. A state with mechanisms is not an equilibrium.
+  /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 if
+  /// mechanisms were not counted. A state with mechanisms is not an equilibrium.
   int n_mechanisms = -1;
-  /// Kind of the end: "polished" (Newton steps after dynamics), "dynamic" (dynamics alone), "static" (Newton steps
-  /// alone), "stopped" (packing between walls, recorded without equilibrium), "diverged", "lost", "unloaded" or
-  /// "closed"; empty while the relaxation runs, and if it was given up because it exceeded its time.
+  /// Word for the end of the relaxation. After a success: "polished" (equilibrium by Newton steps after dynamics),
+  /// "dynamic" (by dynamics alone), "static" (by Newton steps alone) or "stopped" (packing between walls, recorded
+  /// without equilibrium). After a failure: "diverged" (the time step was too large), "lost" (grains and walls no
+  /// longer form a packing), "unloaded" (at its imposed lengths the packing carries no stress) or "closed" (the imposed
+  /// lengths are too short). Empty while the relaxation runs, and if it was given up because it took too long.
   std::string ending;
-  std::string blocking;  ///< criterion of the equilibrium that is not met, in words
-  /// Decay rate of the force residual if this is above its tolerance (1/time); positive if the residual falls.
+  std::string blocking;  ///< criterion of the equilibrium that the packing does not meet, in words
+  /// Decay rate of the force residual (1/time), positive if the residual falls; computed only while the residual is
+  /// above its tolerance.
   double decay_rate = 0.0;
   std::string phase;         ///< present phase: "moving" or "finishing"
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
@@ -65,7 +68,7 @@ class Equilibrator {
 
 /// Makes the equilibrator of a packing: a BoxRelaxer if the packing has walls, otherwise a Relaxer.
 /// @param load  stress or length imposed on each axis
-/// @param progress       progress() of an equilibrator that was stopped; if empty, the relaxation starts from the
+/// @param progress  text from progress() of an equilibrator that was stopped; if empty, the relaxation starts from the
 /// beginning
 /// @throws InputError if `progress` does not come from an equilibrator of the same kind
 template <int Dim>

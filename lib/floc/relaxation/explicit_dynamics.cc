@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Largest coordinate of a grain, in shortest sides of the cell, at which the motion does not count as diverged. The
-/// search for neighbours can represent ten times as much.
+/// Coordinate of a grain from which on the motion counts as diverged, in units of the shortest side of the cell. The
+/// search for neighbours can represent coordinates ten times as large.
 constexpr double kFurthest = 1e8;
 
 template <int Dim>
@@ -23,8 +23,9 @@ LatticeShape shape_of(const Cell<Dim>& cell, const BoundaryControl<Dim>& control
 
 template <int Dim>
 SkinRule skin_rule(const Packing<Dim>& packing, const DynamicsSettings& settings) {
-  // If the liquid is shared out whenever lists of neighbours are built, the skin determines the times at which this
-  // happens. It then must not depend on the measured cost of the lists.
+  // If the liquid is shared out whenever lists of neighbours are built, the skin (extra distance up to which pairs are
+  // listed) determines the times at which this happens. The skin then must not depend on the measured computing time of
+  // the lists.
   return packing.law.liquid() && !settings.holds_liquid ? SkinRule::follows_reach : SkinRule::balances_costs;
 }
 
@@ -129,8 +130,8 @@ void ExplicitDynamics<Dim>::measure_motion(int thread) {
   sweep_.for_each_block(thread, [&](int b) { lists_.motion().measure(b, kernels, step_.grains); });
 }
 
-/// Computes the forces for the present positions and velocities. A history variable changes only if it is beyond its
-/// cap.
+/// Computes the forces for the present positions and velocities, without a time step. Contact springs are not
+/// stretched; a history variable changes only if it is beyond its cap.
 template <int Dim>
 void ExplicitDynamics<Dim>::refresh_forces() {
   step_.kick = cell_.kick_of_grains(0.0);
@@ -139,12 +140,13 @@ void ExplicitDynamics<Dim>::refresh_forces() {
     sweep_.compute(thread, interactions_, step_, std::nullopt, Rotation::at_end);
   for (int thread = 0; thread < sweep_.n_threads(); ++thread)
     sweep_.sum_shared(thread, interactions_, step_, Rotation::at_end);
-  // The kick has been made with a step of zero, so that it gives no upper bound of the speeds in the next step.
+  // This kick was made with a time step of zero, so that it has given no upper bound of the speeds in the next step.
   lists_.motion().forget();
   if (interactions_.with_walls()) cell_.sum_forces_on_walls(interactions_.on_walls());
 }
 
-/// Builds new lists of neighbours if the measured motion requires them. @pre the motion of all blocks has been measured
+/// Builds new lists of neighbours if the motion measured since the lists were built requires it. @pre the motion of all
+/// blocks has been measured
 template <int Dim>
 void ExplicitDynamics<Dim>::renew_stale_lists() {
   lists_.motion().take_measured();
@@ -167,8 +169,8 @@ void ExplicitDynamics<Dim>::build_lists(const PairLists<Dim>& further) {
   step_.grains = lists_.motion().view_of(grains_);
 }
 
-/// Shares the liquid out among the pairs, unless the bridges keep their volumes. Lists are built anew until they reach
-/// far enough for all pairs that get liquid.
+/// Shares the liquid out among the pairs of grains, unless the bridges keep their volumes. Lists of pairs are built
+/// anew until they contain all pairs that get liquid.
 template <int Dim>
 void ExplicitDynamics<Dim>::share_liquid() {
   if (!liquid_ || liquid_->keeps_shares()) return;

@@ -15,8 +15,8 @@ namespace floc {
 
 /// Time integration of a packing by velocity Verlet steps (class Dynamics). A step kicks and drifts the boundary
 /// (CellMotion) and the grains, builds new lists of pairs if bodies have moved too far (NeighborLists), computes the
-/// forces and kicks the grains again (ForceSweep), and ends with the second kick of the boundary. The code that visits
-/// every grain or pair is in the folder kernels/, compiled for each contact law and instruction set.
+/// forces and kicks the grains again (ForceSweep), and ends with the second kick of the boundary. The loops over grains
+/// and pairs are in the folder kernels/ and are compiled for each contact law and instruction set.
 template <int Dim>
 class ExplicitDynamics final : public Dynamics<Dim> {
  public:
@@ -31,18 +31,19 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double skin() const override;
 
  private:
-  /// Does one thread's part of a time step.
-  /// @param from, to  stages at which the rotation of the grains is before and after the step
+  /// Makes one thread's part of a time step.
+  /// @param from, to  stages of the time integration (enum Rotation) at which the rotation of the grains is before and
+  /// after the step
   void step(int thread, Barrier& barrier, Motion motion, Rotation from, Rotation to);
   void begin_step();
   void end_step(Motion motion);
   void stop_if_slowing();
-  /// Measures the motion of the grains of a thread's blocks since the neighbour lists were built.
+  /// Measures how far grains have moved since the neighbour lists were built, for the blocks of grains of one thread.
   void measure_motion(int thread);
   void refresh_forces();
 
   void renew_stale_lists();
-  /// @param further  for each interaction, the second and further contacts of bodies that have several contacts
+  /// @param further  for each interaction, all contacts except the first of any two bodies with several contacts
   void build_lists(const PairLists<Dim>& further);
   void share_liquid();
   /// Returns the gap across which grains interact (length).

@@ -8,8 +8,8 @@ namespace floc {
 namespace {
 
 /// Largest number of blocks of grains whose pairs a thread computes before it sums their forces. A pass over pairs has
-/// a fixed cost, so that very small groups are slower. With 4000 spheres, groups of 16 blocks are 4 % faster than
-/// single blocks, as fast as groups of 4, and faster than one group of all blocks.
+/// a fixed cost, so that very small groups of blocks are slower. With 4000 spheres, groups of 16 blocks are 4 % faster
+/// than single blocks, as fast as groups of 4 blocks, and faster than one group of all blocks.
 constexpr int kMaxBlocksOfGroup = 16;
 
 template <int Dim>
@@ -100,7 +100,8 @@ void ForceSweep<Dim>::sum_and_kick(int block, const Interactions<Dim>& interacti
 }
 
 /// Removes the contribution of wall friction to the virial along the periodic axes, which are parallel to the walls.
-/// The kernel sums net forces on grains times their positions, which includes the forces that walls exert.
+/// The kernel has summed the net force on each grain times its position, and this net force includes the forces that
+/// walls exert.
 template <int Dim>
 void ForceSweep<Dim>::add_wall_virial(int block, const Interaction<Dim>& on_walls,
                                       const GrainView<Dim>& grains) {

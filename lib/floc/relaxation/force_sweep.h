@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Data that the passes of a time step over blocks of grains read.
+/// Data that the passes over blocks of grains read in a time step.
 template <int Dim>
 struct GrainStep {
   GrainView<Dim> grains;
@@ -19,23 +19,24 @@ struct GrainStep {
   Drift<Dim> drift;  ///< coefficients of the motion of the grains over the whole step
 };
 
-/// Passes of a time step over blocks of grains, shared out among threads (SweepPlan). The pairs whose first grain
-/// belongs to a block belong to that block. Each thread computes the rows (forces and moments) of the pairs of its
-/// blocks. Once all rows that a block needs are computed, the rows of each of its grains are summed and the grains are
-/// kicked. Sums over the packing are stored block by block, so that the order of additions does not depend on the
-/// number of threads.
+/// Passes of a time step over blocks of grains, which are shared out among threads (SweepPlan). A pair belongs to the
+/// block of its first grain. Each thread computes the rows (forces and moments) of the pairs of its blocks. Once all
+/// rows that a block needs are computed, the rows of each of its grains are summed and the grains are kicked.
+/// Contributions to sums over the packing are stored for each block, so that the order of additions does not depend on
+/// the number of threads.
 ///
 /// All threads call the methods that have the parameter `thread`, with a barrier after each of the drift, compute() and
 /// sum_shared().
 template <int Dim>
 class ForceSweep {
  public:
-  /// @param needs_virial  for each component of the virial: whether it drives the lattice
+  /// @param needs_virial  for each component of the virial: whether it accelerates the lattice, so that it has to be
+  /// computed
   ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const Mat<Dim, bool>& needs_virial);
 
   int n_threads() const { return plan_.n_threads(); }
-  /// Returns the number of blocks whose pairs are computed in one pass, called a group. The pairs of each group are
-  /// padded.
+  /// Returns the number of blocks in a group. The pairs of a group are computed in one pass and padded to whole vector
+  /// registers.
   int blocks_of_group() const;
   /// Frees the memory of the rows (forces and moments of the pairs), which is large. @pre plan() is called before the
   /// next step
@@ -49,29 +50,32 @@ class ForceSweep {
     const int last = plan_.first_block(plan_.first_group(thread + 1));
     for (int b = plan_.first_block(plan_.first_group(thread)); b < last; ++b) visit(b);
   }
-  /// Kicks and moves the grains of all blocks of a thread.
+  /// Kicks and moves the grains of all blocks that belong to a thread.
   /// @param stands  stage (Rotation) at which the previous step has left the rotation of the grains
   void drift_all(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                  Rotation stands) const;
-  /// Kicks and moves the grains of a thread's part of the shared blocks. Shared blocks are those that pairs of other
-  /// threads read, too.
+  /// Kicks and moves the grains of those shared blocks (blocks that pairs of several threads read) that are assigned to
+  /// a thread.
   void drift_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                     Rotation stands) const;
-  /// Computes the forces of the pairs of a thread's blocks, and sums the forces on, and kicks, the grains of those
-  /// blocks that are not shared.
-  /// @param undrifted  set if the blocks that are not shared have still to drift: stage of their rotation; each block
-  /// then drifts just before the first pairs read it
-  /// @param to  stage of the rotation at which the grains are left
+  /// Computes the forces of the pairs of all blocks that belong to a thread. On the grains of those of its blocks that
+  /// are not shared (read by pairs of this thread only), it also sums the forces, and kicks these grains.
+  /// @param undrifted  set if the blocks that are not shared have not yet drifted in this step: the stage at which the
+  /// previous step has left the rotation of their grains. Each of these blocks then drifts just before the first pairs
+  /// read it.
+  /// @param to  stage at which this step leaves the rotation of the grains
   void compute(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                std::optional<Rotation> undrifted, Rotation to);
-  /// Sums the forces on, and kicks, the grains of a thread's part of the shared blocks. @pre all threads have computed
-  /// the forces of their pairs
+  /// Sums the forces on each grain of those shared blocks (blocks that pairs of several threads read) that are assigned
+  /// to a thread, and kicks the grain.
+  /// @pre all threads have computed the forces of their pairs
   void sum_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step, Rotation to);
 
-  /// Returns the contribution of each block of grains to the sums over the packing.
+  /// Returns the contribution of each block of grains to the sums over the packing (virial, kinetic energy, largest
+  /// speed).
   const std::vector<BlockSums<Dim>>& sums() const { return sums_; }
   double twice_kinetic_energy() const;
-  /// Sets the sums over velocities and spins to zero; to be called after the grains have been stopped.
+  /// Sets the sums that contain velocities and spins to zero; to be called after the grains have been stopped.
   void stop();
 
  private:

@@ -17,9 +17,9 @@ inline bool all_equal(std::span<const double> numbers) {
   return std::adjacent_find(numbers.begin(), numbers.end(), std::not_equal_to<>()) == numbers.end();
 }
 
-/// Grains in the form that the force loop reads: one array per component, in the order of space_order(). The arrays are
-/// padded with zeros to whole blocks of kGrainBlock grains, and by another kWindow entries, so that a window of kWindow
-/// entries that begins at the last grain lies inside the array.
+/// Grains in the form that the loop over pairs reads: one array per component of each quantity, with the grains in the
+/// order of space_order(). The arrays are padded with zeros to whole blocks of kGrainBlock grains, and by another
+/// kWindow entries, so that a window of kWindow entries that begins at the last grain lies inside the array.
 template <int Dim>
 struct GrainArrays {
   using Component = AlignedVector<double>;
@@ -41,7 +41,7 @@ struct GrainArrays {
 
   int size() const { return static_cast<int>(index.size()); }
   int n_blocks() const { return (size() + kGrainBlock - 1) / kGrainBlock; }
-  /// Returns the entries of an array without its padding.
+  /// Returns the entries of an array that belong to grains, without the padding.
   std::span<const double> of_grains(const Component& component) const {
     return {component.data(), index.size()};
   }
@@ -50,8 +50,8 @@ struct GrainArrays {
   void stop();
   /// Returns the orientation of the k-th grain of these arrays.
   Orientation<Dim> orientation_of(std::size_t k) const;
-  /// Returns pointers to the arrays, in the form that kernels read.
-  /// @param x_list  positions of the grains when the neighbour lists were built
+  /// Returns pointers to these arrays, in the form that kernels (compiled loops over grains or pairs) read.
+  /// @param x_list  positions of the grains when the neighbour lists were built (length)
   /// @param inverse_skin_squared  one over the square of the distance (skin) that each grain may move before new
   /// neighbour lists are built (1/length^2)
   GrainView<Dim> view(const std::array<Component, Dim>& x_list, const Component& inverse_skin_squared);

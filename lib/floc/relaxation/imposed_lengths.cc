@@ -11,15 +11,15 @@
 namespace floc {
 namespace {
 
-/// Largest strain rate of axes with an imposed length, times sqrt(a m/F1), with a the largest diameter, m the largest
-/// mass and F1 the force scale. At this rate, a strain of 1e-3 takes a short time compared with the time in which a
-/// packing settles. Lower caps set by the scene apply.
+/// Largest strain rate |L'/L| of the axes with an imposed length L, times sqrt(a m/F1), with a the largest diameter, m
+/// the largest mass and F1 the force scale. At this rate, a strain of 1e-3 takes a short time compared with the time in
+/// which a packing settles. If the scene sets a lower cap on the strain rate, that cap applies.
 constexpr double kRampInertialNumber = 1e-3;
 /// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress: no
 /// packing is in equilibrium at so small a pressure.
 constexpr double kNoPressure = 1e-12;
-/// Side below which a cell counts as closed, in largest diameters. Overlaps are small, so that grains do not fit into
-/// such a cell.
+/// Side below which a cell counts as closed, in diameters of the largest grain. Overlaps are small, so that grains do
+/// not fit into a smaller cell.
 constexpr double kClosed = 0.5;
 
 }  // namespace

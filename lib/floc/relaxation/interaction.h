@@ -7,14 +7,14 @@
 
 namespace floc {
 
-/// Interaction between grains, or between grains and walls, of a packing: its pairs, its contact law and the kernels
-/// that evaluate it.
+/// Interaction between the grains of a packing, or between its grains and walls: the pairs, their contact law, and the
+/// kernels (compiled loops over pairs) that evaluate the law.
 template <int Dim>
 class Interaction {
  public:
-  /// @param law   contact law as composed for the kernels (laws_of_same_rows())
-  /// @param rows  layout of the rows (force and moments) of the pairs of all interactions of the packing; it follows
-  /// from the law between grains
+  /// @param law  contact law as composed for the kernels (laws_of_same_rows())
+  /// @param rows  layout of the rows (force and moments of a pair) that kernels write; it is common to all interactions
+  /// of the packing and follows from the law between grains
   /// @param largest_radius  largest radius of a grain (length)
   Interaction(Partner partner, const Law& parameters, std::shared_ptr<const ComposedLaw> law, RowKind rows,
               double largest_radius, InstructionSet instructions, LatticeShape shape);
@@ -34,8 +34,9 @@ class Interaction {
   typename PairArrays<Dim>::Component& bridge_volume() { return pairs_.bridge_volume(); }
   void refresh_bridges() { pairs_.refresh_bridges(*law_); }
   const PairView<Dim>& view() const { return arrays_; }
-  /// Returns pointers to the arrays of the pairs with another place for their rows (forces and moments).
-  /// @param row  place of the row of pair `with_row`, followed by the rows of later pairs
+  /// Returns pointers to the arrays of the pairs, for kernels that write the rows (force and moments) of the pairs to
+  /// another place than set_rows() has set.
+  /// @param row  address of the row of the pair with index `with_row`, followed by the rows of later pairs
   PairView<Dim> view(double* row, int with_row) const {
     PairView<Dim> pairs = arrays_;
     pairs.row = row;
@@ -45,13 +46,14 @@ class Interaction {
 
   /// Replaces the list of pairs. The new pairs inherit the history variables of the old ones.
   void set_pairs(PairArrays<Dim> pairs);
-  /// Frees the arrays that the next list does not inherit (PairArrays::drop_numbers()).
+  /// Frees the arrays that the next list of pairs does not inherit (PairArrays::drop_numbers()).
   void drop_numbers() { pairs_.drop_numbers(); }
   /// Frees all data except the history of the pairs (PairArrays::keep_history_alone()).
   void keep_history_alone() { pairs_.keep_history_alone(); }
-  /// Sets the place to which the pairs write their rows (forces and moments).
+  /// Sets the address to which kernels write the rows (force and moments) of the pairs.
   void set_rows(double* rows) { arrays_.row = rows; }
-  /// Computes the rows (forces and moments) of the pairs of the blocks [first, last) and updates their history.
+  /// Computes the rows (forces and moments) of the pairs of the blocks of grains [first, last), and updates the history
+  /// variables of these pairs.
   /// @param pairs  a view of the pairs of this interaction
   void compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                const PairCell<Dim>& cell) const;
@@ -80,10 +82,10 @@ class Interaction {
   PairView<Dim> arrays_;
 };
 
-/// Composes the contact laws of the interactions of a packing in such a way that all rows (forces and moments of pairs)
-/// have one layout: if any law has friction, each law without friction gets a friction spring with a coefficient of
-/// zero.
-/// @param parameters  law between grains, then the law between grains and walls if there are any
+/// Makes the contact laws of the interactions of a packing from their parameters. For each pair, kernels write a row of
+/// numbers: the force and, with friction, the moments. The rows of all interactions have to have one layout. If any law
+/// has friction, each law without friction therefore gets a friction spring with a coefficient of zero.
+/// @param parameters  parameters of the law between grains, then of the law between grains and walls if there are any
 std::vector<std::shared_ptr<const ComposedLaw>> laws_of_same_rows(const std::vector<Law>& parameters);
 
 /// Returns the layout of the rows (forces and moments) that pairs of grains write under a contact law.

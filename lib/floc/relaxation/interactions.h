@@ -12,8 +12,9 @@ namespace floc {
 template <int Dim>
 using PairLists = std::vector<std::vector<NeighborPair<Dim>>>;
 
-/// All interactions of a packing: between its grains and, if it has walls, between grains and walls. The rows (forces
-/// and moments) that their pairs write all have one layout, since they are summed together.
+/// All interactions of a packing: between its grains and, if it has walls, between grains and walls. The kernels write
+/// the force and the moments of each pair as a row of numbers. The rows of all interactions have one layout, since they
+/// are summed together.
 template <int Dim>
 class Interactions {
  public:
@@ -28,12 +29,12 @@ class Interactions {
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
-  /// Returns, for each interaction, the second and further contacts of bodies that have several contacts. Each has
-  /// another key (NeighborPair::key), which it keeps as long as its bodies are close.
+  /// Returns, for each interaction, all contacts except the first of any two bodies with several contacts. The contacts
+  /// of two bodies have different keys (NeighborPair::key), which they keep as long as the bodies are close.
   PairLists<Dim> further_contacts() const;
   /// Replaces the lists of pairs. The new pairs inherit the history variables of the old ones.
-  /// @param close            pairs of bodies that are close, for each interaction
-  /// @param further          second and further contacts of bodies that have several contacts, for each interaction
+  /// @param close  pairs of bodies that are close, for each interaction
+  /// @param further  all contacts except the first of any two bodies with several contacts, for each interaction
   /// @param blocks_of_group  number of consecutive blocks of grains whose pairs are computed together
   void set_pairs(PairLists<Dim> close, const PairLists<Dim>& further, const GrainArrays<Dim>& grains,
                  double time_step, int blocks_of_group);

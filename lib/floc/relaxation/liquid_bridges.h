@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// Liquid bridges of a packing in motion. This class computes the gap across which pairs of grains have to be listed,
-/// and shares the liquid out among the pairs.
+/// Liquid bridges of a packing in motion. This class computes the gap up to which pairs of grains have to be put on the
+/// lists of neighbours, and shares the liquid out among the listed pairs.
 template <int Dim>
 class LiquidBridges {
  public:
@@ -21,16 +21,16 @@ class LiquidBridges {
   LiquidBridges(const Law& law, const GrainArrays<Dim>& grains, bool keeps_shares);
 
   bool keeps_shares() const { return keeps_shares_; }
-  /// Returns the gap across which the first lists of pairs have to reach (length). These lists then contain every pair
-  /// that has liquid or may get some.
+  /// Returns the gap up to which pairs have to be put on the first lists of neighbours, so that these lists contain
+  /// every pair that has liquid or may get some (length).
   double first_reach(const Packing<Dim>& packing) const;
-  /// Returns the gap across which new lists of pairs have to reach (length). These lists then contain every pair that
-  /// has liquid.
+  /// Returns the gap up to which pairs have to be put on new lists of neighbours, so that these lists contain every
+  /// pair that has liquid (length).
   double reach(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                const Interaction<Dim>& between_grains) const;
   /// Shares the liquid out among the listed pairs of grains.
-  /// @return false if pairs that are further apart might get liquid. The range of the interaction has then been
-  /// widened, and the liquid has to be shared out again over new lists.
+  /// @return false if pairs that are too far apart to be listed might get liquid. The range of `between_grains` has
+  /// then been widened; new lists have to be built and the liquid shared out again.
   [[nodiscard]] bool share_out(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                Interaction<Dim>& between_grains) const;
 

@@ -18,7 +18,8 @@ std::string members_as_json(const Structure& structure, const ForEachMember& for
 }
 
 /// Reads a structure that members_as_json() wrote.
-/// @param place, problem  place and beginning of the error message if the text does not hold such a structure
+/// @param place  place of the text, named in the error message
+/// @param problem  beginning of the error message if the text does not hold the structure
 /// @throws InputError(place) if a member is missing or its type does not fit
 template <class Structure, class ForEachMember>
 Structure members_from_json(const std::string& text, const std::string& place, const std::string& problem,

@@ -19,8 +19,8 @@ struct MotionObserver {
   std::function<void(const Packing<Dim>& packing, double time)> callback;
 };
 
-/// Advances a packing by a chunk of time steps, in equal parts that last about the interval of the observer. The
-/// observer is called after each part, and thus also at the end of the chunk.
+/// Advances a packing by a chunk of time steps. The chunk is divided into equal parts that last about as long as the
+/// interval of the observer, which is called after each part, and thus also at the end of the chunk.
 /// @param start  simulated time at the beginning of the chunk (time)
 template <int Dim>
 void advance_observed(Dynamics<Dim>& dynamics, int n_steps, Motion motion, const MotionObserver<Dim>& observer,

@@ -49,9 +49,11 @@ void MotionSinceList<Dim>::begin(const GrainArrays<Dim>& grains, const CellMotio
   rounding_ = kRoundings * furthest(x_) / shortest_skin;
 }
 
-/// Updates the upper bound of the motion. In a step, the displacement x - L x_list of a grain becomes x' - L' x_list =
-/// S (x - L x_list) + D v', with L and S the deformation of the lattice since the lists were built and in this step,
-/// and D the drift matrix. After the kick |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|).
+/// Updates the upper bound of the motion of the grains. With x the position of a grain, x_list its position when the
+/// lists were built, and L the deformation of the lattice since then, the displacement of the grain is x - L x_list. A
+/// step with the deformation S of the lattice and the drift matrix D changes it to x' - L' x_list = S (x - L x_list) +
+/// D v'. The velocity after the kick is bounded by |v'| <= max(|keep|, |gain|) (|v| + |dt F/2m|), with v the velocity
+/// before the kick, F the force, m the mass, dt the time step, and keep and gain the matrices of the kick.
 template <int Dim>
 void MotionSinceList<Dim>::add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums,
                                     const Kick<Dim>& kick, const Drift<Dim>& drift) {
@@ -83,8 +85,8 @@ void MotionSinceList<Dim>::forget() {
 template <int Dim>
 double MotionSinceList<Dim>::shrinking() const {
   if (stretch_.isDiagonal(0.0)) return std::max(0.0, 1.0 - stretch_.diagonal().minCoeff());
-  // With the deformation F, |F r| >= |r| - |(F - 1) r|, and |(F - 1) r| is at most |r| times the Frobenius norm of F -
-  // 1.
+  // With F the deformation gradient of the lattice, a line r becomes F r, with |F r| >= |r| - |(F - 1) r|, and |(F - 1)
+  // r| is at most |r| times the Frobenius norm of F - 1.
   return (stretch_ - Mat<Dim>::Identity()).norm();
 }
 

@@ -8,15 +8,16 @@
 namespace floc {
 namespace {
 
-/// Computing time of building a new list of pairs, in time steps (measured with 1400 and 100 000 grains).
+/// Computing time that it takes to build a new list of pairs, divided by that of a time step (measured with 1400 and
+/// 100 000 grains).
 constexpr double kListCost = 23.0;
-/// Smallest ratio of the skin of a grain to the skin of the fastest grains. Grains at rest need a skin, since they may
-/// be hit.
+/// Smallest ratio of the skin of a grain to the skin of the fastest grains. (The skin of a grain is the distance that
+/// it may move before new neighbour lists are built.) Grains at rest need a skin, too, since they may be hit.
 constexpr double kMinSkinShare = 0.25;
-/// Smallest skin of a neighbour list, in units of skin_length_unit().
+/// Smallest skin (extra distance up to which pairs are listed) of a neighbour list, in units of skin_length_unit().
 constexpr double kMinSkin = 1e-4;
-/// Ratio of the skin to the range of the interaction under SkinRule::follows_reach. It limits how far two surfaces may
-/// approach each other before new lists are built.
+/// Ratio of the skin (extra distance up to which pairs are listed) to the range of the interaction, under
+/// SkinRule::follows_reach. It limits how far two surfaces may approach each other before new lists are built.
 constexpr double kSkinOfReach = 0.25;
 /// Smallest skin of a neighbour list under SkinRule::follows_reach, in units of skin_length_unit().
 constexpr double kMinSkinOfReach = 1e-3;
@@ -38,8 +39,9 @@ double NeighborLists<Dim>::min_skin() const {
   return kMinSkin * skin_unit_;
 }
 
-/// Returns the share of the computing time that has been spent on building the present lists. The skin is optimal if
-/// this share equals the share that is spent on pairs out of range.
+/// Returns the time spent on building the present lists, divided by the time of the steps made with them. The skin is
+/// optimal if this share equals the share of the time of a step that is spent on listed pairs that are too far apart to
+/// interact.
 template <int Dim>
 double NeighborLists<Dim>::cost_share() const {
   return kListCost / steps_;
@@ -63,8 +65,8 @@ bool NeighborLists<Dim>::stale(const CellMotion<Dim>& cell, double range) const 
 template <int Dim>
 double NeighborLists<Dim>::skin_to_continue_with(const CellMotion<Dim>& cell, double range) const {
   if (!first_ || steps_ == 0) return skin_;
-  // The first lists were valid during the whole motion. A skin twice as wide as the part that the motion has used up is
-  // wide enough for the next lists.
+  // The first lists were valid during the whole motion. A skin twice as wide as the distance by which bodies have moved
+  // is wide enough for the next lists.
   return std::min(skin_, std::max(2.0 * consumed_skin(cell, range), min_skin()));
 }
 
@@ -87,8 +89,8 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   const double cost = cost_share();
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
-  // A skin twice as wide as the part that the motion has used up is wide enough for lists that are used for as many
-  // steps.
+  // A skin twice as wide as the distance by which bodies have moved is wide enough for lists that are used for as many
+  // steps as the present ones.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }
@@ -111,7 +113,8 @@ PairLists<Dim> NeighborLists<Dim>::find(const GrainArrays<Dim>& grains, const Ce
   return close;
 }
 
-/// Returns the pairs of an interaction that may interact before the bodies have moved by their skins.
+/// Returns the pairs of an interaction that may interact before any body has moved by its skin.
+/// @param with_skins  grains with their skins added to their radii
 template <int Dim>
 std::vector<NeighborPair<Dim>> NeighborLists<Dim>::find(const Interaction<Dim>& interaction,
                                                         const CellMotion<Dim>& cell,
@@ -122,7 +125,8 @@ std::vector<NeighborPair<Dim>> NeighborLists<Dim>::find(const Interaction<Dim>& 
   return find_pairs(search_cell(cell.cell(), walls, largest_diameter_ + range + skin_), with_skins, range);
 }
 
-/// Returns the skin of each grain. All grains use a list for the same time, so faster grains get a wider skin.
+/// Returns the skin of each grain, the distance that it may move before new lists are built (length). All grains use a
+/// list for the same time, so that faster grains get a wider skin.
 template <int Dim>
 std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& grains) const {
   std::vector<double> speed(grains.size());
@@ -140,8 +144,8 @@ std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& 
   return skin;
 }
 
-/// Returns the share of the computing time of a step that is spent on pairs out of range. A grain takes about as much
-/// time as a pair.
+/// Returns the share of the computing time of a step that is spent on listed pairs that are too far apart to interact.
+/// The estimate assumes that a grain takes as much time as a pair.
 template <int Dim>
 double NeighborLists<Dim>::share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs,
                                               const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,

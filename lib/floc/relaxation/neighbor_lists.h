@@ -9,9 +9,11 @@
 
 namespace floc {
 
-/// Rule for the width of the skin of the lists of neighbours (Verlet lists).
+/// Rule for the width of the skin, the extra distance up to which pairs are put on the lists of neighbours (Verlet
+/// lists).
 enum class SkinRule {
-  /// The skin is such that building lists takes about as much time as computing the listed pairs that are out of range.
+  /// The skin is chosen so that building the lists takes about as much time as the computation of those listed pairs
+  /// that are too far apart to interact.
   balances_costs,
   follows_reach,  ///< the skin is a fixed share of the range of the interaction between grains
 };
@@ -22,19 +24,19 @@ enum class SkinRule {
 template <int Dim>
 class NeighborLists {
  public:
-  /// @param skin  first guess of the skin of the lists (length)
+  /// @param skin  first guess of the skin, the extra distance up to which pairs are listed (length)
   NeighborLists(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, double skin, SkinRule rule);
 
-  /// Adapts the skin to the cost of the lists so far, and finds the pairs of each interaction anew. Each list contains
-  /// one pair for any two bodies that are close.
+  /// Adapts the skin (extra distance up to which pairs are listed) to the computing time that the lists have cost so
+  /// far, and finds the pairs of each interaction anew. Each list contains one pair for any two bodies that are close.
   PairLists<Dim> find(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                       const Interactions<Dim>& interactions);
-  /// Whether the lists have to be built anew: because a pair outside them may interact, according to the upper bound of
-  /// the motion, or because the lists contain too many pairs that are out of range.
+  /// Whether the lists have to be built anew: because a pair that is not listed may interact, according to the upper
+  /// bound of the motion, or because the lists contain too many pairs that are too far apart to interact.
   /// @param range  gap across which grains interact (length)
   bool stale(const CellMotion<Dim>& cell, double range) const;
-  /// Returns a first guess of the skin for another object that continues this motion and builds its lists at once
-  /// (length).
+  /// Returns a first guess of the skin for a new object of this class that continues this motion and builds its first
+  /// lists at once (length).
   double skin_to_continue_with(const CellMotion<Dim>& cell, double range) const;
 
   const MotionSinceList<Dim>& motion() const { return motion_; }
@@ -54,14 +56,15 @@ class NeighborLists {
   double share_out_of_range(const std::vector<NeighborPair<Dim>>& pairs, const GrainArrays<Dim>& grains,
                             const CellMotion<Dim>& cell, double range) const;
 
-  double skin_;  ///< skin of a pair of two of the fastest grains (length)
+  double skin_;  ///< skin of a pair if both of its grains are among the fastest grains (length)
   SkinRule rule_;
   double largest_diameter_;
-  double skin_unit_;  ///< unit of skins, skin_length_unit() (length)
+  double skin_unit_;  ///< unit in which limits of the skin are given, from skin_length_unit() (length)
   MotionSinceList<Dim> motion_;
   int steps_ = 0;      ///< number of time steps since the lists were built
-  bool first_ = true;  ///< whether all time steps have been made with the first lists
-  /// Share of the computing time of a step that is spent on pairs out of range, just after the lists have been built.
+  bool first_ = true;  ///< whether all time steps so far have been made with the first lists
+  /// Share of the computing time of a step that is spent on listed pairs that are too far apart to interact, estimated
+  /// when the lists were built.
   double share_out_of_range_ = 0.0;
 };
 

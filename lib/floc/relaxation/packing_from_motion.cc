@@ -34,7 +34,7 @@ std::vector<Vec<Dim, int>> copy_grains(const GrainArrays<Dim>& grains, const Cel
   return wrap;
 }
 
-/// Whether a pair of bodies interacts, or holds liquid, at its present positions.
+/// Whether the two bodies of a pair are close enough to interact, or joined by liquid, at their present positions.
 /// @param key  bodies and periodic image of the pair
 template <int Dim>
 bool is_contact(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,

@@ -56,8 +56,8 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
       composed.any);
 }
 
-/// Reserves memory for the pairs. Without it, an array that grows while it is filled would take twice its memory for a
-/// moment.
+/// Reserves memory for the pairs. Without this, an array that grows while it is filled would take twice its memory for
+/// a moment.
 template <int Dim>
 void PairArrays<Dim>::reserve(std::size_t n_pairs) {
   i_.reserve(n_pairs), j_.reserve(n_pairs);
@@ -82,8 +82,9 @@ void PairArrays<Dim>::add_numbers(double radius_i, double radius_j, double dampi
   damping_.push_back(damping);
 }
 
-/// Returns the reduced quantity p q/(p + q) of each pair, where p and q are a quantity of its two bodies, such as the
-/// radius or the mass. For a wall q is infinite; for padding p = q.
+/// Returns the reduced quantity p q/(p + q) of each pair, where p and q are the values of a quantity, such as the
+/// radius or the mass, for its two bodies. For a wall q is infinite; for pairs that are padding p = q.
+/// @param of_grain  value of the quantity for each grain
 template <int Dim>
 typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {
   if (own_numbers_ == 0) return Component(kPairPadding, floc::reduced(of_grain[0], of_grain[0]));

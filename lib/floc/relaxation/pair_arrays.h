@@ -17,34 +17,36 @@ namespace floc {
 
 struct ComposedLaw;
 
-/// Returns the damping coefficient to use in a time integration in which the dashpot force lags by kDashpotLag steps.
-/// With time steps dt and the effective mass m_eff, the lag multiplies the damping c by exp(lag c dt/(2 m_eff)), to
-/// second order in dt. The returned coefficient compensates this factor. Without this correction, with half a step of
-/// lag and steps of a tenth of sqrt(m/K_N), with K_N the normal stiffness, a restitution of 0.015 would come out as
-/// 0.006. A coefficient that follows the contact stiffness varies during the motion and is not corrected.
+/// Corrects a damping coefficient c for the lag of the dashpot force, which acts kDashpotLag time steps too late. With
+/// time steps dt and the effective mass m_eff, the lag multiplies the damping by exp(lag c dt/(2 m_eff)), to second
+/// order in dt; the returned coefficient compensates this factor. For example, with a lag of half a step and steps of a
+/// tenth of sqrt(m/K_N), with m the mass of a grain and K_N the normal stiffness, a restitution of 0.015 would come out
+/// as 0.006 without the correction. A coefficient that follows the contact stiffness varies during the motion and is
+/// not corrected.
 inline double lagging_damping(double coefficient, double effective_mass, double time_step) {
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 
 /// Neighbouring pairs of bodies in the form that the force loop reads, with one array per component: pairs of grains
-/// with indices i <= j, or pairs of a grain i and a wall j. The pairs whose first grain belongs to a block of grains
-/// belong to that block; they are contiguous and sorted. The pairs of each group of blocks are padded to whole vector
-/// registers with pairs that do not interact: a grain and an image of itself far away, or a grain and a wall whose
-/// forces no grain sums. If all grains are equal, numbers that follow from their sizes are stored once for all pairs.
+/// with indices i <= j, or pairs of a grain i and a wall j. Grains form blocks of kGrainBlock, and a pair belongs to
+/// the block of its first grain. The pairs are sorted, so that those of a block are contiguous. The pairs of each group
+/// of blocks are padded to whole vector registers with pairs that do not interact: a grain and an image of itself far
+/// away, or a grain and a wall, whose force is not summed. If all grains are equal, numbers that follow from their
+/// sizes are stored once for all pairs.
 template <int Dim>
 class PairArrays {
  public:
   using Component = AlignedVector<double>;
 
-  /// Dashpot forces of the previous step (force); empty if the contact law has no damping.
+  /// Dashpot force of each pair in the previous time step (force); empty if the contact law has no damping.
   Component viscous;
-  /// History variables of the pairs, one array per place of the history layout; empty for places that the contact law
-  /// does not use.
+  /// History variables of the pairs, one array per variable of HistoryLayout. The array of a variable that the contact
+  /// law does not use is empty.
   std::array<Component, HistoryLayout<Dim>::kSize> history;
 
   PairArrays() = default;
-  /// @param pairs            pairs, sorted; a grain is given by its place in `grains`
-  /// @param blocks_of_group  number of consecutive blocks whose pairs are computed, and padded, together
+  /// @param pairs  sorted pairs, in which a grain is given by its place in `grains`
+  /// @param blocks_of_group  number of consecutive blocks of grains whose pairs are computed, and padded, together
   PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner partner, const GrainArrays<Dim>& grains,
              const ComposedLaw& law, double time_step, int blocks_of_group);
 
@@ -55,29 +57,28 @@ class PairArrays {
   int i(int p) const { return i_[p]; }
   int j(int p) const { return j_[p]; }
   NeighborPair<Dim> key(int p) const;
-  /// Returns the pairs whose key is not 0: second and further contacts between two bodies that are listed as a pair
-  /// already.
+  /// Returns the pairs whose key is not 0. Each stands for a second or later contact between two bodies whose first
+  /// contact has the key 0.
   std::vector<NeighborPair<Dim>> further_contacts() const;
   double radii(int p) const { return radii_[p & own_numbers_]; }
-  /// Returns the index of a pair; -1 if the pair is not in these arrays.
+  /// Returns the index of a pair in these arrays; -1 if they do not contain the pair.
   int find(const NeighborPair<Dim>& key) const;
   /// Copies the history variables and dashpot forces of the pairs that an older list of the same grains also contains.
   void inherit(const PairArrays& old);
-  /// Frees the arrays that only the computation of forces reads. @pre no further step uses these pairs
+  /// Frees the arrays that are needed only to compute forces. @pre no later time step uses these pairs
   void drop_numbers();
-  /// Frees the arrays that only the computation of forces reads (drop_numbers()), and the dashpot forces. The history
-  /// of the pairs is kept.
+  /// Frees the arrays that are needed only to compute forces (drop_numbers()), and the dashpot forces. The history
+  /// variables of the pairs are kept.
   void keep_history_alone();
-  /// Recomputes the parameters of the liquid bridges from their volumes, which are part of the history. Does nothing if
-  /// the contact law has no liquid.
+  /// Recomputes the parameters of the liquid bridges from their volumes, which are history variables of the pairs. Does
+  /// nothing if the contact law has no liquid.
   void refresh_bridges(const ComposedLaw& law);
-  /// Volumes of the liquid bridges (length^3), negative for broken bridges as in the history; empty if the contact law
-  /// has no liquid.
+  /// Volumes of the liquid bridges (length^3), negative for broken bridges; empty if the contact law has no liquid.
   Component& bridge_volume();
   const Component& bridge_volume() const;
 
-  /// Returns pointers to these arrays for the kernels. The pointer to the rows (forces and moments) of the pairs is not
-  /// set: class RowSums owns them.
+  /// Returns pointers to these arrays for the kernels (compiled loops over pairs). The pointer PairView::row to the
+  /// memory into which the kernels write forces and moments is not set: class RowSums owns this memory.
   PairView<Dim> view();
 
  private:
@@ -92,10 +93,10 @@ class PairArrays {
   void fill_pack();
 
   Partner partner_ = Partner::grain;
-  int own_numbers_ = -1;  ///< bit mask applied to the indices of pairs (PairView::own_numbers)
+  int own_numbers_ = -1;  ///< 0 if all pairs share their numbers, otherwise -1 (PairView::own_numbers)
   int blocks_of_group_ = 1;
   AlignedVector<int> i_, j_;
-  /// Periodic image of the second grain of each pair, in lattice vectors (whole numbers).
+  /// Periodic image of the second grain of each pair, as a whole number of each lattice vector.
   std::array<AlignedVector<float>, Dim> image_;
   std::vector<int> key_;  ///< keys of all pairs (NeighborPair::key); empty if all keys are 0
   Component radii_, share_i_, damping_;

@@ -9,49 +9,53 @@ namespace floc {
 
 /// Method by which a relaxation finds the equilibrium.
 enum class Finish {
-  /// Newton steps from the previous state, if dynamics would end in the same state. Otherwise dynamics until motion has
-  /// stopped, then power control, and Newton steps if they succeed.
+  /// Newton steps from the previous state, if dynamics (time integration of the motion) would end in the same state.
+  /// Otherwise dynamics until motion has stopped, then power control (Motion::power_control), and Newton steps if they
+  /// succeed.
   automatic,
-  dynamic,  ///< dynamics and power control only, without Newton steps
-  /// The method `automatic`, except that any equilibrium found by the first Newton steps is accepted.
+  dynamic,  ///< time integration of the motion and power control only, without Newton steps
+  /// Like `automatic`, but any equilibrium that the first Newton steps find is accepted, even if dynamics would end in
+  /// another state.
   statics,
 };
 
-/// Kinetic energy, in units of its tolerance, up to which a packing counts as at rest if only its mechanisms (motions
-/// without stiffness) move. Without load, a packing with soft modes keeps moving at an energy that nothing dissipates,
-/// while hardly a contact closes or opens. In an observed case the energy was 70 times the tolerance, and 6 of 2200
-/// contacts were gained in 400 time units.
+/// Kinetic energy, in units of its tolerance, up to which a packing counts as being at rest if only its mechanisms
+/// (motions without stiffness) move. Without load, a packing with soft modes keeps moving at an energy that nothing
+/// dissipates, while hardly a contact closes or opens. In an observed case the energy was 70 times the tolerance, and 6
+/// of 2200 contacts were gained in 400 time units.
 inline constexpr double kMechanismEnergy = 100.0;
 
-/// Numerical settings of a relaxation. Stresses, rates and masses are in the units of the scene unless stated
-/// otherwise.
+/// Numerical settings of a relaxation. Unless stated otherwise, stresses, rates and masses are in the units of the
+/// scene (input file of the run).
 struct RelaxationOptions {
   EquilibriumTolerance tolerance;
   Finish finish = Finish::automatic;
-  /// Time step in units of sqrt(m_min/K_N), with m_min the smallest mass of a grain, K_N the normal stiffness and K_T
-  /// the tangential stiffness. A triangular crystal of equal disks with K_T = K_N is unstable from 2/sqrt(24) = 0.408
-  /// on, at any restitution, because of its rolling modes; other modes are stable up to longer steps. With the default
-  /// time step, a nominal restitution of 0.015 becomes, on average over impacts of grains with sizes 1:2, 0.015 for two
-  /// of the largest grains, 0.018 for a largest and a smallest grain, and 0.025 for two of the smallest.
+  /// Time step in units of sqrt(m_min/K_N), with m_min the smallest mass of a grain and K_N the normal stiffness. A
+  /// triangular crystal of equal disks whose tangential stiffness equals K_N is unstable from 2/sqrt(24) = 0.408 on, at
+  /// any restitution, because of its rolling modes; other modes are stable up to longer steps. The time step changes
+  /// the restitution of impacts: with the default step and grains of diameters from 1 to 2, a nominal restitution of
+  /// 0.015 becomes on average 0.015 for two of the largest grains, 0.018 for a largest and a smallest grain, and 0.025
+  /// for two of the smallest.
   double time_step = 0.36;
-  /// Mass M of the sides of the cell divided by the total mass of the grains. It influences the density of packings
-  /// that are assembled.
+  /// Mass M with which the sides of the cell resist acceleration by stresses, divided by the total mass of the grains.
+  /// It influences the density of packings that are assembled.
   double cell_mass = 1.0;
-  /// Cap on the strain rate |L'/L| of the cell in units of 1/T0, T0 = sqrt(a m/F0), with a the largest diameter, m the
-  /// largest mass and F0 the pull-off force (cohesive scenes).
+  /// Cap on the strain rate |L'/L| of the cell in scenes with adhesion, in units of 1/T0, with L a side of the cell, T0
+  /// = sqrt(a m/F0), a the largest diameter, m the largest mass and F0 the pull-off force.
   std::optional<double> strain_rate_cap;
-  /// Cap on the inertial number |L'/L| sqrt(m/P) of the cell, with L a side of the cell, m the largest mass and P the
-  /// pressure (cohesionless scenes).
+  /// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion, with L a side of the cell, m
+  /// the largest mass and P the pressure.
   std::optional<double> inertial_number_cap;
-  /// Skin of the Verlet lists in units of the largest diameter; if absent, it is adapted to the motion.
+  /// Skin of the Verlet lists (lists of neighbouring pairs): extra distance up to which pairs are listed, in units of
+  /// the largest diameter. If absent, it is adapted to the motion.
   std::optional<double> skin;
   /// Longest duration of a relaxation in time units sqrt(a m/F1), with a the largest diameter, m the largest mass and
   /// F1 the force scale; a relaxation that takes longer is given up. The slowest relaxation seen without load took 1600
   /// of these units.
   double max_time = 1e4;
   int threads = 1;
-  /// Factor of the durations for which a packing has to be steady before its motion counts as stopped. A smaller factor
-  /// saves time, but a collapse that only pauses may then count as ended.
+  /// Factor by which the durations are multiplied for which a packing has to be steady before its motion counts as
+  /// stopped. A smaller factor saves time, but a collapse that only pauses may then count as ended.
   double patience = 1.0;
   CompactionEnd compaction;  ///< criterion that ends the compaction of a packing between walls
 };

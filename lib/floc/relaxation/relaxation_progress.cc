@@ -5,7 +5,8 @@
 namespace floc {
 namespace {
 
-/// Function that visits the members of a RelaxationProgress under the names that they have in checkpoints.
+/// Function that calls visit(name, member) for the members of a RelaxationProgress, with the names that they have in
+/// checkpoints.
 constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("stage", p.phase);
   visit("n_steps", p.n_steps);
@@ -26,8 +27,9 @@ constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("force_residual", p.force_residual);
 };
 
-/// Function that visits the members that are written only if they are not zero. These members were added later, and
-/// checkpoints without them keep their format.
+/// Function that calls visit(name, member) for those members of a RelaxationProgress that are written to checkpoints
+/// only if they are not zero. They were added in later versions of floc, and checkpoints without them keep the old
+/// format.
 constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
   visit("liquid_trials", p.liquid_trials);
   visit("steady_stretches", p.steady_chunks);
@@ -47,7 +49,8 @@ std::string as_text(const RelaxationProgress& progress) {
 
 RelaxationProgress relaxation_progress(const std::string& text) {
   auto progress = members_from_json<RelaxationProgress>(
-      text, "progress", "does not hold the progress of a relaxation in the format of this version of floc",
+      text, "progress",
+      "the text does not hold the progress of a relaxation in the format of this version of floc",
       kProgressMembers);
   const nlohmann::json json = nlohmann::json::parse(text);
   kLaterMembers(progress, [&json](const char* name, auto& value) {

@@ -13,39 +13,45 @@ struct RelaxationProgress {
   int phase = moving;
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
-  double skin = 0.0;         ///< skin of the Verlet lists (length); 0 before the first chunk of time steps
+  /// Skin (extra distance up to which pairs are listed) of the Verlet lists (length); 0 before the first chunk of time
+  /// steps.
+  double skin = 0.0;
   /// Solid fraction at the end of each recent chunk of time steps, the oldest first.
   std::vector<double> solid_fraction;
-  /// For each axis: sign of (stress - target stress) at the start; 0 once it has changed.
+  /// For each axis: sign of (stress - target stress) at the start of the relaxation; 0 once the sign has changed.
   std::vector<double> imbalance_sign;
-  /// Length of each axis before the strain ramp (length); empty if no axis has an imposed length.
+  /// Length of each axis of the cell before the strain ramp, which changes it smoothly to the imposed length (length);
+  /// empty if no axis has an imposed length.
   std::vector<double> side_before;
-  double offset_before = 0.0;  ///< offset of the sheared lattice vector before the strain ramp (length)
-  double ramp_duration = 0.0;  ///< duration of the strain ramp (time)
-  /// Mean stress carried by axes with an imposed length, at the end of each recent chunk of time steps.
+  /// Offset of the sheared lattice vector (its component along the first axis) before the strain ramp (length).
+  double offset_before = 0.0;
+  double ramp_duration = 0.0;  ///< duration of the strain ramp, the change to the imposed lengths (time)
+  /// Mean stress carried by the axes with an imposed length, at the end of each recent chunk of time steps
+  /// (force/length^(Dim-1)).
   std::vector<double> carried_stress;
   double finishing_since_stress = 0.0;
-  std::uint64_t contact_set = 0;  ///< fingerprint of the set of pairs that touch
+  std::uint64_t contact_set = 0;  ///< fingerprint (hash) of the set of pairs of grains that touch
   int unchanged_chunks = 0;       ///< number of chunks of time steps since contact_set last changed
   int steady_chunks = 0;          ///< number of chunks of time steps since the density was last unsteady
   double steady_since_phi = 0.0;  ///< solid fraction when the density was last unsteady
   /// Solid fraction at the beginning of the final phase of the relaxation (power control and Newton steps).
   double finishing_since_phi = 0.0;
   int finishing_chunks = 0;
-  int liquid_trials = 0;  ///< number of equilibria given up because their liquid moved
+  int liquid_trials = 0;  ///< number of equilibria given up because liquid would still move
   /// Number of the chunk of time steps, counted from the beginning of the final phase of the relaxation, at which
   /// Newton refinement is tried next.
   int next_refinement = 0;
   /// 1 if the last attempt at Newton refinement failed although the residuals were within tolerance, otherwise 0.
   int refused_within = 0;
-  /// Force residual at the end of each recent chunk of time steps, from which the decay rate is computed.
+  /// Force residual at the end of each recent chunk of time steps, from which the decay rate of this residual is
+  /// computed.
   std::vector<double> force_residual;
 };
 
-/// Writes the progress of a relaxation as text (JSON, from which numbers are read back without loss), and reads it
-/// back.
-/// @throws InputError if the text does not hold the progress of a relaxation
+/// Returns the progress of a relaxation as text: JSON, whose numbers can be read back without loss.
 std::string as_text(const RelaxationProgress& progress);
+/// Reads the progress of a relaxation from a text that as_text() made.
+/// @throws InputError if the text does not hold the progress of a relaxation
 RelaxationProgress relaxation_progress(const std::string& text);
 
 }  // namespace floc

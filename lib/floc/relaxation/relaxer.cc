@@ -21,32 +21,34 @@
 namespace floc {
 namespace {
 
-/// Motion has stopped when the solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units and the
-/// kinetic energy is within its tolerance. (Power control at an earlier time would change the rearrangements.)
+/// Criteria by which the motion of a packing counts as stopped: its kinetic energy is within the tolerance, and either
+/// its solid fraction has changed by less than kSteadyPhi over kSteadyWindow time units, or no contact has opened or
+/// closed over kSteadyContactsWindow time units. (Power control at an earlier time would change the rearrangements.)
 constexpr double kSteadyPhi = 2e-5;
 constexpr double kSteadyWindow = 5.0;
 constexpr double kSteadyContactsWindow = 20.0;
-/// Springs below their caps vibrate without end, since nothing dissipates their energy. If no contact opens or closes
-/// while grains cover a path of kVibrationPath largest diameters at their r.m.s. speed, over at least kVibrationWindows
-/// times kSteadyContactsWindow time units, the grains can only be vibrating, and their kinetic energy is not tested.
-/// Grains that move freely meet another grain earlier: in five shipped scenes of 200 and 400 grains whose energy was
-/// above its tolerance, the longest path was half a diameter, and the longest time under load was two times
-/// kSteadyContactsWindow.
+/// Criterion by which grains count as vibrating only, so that their kinetic energy need not be within the tolerance: no
+/// contact has opened or closed while the grains, at their r.m.s. speed, have covered a path of kVibrationPath largest
+/// diameters, over at least kVibrationWindows times kSteadyContactsWindow time units. Contact springs below their caps
+/// vibrate without end, since nothing dissipates their energy. Grains that move freely meet another grain earlier: in
+/// five shipped scenes of 200 and 400 grains whose energy was above its tolerance, the longest path was half a
+/// diameter, and the longest time under load was two times kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Chains of grains that roll freely swing between their ends without damping, with a kinetic energy above the
-/// tolerance. If the density has been steady for kMechanismWindow time units, which is twice as long as any whole step
-/// under load in the shipped scenes, only such chains are moving. Over that time the density may drift by kFinishPhi.
+/// Duration in time units for which the density has to be steady before only chains of freely rolling grains can be in
+/// motion. Such chains swing between their ends without damping, with a kinetic energy above its tolerance. The
+/// duration is twice as long as any whole load step in the shipped scenes. In this time the solid fraction may drift by
+/// kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
 /// Number of Newton iterations after which it is decided whether a load step is elastic. The first iteration gives the
 /// elastic response.
 constexpr int kTrialIterations = 2;
-/// Change of the solid fraction during the final phase of a relaxation (power control and Newton steps) beyond which
-/// the packing has rearranged. The packing then moves freely again.
+/// Largest change of the solid fraction during the final phase of a relaxation (power control and Newton steps). Beyond
+/// it, the packing has rearranged, and it moves freely again.
 constexpr double kFinishPhi = 1e-4;
-/// Bounds of the change of the stress carried by axes with an imposed length, in F1/a^(D-1): kSteadyStress over the
-/// time window in which a packing has to be steady, kFinishStress during the final phase of the relaxation (power
-/// control and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
+/// Largest changes of the stress that axes with an imposed length carry, in F1/a^(D-1): kSteadyStress over the time
+/// window in which a packing has to be steady, kFinishStress during the final phase of the relaxation (power control
+/// and Newton steps). F1 is the force scale, a the largest diameter and D the dimension.
 constexpr double kSteadyStress = 1e-3;
 constexpr double kFinishStress = 1e-2;
 /// Cap on the inertial number |L'/L| sqrt(m/P) of the cell in scenes without adhesion that set no cap.
@@ -54,9 +56,9 @@ constexpr double kDefaultInertialNumber = 1e-3;
 /// Largest number of times that an equilibrium is given up because its liquid bridges change when the liquid is shared
 /// out once more.
 constexpr int kLiquidTrials = 20;
-/// Residual of the forces below which Newton refinement is tried, because it is known to succeed there
-/// (kRefinementResidual), and shortest pause before the next attempt after a failure, in chunks of time steps
-/// (kRefinementPause). The pause grows with the length of the final phase of the relaxation.
+/// kRefinementResidual: force residual below which Newton refinement of the packing is tried, because it is known to
+/// succeed there. kRefinementPause: shortest pause after a failed attempt, in chunks of time steps; the pause grows
+/// with the duration of the final phase of the relaxation.
 constexpr double kRefinementResidual = 5e-3;
 constexpr int kRefinementPause = 8;
 
@@ -65,10 +67,11 @@ double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
   return options.skin ? *options.skin * largest_diameter(grains) : 0.05 * skin_length_unit(grains.radius);
 }
 
-/// Returns the kinetic energy of the grains that interact with others, each measured in its own energy scale, averaged
-/// over all grains (energy). A grain without contacts keeps its spin, which is not a motion of the packing. A sphere
-/// also keeps its spin about its single contact, or about the line through its two contacts; the spin of a sphere with
-/// fewer than three contacts is therefore not counted.
+/// Returns the mean kinetic energy per grain, to which only grains with contacts contribute (energy). The energy of
+/// each grain is divided by the energy scale of the grain, relative to the scale of the packing. The energy of a grain
+/// without contacts is left out, since its motion is not a motion of the packing. A sphere also keeps its spin about
+/// its single contact, or about the line through its two contacts; the rotation of a sphere with fewer than three
+/// contacts is therefore left out, too.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
   std::vector<int> n_contacts(packing.grains.size(), 0);
@@ -145,8 +148,8 @@ Relaxer<Dim>::Relaxer(const RelaxationOptions& options, Packing<Dim> packing, co
   if (progress_.imbalance_sign.empty() && !strain_ramp().any()) begin_response();
 }
 
-/// Records, for each axis with an imposed stress, the sign of the difference between the stress and its target, against
-/// which responded_to_load() tests; 0 for axes with an imposed length.
+/// Records, for each axis with an imposed stress, the sign of the difference between the stress and its target;
+/// responded_to_load() later tests whether the sign has changed. For axes with an imposed length, 0 is recorded.
 template <int Dim>
 void Relaxer<Dim>::begin_response() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -208,7 +211,8 @@ RelaxationStatus Relaxer<Dim>::advance() {
 }
 
 /// Whether the difference between the stress and its target has changed sign on each axis since the start, or is within
-/// tolerance. Without this test, a packing under a small increment of load would count as balanced before it has moved.
+/// tolerance. Without this test, a packing under a small increment of load would count as being in equilibrium before
+/// it has moved.
 template <int Dim>
 bool Relaxer<Dim>::responded_to_load() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -225,14 +229,14 @@ bool Relaxer<Dim>::density_is_steady() {
   std::vector<double>& phi = progress_.solid_fraction;
   phi.push_back(solid_fraction(packing_));
   const std::size_t window = chunks_in(kSteadyWindow) + 1;
-  // More than one entry is dropped if the time step has grown.
+  // More than one entry is dropped if the time step has grown, since fewer chunks of time steps then fill the window.
   while (phi.size() > window) phi.erase(phi.begin());
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
   return phi.size() == window && *high - *low < kSteadyPhi && carried_stress_is_steady(window);
 }
 
-/// Whether the stress carried by the axes with an imposed length is steady. With imposed lengths, a steady density does
-/// not show that the grains have stopped rearranging.
+/// Whether the stress carried by the axes with an imposed length is steady. This is tested because at imposed lengths a
+/// steady density does not show that the grains have stopped rearranging.
 template <int Dim>
 bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   if (!load_.any_strained()) return true;
@@ -243,8 +247,8 @@ bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   return carried.size() == window && *high - *low < kSteadyStress * stress_scale();
 }
 
-/// Returns the scale of stresses, F1/a^(D-1) (force/length^(Dim-1)), with F1 the force scale, a the largest diameter
-/// and D the dimension.
+/// Returns the scale to which changes of the carried stress are compared, F1/a^(D-1) (force/length^(Dim-1)), with F1
+/// the force scale, a the largest diameter and D the dimension.
 template <int Dim>
 double Relaxer<Dim>::stress_scale() const {
   const ForceScale scale = force_scale(packing_, target_);
@@ -262,8 +266,8 @@ bool Relaxer<Dim>::contacts_are_steady() {
   return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kSteadyContactsWindow));
 }
 
-/// Whether grains with this mean kinetic energy (energy) can only be vibrating, because no contact has opened or closed
-/// for long enough.
+/// Whether grains with this mean kinetic energy (energy) can only be vibrating about their positions, because no
+/// contact has opened or closed for long enough (kVibrationPath).
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
   const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;
@@ -300,7 +304,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
     if (!strain_ramp().over(0.0)) return RelaxationStatus::running;
     begin_response();
   }
-  // The relaxation is given up at the beginning of the next chunk of time steps.
+  // advance() gives the relaxation up at the beginning of the next chunk of time steps.
   if (carries_no_stress()) return RelaxationStatus::running;
   const bool responded = responded_to_load();
   const bool steady_density = density_is_steady();
@@ -328,7 +332,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
-/// Returns the criterion by which a packing in motion is not yet steady.
+/// Returns the criterion that a packing in motion does not meet, so that it is not yet steady.
 template <int Dim>
 Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
   if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};
@@ -359,9 +363,9 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.carried_stress.clear();
     return RelaxationStatus::running;
   }
-  // Newton steps are tried below the residual at which they are known to succeed. After a failure, the pause before the
-  // next attempt grows with the time since the beginning of power control, because an attempt may take longer than the
-  // dynamics.
+  // Newton steps are tried once the force residual is so small that they are known to succeed. After a failure, the
+  // pause before the next attempt grows with the time since the beginning of power control, because an attempt may take
+  // longer than the dynamics.
   const bool within = residuals_.within(options_.tolerance);
   const bool may_refine = options_.finish != Finish::dynamic && residuals_.force < kRefinementResidual;
   const bool due = progress_.finishing_chunks >= progress_.next_refinement;
@@ -371,8 +375,8 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
     progress_.next_refinement =
         progress_.finishing_chunks + std::max(kRefinementPause, progress_.finishing_chunks / 2);
   }
-  // If the dynamics alone has brought the residuals below their tolerances, stability and liquid decide whether the
-  // state is an equilibrium.
+  // If the dynamics alone has brought the residuals below their tolerances, the state is an equilibrium if it is stable
+  // and its liquid does not move.
   if (!within) return RelaxationStatus::running;
   Stability found;
   if (!is_stable(packing_, found) || !liquid_rests(packing_, true)) return RelaxationStatus::running;
@@ -399,8 +403,9 @@ bool Relaxer<Dim>::newton_is_cheaper() const {
 }
 
 /// Whether Newton refinement of a packing whose residuals are within tolerance may be tried before the next attempt is
-/// due. In 3D an attempt may take minutes. It is therefore not repeated at once after an attempt has failed within
-/// tolerance: for a packing at rest on a saddle of the energy, every attempt would fail.
+/// due. In 3D an attempt may take minutes. After an attempt that failed although the residuals were within tolerance,
+/// the next attempt is therefore made only when it is due: for a packing at rest on a saddle of the energy, every
+/// attempt would fail.
 template <int Dim>
 bool Relaxer<Dim>::may_repeat_refinement() const {
   return Dim == 2 || !progress_.refused_within;
@@ -427,8 +432,8 @@ StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const St
 template <int Dim>
 bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
-  // If the tangential stiffness depends on the load, tangential forces depend on the whole loading path, not only on
-  // its end.
+  // If the tangential stiffness depends on the load, the tangential forces depend on the whole loading path, not only
+  // on its end, so that Newton steps may give other forces than dynamics.
   if (!any && packing_.law.friction_follows_load()) return false;
   if (!any && !newton_is_cheaper()) return false;
   StaticSolverOptions trial;

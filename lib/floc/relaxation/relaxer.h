@@ -15,11 +15,13 @@
 
 namespace floc {
 
-/// Relaxer of a periodic packing with a stress or a length imposed on each axis. If the packing does not rearrange
-/// under the load, equilibrium is found by Newton steps alone. Otherwise the dynamics runs until motion has stopped,
-/// and then power control and Newton steps bring the packing to equilibrium (enum Finish). The relaxer advances in
-/// chunks of a fixed number of time steps; a run that is stopped between two chunks and continued gives identical
-/// results.
+/// Brings a periodic packing to equilibrium under a stress or a length imposed on each axis of its cell.
+/// RelaxationOptions::finish selects among these methods:
+/// 1. Newton steps alone, if the packing does not rearrange under the load.
+/// 2. Otherwise time integration of the motion (dynamics) until the motion has stopped; then power control, which sets
+/// all velocities to zero whenever the kinetic energy falls, and Newton steps.
+/// The relaxer advances in chunks of a fixed number of time steps; a run that is stopped between two chunks and
+/// continued gives identical results.
 template <int Dim>
 class Relaxer final : public Equilibrator<Dim> {
  public:
@@ -76,13 +78,14 @@ class Relaxer final : public Equilibrator<Dim> {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   LoadTarget<Dim> load_;
-  Vec<Dim> target_;  ///< stress imposed on each axis, or carried by it if a length is imposed
+  Vec<Dim> target_;  ///< stress imposed on each axis or, if a length is imposed, carried by it
   RelaxationProgress progress_;
   Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;
   Stability stability_;           ///< stability of the equilibrium that was found
   int n_bridges_unsettled_ = -1;  ///< value of RelaxationReport::n_bridges_unsettled
-  /// First criterion, other than the residuals, that was not met at the end of the last chunk of time steps.
+  /// First criterion of equilibrium, other than the residuals, that was not met at the end of the last chunk of time
+  /// steps.
   Unmet unmet_;
   std::string ending_;
   double time_step_;
@@ -98,8 +101,9 @@ class Relaxer final : public Equilibrator<Dim> {
 template <int Dim>
 double inertial_time(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Returns the largest strain rate |L'/L| of the cell (1/time) that the options allow under this stress. If the options
-/// set no cap, the rate has an inertial number of 1e-3 without adhesion and is infinite with adhesion.
+/// Returns the largest strain rate |L'/L| of the cell (1/time) that the options allow under this stress, with L a side
+/// of the cell. If the options set no cap, the rate is infinite with adhesion; without adhesion it is 1e-3 times sqrt(P
+/// a^(D-2)/m), with P the mean stress, a the largest diameter, m the largest mass and D the dimension.
 template <int Dim>
 double strain_rate_cap(const RelaxationOptions& options, const Packing<Dim>& packing,
                        const Vec<Dim>& target_stress);

@@ -10,13 +10,12 @@
 namespace floc {
 namespace {
 
-/// Cost of adding a row (force and moments of a pair) to a sum alone, relative to adding it side by side with the rows
-/// of other grains. A sum alone is slower, since each addition waits for the previous addition.
+/// Cost of adding a row (force and moments of a pair) to a single sum, relative to its cost if the sums of several
+/// grains are computed side by side. A single sum is slower, since each addition waits for the previous addition.
 constexpr int kAlone = 3;
 
-/// Returns the number of pairs per grain up to which the forces on a group of grains are summed fastest side by side.
-/// The grains are sorted by falling numbers of pairs.
-/// @param count  function that returns the number of pairs of the l-th grain of the group
+/// Returns the depth of a group of grains: the number of pairs per grain up to which it is fastest to sum the forces on
+/// these grains side by side. The grains are sorted by falling numbers of pairs.
 template <class Count>
 int depth_of_group(const Count& count) {
   int best = 0, least = std::numeric_limits<int>::max();
@@ -33,12 +32,14 @@ int first_pair(const PairArrays<Dim>& pairs, const SweepPlan& plan, int group) {
   return pairs.first_of_block(plan.first_block(group));
 }
 
-/// Assigns a slot of memory to the rows (forces and moments) of the pairs of each group of blocks. A group takes the
+/// Assigns a slot of memory to each group of blocks, for the rows (forces and moments) of its pairs. A group takes the
 /// slot of the latest group of its thread whose rows have all been summed, or a new slot.
+/// @return number of the slot of each group
 template <int Dim>
 std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& plan) {
   std::vector<int> slots;
-  // Memory slots that become free when the forces on the blocks of each group have been summed.
+  // For each group of blocks: memory slots that become free once the forces on the blocks of this group have been
+  // summed.
   std::vector<std::vector<int>> left(plan.n_groups());
   int n_slots = 0;
   for (int thread = 0; thread < plan.n_threads(); ++thread) {
@@ -68,7 +69,7 @@ int row_place(std::int64_t pair, int row_size) {
   const std::int64_t most = std::numeric_limits<int>::max() / row_size;
   if (pair > most)
     throw InputError("packing",
-                     "has more than " + std::to_string(most) +
+                     "the packing has more than " + std::to_string(most) +
                          " pairs of neighbouring grains, the largest number for which forces can be computed");
   return static_cast<int>(pair * row_size);
 }
@@ -91,7 +92,7 @@ RowSums<Dim>::RowSums(const Lists& lists, RowKind rows, int n_grains, const Swee
     plan_side(plans_[b].as_j, begin, as_j);
     plans_[b].rows = rows_.data();
   }
-  // The list is complete, so that its memory does not move any more and pointers into it stay valid.
+  // The list listed_rows_ is complete, so that its memory does not move any more and pointers into it stay valid.
   for (std::size_t b = 0; b < plans_.size(); ++b) {
     plans_[b].as_i.row = listed_rows_.data() + first[2 * b];
     plans_[b].as_j.row = listed_rows_.data() + first[2 * b + 1];
@@ -126,6 +127,8 @@ int RowSums<Dim>::place_of_row(const Lists& lists, const SweepPlan& plan, std::s
 
 /// Returns the places of the rows (forces and moments) of the pairs of each grain, in the order of the pairs. Grains
 /// that pad the last block have no pairs.
+/// @param grain_of  function of a list and of the index of a pair in it that returns the grain to which the pair is
+/// assigned
 template <int Dim>
 template <class GrainOf>
 typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const SweepPlan& plan,

@@ -8,23 +8,24 @@
 
 namespace floc {
 
-/// Returns the place of the first number of the row (force and moments) of a pair in the array of all rows, counted in
-/// doubles.
+/// Returns the place of the row (force and moments) of a pair in the array of all rows, counted in doubles from the
+/// beginning of that array.
+/// @param pair  number of rows before this row
 /// @param row_size  number of doubles in a row
-/// @throws InputError if the place does not fit the integer type of the plans, which happens with more than 537 million
-/// pairs under a law with friction
+/// @throws InputError if the place does not fit an int, which happens with more than 537 million pairs under a law with
+/// friction
 int row_place(std::int64_t pair, int row_size);
 
-/// Rows (records with the force and the moments) that the pairs of all interactions write, and plans of the rows that
-/// are summed for each grain: first the rows of the pairs in which it is the first grain, then the rows of the pairs in
-/// which it is the second grain, each in the order of the lists and of their pairs. The rows of pairs of grains are
-/// kept until they are summed. The rows of a later group of pairs of the same thread then take their places, so that
-/// few places are in use and stay in the caches.
+/// Memory for the rows (force and moments of each pair) that the passes over pairs write, and plans by which the rows
+/// are summed for each grain. The rows of a grain are summed in this order: first those of the pairs in which it is the
+/// first grain, then those of the pairs in which it is the second grain, each in the order of the lists and of the
+/// pairs in a list. The rows of pairs of grains are kept until they are summed; then their memory is reused for a later
+/// group of pairs of the same thread, so that the memory is small and stays in the caches.
 template <int Dim>
 class RowSums {
  public:
   RowSums() = default;
-  // The object cannot be copied, because the plans contain pointers into the lists of rows.
+  // The object cannot be copied, because the plans contain pointers to its arrays.
   RowSums(RowSums&&) noexcept = default;
   RowSums& operator=(RowSums&&) noexcept = default;
   /// @param lists  pairs of grains, then pairs of grains with walls if there are any; the rows of pairs with walls are
@@ -32,16 +33,17 @@ class RowSums {
   /// @param plan  order in which the forces of pairs are computed and the forces on blocks of grains are summed
   RowSums(const std::vector<const PairArrays<Dim>*>& lists, RowKind rows, int n_grains, const SweepPlan& plan);
 
-  /// Returns the address of the first row (force and moments) of the pairs of a group of blocks.
+  /// Returns the address of the row (force and moments) of the first pair of a group of blocks of grains.
   double* rows_of_group(int group) { return rows_.data() + first_row_[group]; }
   double* rows_with_walls() { return rows_.data() + first_row_with_walls_; }
   const BlockSumsPlan& plan(int block) const { return plans_[block]; }
 
  private:
   using Lists = std::vector<const PairArrays<Dim>*>;
-  /// Places of the rows of the pairs in which each grain is the first grain, or the second grain.
+  /// For each grain: places of the rows (force and moments) of the pairs in which it is the first grain, or of the
+  /// pairs in which it is the second grain.
   struct RowsOfGrains {
-    /// Index in `row` of the first entry of each grain; the last entry is the size of `row`.
+    /// Index in `row` of the first entry of each grain; the last entry of `first` is the size of `row`.
     std::vector<int> first;
     std::vector<int> row;
     int count(int grain) const { return first[grain + 1] - first[grain]; }
@@ -56,14 +58,15 @@ class RowSums {
 
   int row_size_ = 0;  ///< number of doubles in the row (force and moments) of a pair
   // The following members are places in the array rows_, counted in doubles.
-  int zero_row_ = 0;  ///< place of a row of zeros, which fills up sums over fewer pairs
+  /// Place of a row of zeros, which stands for the missing rows of a grain with fewer pairs than others.
+  int zero_row_ = 0;
   int first_row_with_walls_ = 0;
-  /// Place of the first row (force and moments of a pair) of each group of blocks.
+  /// Place of the row (force and moments) of the first pair of each group of blocks of grains.
   std::vector<int> first_row_;
   AlignedVector<double> rows_;
   std::vector<BlockSumsPlan> plans_;
-  /// Places of the rows (forces and moments) to be summed, and indices of the pairs across the periodic boundary; the
-  /// plans point into these two lists.
+  /// Lists into which the plans point: places of the rows (force and moments of a pair) to be summed, and indices of
+  /// the pairs whose grains are joined across the periodic boundary.
   std::vector<int> listed_rows_, crossing_;
 };
 

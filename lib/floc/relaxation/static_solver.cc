@@ -26,34 +26,38 @@
 namespace floc {
 namespace {
 
-/// Regularisation: stiffness that is added on the diagonal of the tangent matrix, divided by the stiffness of the
-/// stiffest contact. It keeps motions without stiffness from making the matrix singular. It is far below the stiffness
+/// Regularisation, which keeps motions without stiffness from making the tangent matrix singular: stiffness that is
+/// added on the diagonal of the matrix, divided by the stiffness of the stiffest contact. It is far below the stiffness
 /// of the softest mode of a packing (5e-6) and far above rounding errors.
 constexpr double kRegularisation = 1e-10;
 
-/// Configuration of the packing in an iteration: the positions of the grains and, for each candidate contact, the
-/// motion of its surfaces since the start and the resulting forces; with the residual of the equations.
+/// State of the packing in a Newton iteration: the cell, the positions of the grains, and the residuals of the
+/// equations of equilibrium. For each candidate contact (contact, or pair that may come into contact) it holds the
+/// relative motion of the two surfaces since the start of the iterations, and the forces that result from it.
 template <int Dim>
 struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;
   std::vector<Orientation<Dim>> orientation;
   Cell<Dim> cell;
-  std::vector<Vec<Dim>> branch;  ///< branch vector of each candidate contact
-  /// Candidate contacts with their present gap and normal, and their history at the start, rotated to the present
-  /// normal.
+  std::vector<Vec<Dim>> branch;  ///< branch vector of each candidate contact, from grain i to grain j (length)
+  /// Candidate contacts (contacts, and pairs that may come into contact) with their present gap and normal, and with
+  /// their history variables at the start of the iterations, rotated to the present normal.
   std::vector<Contact<Dim>> remembered;
-  /// Motion of the surfaces of each candidate contact since the start.
+  /// Relative motion of the two surfaces of each candidate contact since the start of the iterations.
   std::vector<SurfaceMotion<Dim>> motion;
-  /// Candidate contacts with the forces and the history after that motion.
+  /// Candidate contacts (contacts, and pairs that may come into contact) with the forces and the history variables that
+  /// result from `motion`.
   std::vector<Contact<Dim>> contacts;
   Eigen::VectorXd residual;
-  double worst = 0.0;  ///< largest residual, in units of the force scale F1 and the largest diameter a
+  double worst = 0.0;  ///< largest residual, in units made of the force scale F1 and the largest diameter a
   int n_contacts = 0;
   int n_mobilised = 0;
 };
 
 /// Returns the reduced coordinates s of a point x = s * lattice vectors. The function divides by the lattice components
-/// instead of multiplying by an inverse, so that a point inside a rectangular cell gives s < 1 in spite of rounding.
+/// and does not multiply by an inverse matrix, so that a point inside a rectangular cell gives s < 1 in spite of
+/// rounding.
+/// @param lower  lattice vectors, as the rows of a lower triangular matrix (length)
 template <int Dim>
 Vec<Dim> cell_coordinates(const Mat<Dim>& lower, const Vec<Dim>& x) {
   Vec<Dim> s;
@@ -82,11 +86,11 @@ double twist_about(const Vec<3>& normal, const RotationVector<3>& rotation_i,
   return 0.5 * normal.dot(rotation_i + rotation_j);
 }
 
-/// Equations of the static equilibrium of a packing. The unknowns are the position and the rotation (times the radius)
-/// of each grain, followed by the free strains times a length, where strain (a, b) displaces grains along a in
-/// proportion to their coordinate b. The equations are the balance of the force and of the moment (divided by the
-/// radius) on each grain, and the virial minus V Sigma (divided by the length), with V the volume and Sigma the imposed
-/// stress. All residuals are forces.
+/// Equations of the static equilibrium of a packing. The unknowns are the displacement and the rotation (times the
+/// radius) of each grain, followed by the free strains (times the largest diameter). Strain (a, b) displaces grains
+/// along axis a in proportion to their coordinate along axis b. The equations are the balance of the force and of the
+/// moment (divided by the radius) on each grain, and the balance of stresses: the virial minus V Sigma (divided by the
+/// largest diameter), with V the volume and Sigma the imposed stress. All residuals are forces.
 template <int Dim>
 class StaticProblem {
  public:
@@ -114,19 +118,20 @@ class StaticProblem {
 
   TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
-  /// Returns the residual of the stress that remains because each component of the lattice vectors is rounded to a
-  /// double: the stress caused by a strain of one rounding error, for a modulus of at most two normal stiffnesses K_N
-  /// in a packing of disks.
+  /// Returns the stress residual that cannot be removed, because each component of the lattice vectors is rounded to a
+  /// double (in the units of StaticSolverOptions::target). It is the stress caused by a strain of one rounding error,
+  /// where the elastic modulus is taken as two normal stiffnesses K_N, its upper bound in a packing of disks.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
 
-  /// Returns the configuration after a displacement of all unknowns.
+  /// Returns the configuration after the change `step` of all unknowns (positions, rotations and free strains).
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step) const {
     return moved(from, step, strain_of(step));
   }
 
-  /// Returns the configuration with the axes at the ends of their strain ramp and the grains deformed affinely.
+  /// Returns the configuration at the end of a strain ramp: the cell has its final lengths and offset, and the grains
+  /// have been moved affinely with it.
   Configuration<Dim> strained(const Configuration<Dim>& from, const StrainRamp<Dim>& ramp) const {
     Mat<Dim> strain = Mat<Dim>::Zero();
     for (int a = 0; a < Dim; ++a)
@@ -136,15 +141,18 @@ class StaticProblem {
   }
 
   /// Returns the configuration after a displacement of the grains and a strain of the lattice.
+  /// @param step  changes of all unknowns, of which only those of the grains are used
   /// @param wanted  strain of the lattice, which deforms the positions affinely in addition to the displacements
   Configuration<Dim> moved(const Configuration<Dim>& from, const Eigen::VectorXd& step,
                            const Mat<Dim>& wanted) const {
     Configuration<Dim> to = from;
     const Mat<Dim> lattice = from.cell.matrix;
     to.cell.matrix = lattice + lattice * wanted.transpose();
-    // Actual strain of the lattice, whose components are rounded.
+    // Strain of the lattice between its old and its new components. It differs slightly from `wanted`, since the new
+    // components are rounded to doubles.
     const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);
-    // Strain times the unit of length, rounded as the unknowns of the equations are.
+    // The unknown of the equations is the strain times the largest diameter. The multiplication and the division below
+    // give the strain the rounding error of this unknown.
     const Mat<Dim> unknown = strain * scale_.length;
     const Mat<Dim> applied = (wanted.array() != 0.0).select(unknown / scale_.length, Mat<Dim>::Zero());
     for (int i = 0; i < n_grains(); ++i) {
@@ -197,10 +205,10 @@ class StaticProblem {
     matrix.add_boundary(load);
   }
 
-  /// Whether two bodies interact that are not a candidate contact. The candidates are all pairs that displacements
-  /// within the limits of the solver can bring together. But parts of the packing that no contact joins, such as a
-  /// cluster and its own images without stress, have no stiffness against each other, and a step may move them by any
-  /// distance.
+  /// Whether two grains interact that are not a candidate contact. The candidates are all pairs that displacements
+  /// within the limits of the solver can bring together. Parts of the packing that no contact joins, however, have no
+  /// stiffness against each other, so that a step may move them by any distance. If no stress acts, this happens
+  /// between a cluster of grains and its own periodic images.
   bool meets_others(const Configuration<Dim>& at) const {
     Packing<Dim> here;
     here.contacts = at.remembered;
@@ -208,7 +216,7 @@ class StaticProblem {
     for (const DoubleDoubleVec<Dim>& centre : at.centre) here.grains.position.push_back(rounded<Dim>(centre));
     try {
       return !unlisted_pairs(here, find_pairs(at.cell, here.grains, start_.law.range())).empty();
-      // find_pairs() throws if the cell is so small that each grain has hundreds of neighbours.
+      // find_pairs() throws an InputError if the cell is so small that each grain has hundreds of neighbours.
     } catch (const InputError&) {
       return true;
     }
@@ -259,6 +267,7 @@ class StaticProblem {
   }
 
   /// Returns the candidate contacts: the contacts of the packing, and the pairs that may come into contact.
+  /// @param margin  distance by which the gap of a pair may shrink during the iterations (length)
   std::vector<Contact<Dim>> candidates(double margin) const {
     const auto image = [](const Vec<Dim, int>& v) {
       std::array<int, Dim> key;
@@ -281,8 +290,8 @@ class StaticProblem {
     return all;
   }
 
-  /// Sets branch, gap and arms of a candidate contact.
-  /// @return its normal
+  /// Sets the branch vector, the gap and the lever arms of candidate contact k.
+  /// @return normal of the contact
   Vec<Dim> locate(Configuration<Dim>& at, std::size_t k) const {
     Contact<Dim>& c = at.remembered[k];
     const DoubleDoubleVec<Dim> r =
@@ -296,7 +305,7 @@ class StaticProblem {
     return found.normal;
   }
 
-  /// Returns the number of lattice vectors that bring a grain into the cell.
+  /// Returns the number of lattice vectors along each axis by which grain i has to be moved to lie in the cell.
   Vec<Dim, int> image_into_cell(const Configuration<Dim>& at, int i) const {
     Vec<Dim> high;
     for (int a = 0; a < Dim; ++a) high[a] = at.centre[i][a].high;
@@ -357,8 +366,8 @@ class StaticProblem {
     measure(at);
   }
 
-  /// Sets the largest residual of a configuration. The residual of an inverted lattice is set to infinity, so that a
-  /// step to an inverted lattice is rejected even if there are no contacts.
+  /// Sets the largest residual of a configuration (Configuration::worst). For an inverted lattice it is set to
+  /// infinity, so that a step to an inverted lattice is rejected even if there are no contacts.
   void measure(Configuration<Dim>& at) const {
     if (!(at.cell.matrix.diagonal().minCoeff() > 0.0)) {
       at.worst = std::numeric_limits<double>::infinity();
@@ -414,8 +423,8 @@ class StaticProblem {
   double stiffness_;  // normal stiffness of the stiffest contact (force/length)
 };
 
-/// Returns the method for linear systems with the tangent matrix. In 2D it is always a factorization, because the
-/// factor of a 2D packing is small at any size.
+/// Returns the method by which linear systems with the tangent matrix are solved. In 2D it is always a factorization,
+/// because the triangular factors of the matrix of a 2D packing need little memory for any number of grains.
 template <int Dim>
 TangentPlan plan_of(const StaticProblem<Dim>& problem, const TangentMatrix<Dim>& tangent) {
   return Dim == 2 ? TangentPlan{} : plan_tangent(tangent.matrix(), problem.layout());
@@ -452,7 +461,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   const double target_residual = std::max(options.target, problem.rounding_of_stress());
   for (; now.worst > target_residual; ++solution.iterations) {
     if (solution.iterations == options.max_iterations) {
-      solution.reason = "the Newton iterations did not converge within the allowed number";
+      solution.reason = "the Newton iterations did not converge within the allowed number of iterations";
       break;
     }
     if (now.n_mobilised > options.largest_mobilised_share * now.n_contacts) {

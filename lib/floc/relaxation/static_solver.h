@@ -10,17 +10,17 @@
 
 namespace floc {
 
-/// Limits of the Newton iterations of the static solver. Their values were found by measurements: within them, the
-/// iterations refine an equilibrium and do not jump to another one.
+/// Limits of the Newton iterations of the static solver. Their default values were found by tests: within these limits,
+/// the iterations refine an equilibrium and do not jump to another one.
 struct StaticSolverOptions {
-  /// Upper bound of the force, moment and stress residuals of a solution, in units of the force scale F1 and the
-  /// largest diameter a.
+  /// Upper bound of the force, moment and stress residuals of a solution, in units of F1, F1 a and F1/a^(D-1), with F1
+  /// the force scale, a the largest diameter and D the dimension.
   double target = 1e-8;
   int max_iterations = 12;
   int max_backtracking = 6;
-  /// Largest relative displacement of two grains in contact in one iteration, in largest diameters.
+  /// Largest relative displacement of two grains in contact in one iteration, in diameters of the largest grain.
   double largest_step = 2e-3;
-  /// Largest relative displacement of two grains in contact over all iterations, in largest diameters.
+  /// Largest relative displacement of two grains in contact over all iterations, in diameters of the largest grain.
   double largest_displacement = 2e-2;
   /// Share of contacts with a spring at its cap (mobilised contacts) beyond which the iterations are given up, since
   /// they stall.
@@ -33,15 +33,15 @@ struct StaticSolverOptions {
 /// Outcome of the solution of the equations of static equilibrium.
 template <int Dim>
 struct StaticSolution {
-  bool converged = false;  ///< whether the target was reached; `packing` is then the equilibrium, at rest
-  std::string reason;      ///< reason of the failure in words; empty if the target was reached
+  /// Whether StaticSolverOptions::target was reached; `packing` is then the equilibrium, at rest.
+  bool converged = false;
+  std::string reason;  ///< reason of the failure in words; empty if `converged`
   /// Whether the axes of `packing` have their imposed lengths; false if these were too far from the initial lengths.
   bool has_lengths = true;
   int iterations = 0;
-  /// Largest of the force, moment and stress residuals that were reached, in units of the force scale F1 and the
-  /// largest diameter a.
+  /// Largest of the force, moment and stress residuals that were reached, in the units of StaticSolverOptions::target.
   double residual = 0.0;
-  Packing<Dim> packing;  ///< configuration with the smallest residual that was found
+  Packing<Dim> packing;  ///< packing in the state with the smallest residual that was found
 };
 
 /// Solves the balance of forces, moments and stresses of a periodic packing by Newton iterations, from its present
@@ -50,16 +50,16 @@ struct StaticSolution {
 /// symmetric if contacts slide. Free motions without stiffness (translations, rattlers, grains that roll freely) carry
 /// no load and get a vanishing stiffness (regularisation). The solution fails if grains that were far apart come into
 /// contact.
-/// @param control  control of the boundary: components under a stress are unknowns; axes and a shear on a strain ramp
-/// start from the end of the ramp, with the grains deformed affinely; other components are fixed; mean_stress() sets
-/// the scale of forces
+/// @param control  control of the boundary. Components that follow a stress are unknowns. If there is a strain ramp
+/// (StrainRamp), the cell is first deformed to the end of the ramp, and the grains are moved affinely with it. All
+/// other components are fixed. control.mean_stress() sets the scale of forces.
 /// @pre the cell matrix is lower triangular (the first lattice vector along x, ...); it stays so
 template <int Dim>
 [[nodiscard]] StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control,
                                                 const StaticSolverOptions& options);
 
-/// Returns the method by which solve_statics() will solve linear systems with the tangent matrix of a packing of
-/// spheres, and the computing time that it is expected to take. For disks no time is estimated, since the tangent
+/// Returns the method by which solve_statics() will solve linear systems with the tangent matrix of a packing, and for
+/// spheres the computing time that the method is expected to take. For disks no time is estimated, since their tangent
 /// matrix is always factorized.
 template <int Dim>
 [[nodiscard]] TangentPlan plan_statics(const Packing<Dim>& start, const BoundaryControl<Dim>& control);

@@ -35,7 +35,8 @@ void Barrier::wait_for_others() {
     return;
   }
   for (int spin = 0; phase_.load(std::memory_order_acquire) == phase; ++spin) {
-    // A thread may abandon the next barrier before another thread has noticed that this barrier is open.
+    // The second test is needed because a thread may abandon the next barrier before this thread has noticed that the
+    // present barrier is open.
     if (abandoned_.load(std::memory_order_acquire) && phase_.load(std::memory_order_acquire) == phase)
       throw Abandoned();
     if (spin > kSpins) std::this_thread::yield();
@@ -52,7 +53,7 @@ void run_in_team(int n_threads, const std::function<void(int thread, Barrier& ba
       require_team(n_threads);
       work(thread, barrier);
     } catch (const Barrier::Abandoned&) {
-      // The exception to report is that of the thread that called abandon().
+      // Nothing is recorded here: the exception to report is that of the thread that called abandon().
     } catch (...) {
       thrown[static_cast<std::size_t>(thread)] = std::current_exception();
       barrier.abandon();

@@ -10,7 +10,7 @@ namespace floc {
 /// a thousand times slower if other programs share the cores.
 class Barrier {
  public:
-  /// Exception that wait() throws if another thread will never arrive.
+  /// Exception that wait() throws if another thread will never arrive at the barrier.
   struct Abandoned {};
 
   explicit Barrier(int n_threads) : n_threads_(n_threads) {}

@@ -17,15 +17,17 @@ namespace {
 template <int Dim>
 constexpr double kCrystalLimit = 2.0 / (Dim == 2 ? 4.898979485566356 : 6.324555320336759);
 
-/// Largest overlap during a chunk of time steps divided by the largest overlap at its beginning.
+/// Assumed ratio of the largest overlap during a chunk of time steps to the largest overlap at the beginning of the
+/// chunk.
 constexpr double kDeeper = 1.3;
-/// Largest contact force divided by the mean contact force in a packing under pressure. A Hertz contact has twice the
+/// Assumed ratio of the largest to the mean contact force in a packing under pressure. A Hertz contact has twice the
 /// stiffness under the largest force that it has under the mean force.
 constexpr double kLargestForce = 8.0;
-/// Product z Phi of the coordination number z and the solid fraction Phi, for packings with few contacts.
+/// Product z Phi of the coordination number z and the solid fraction Phi in a packing with few contacts, from which the
+/// mean contact force under a pressure is estimated.
 constexpr double kFewContacts = 4.0;
 
-/// Solid fraction of the closest packing, from which the largest frequency of the boundary is estimated.
+/// Solid fraction of the closest packing, from which the largest frequency at which the cell vibrates is estimated.
 template <int Dim>
 constexpr double kClosePacked = Dim == 2 ? 0.9069 : 0.7405;
 
@@ -39,7 +41,8 @@ ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   ContactLoad load;
   for (const Contact<Dim>& c : packing.contacts) load.overlap = std::max(load.overlap, -kDeeper * c.gap);
   const double a = largest_diameter(packing.grains);
-  // For equal spheres of diameter a, the pressure is P = z Phi <N>/(pi a^2), with <N> the mean normal force.
+  // For equal spheres of diameter a, the pressure is P = z Phi <N>/(pi a^2), with z the coordination number, Phi the
+  // solid fraction and <N> the mean normal force.
   load.force = kLargestForce * std::numbers::pi * a * a * pressure / kFewContacts;
   double fastest_squared = 0.0;
   for (const Vec<Dim>& v : packing.grains.velocity)
@@ -48,8 +51,8 @@ ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   return load;
 }
 
-/// Returns the geometry of the pair of a grain and the body with which its contact is stiffest: one of the largest
-/// grains, or a wall.
+/// Returns the geometry of the pair in which the contact of grain i is stiffest: with one of the largest grains, or
+/// with a wall.
 template <int Dim>
 PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool with_wall) {
   if (with_wall) return {0.0, grains.radius[i], grains.mass[i]};
@@ -112,7 +115,7 @@ double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double t
   const double shrinks = std::min(1.0, std::pow(solid_fraction(packing) / kClosePacked<Dim>, 1.0 / Dim));
   const double side = shrinks * packing.cell.matrix.diagonal().minCoeff();
   // In a close packing, a grain has 6 (2D) or 12 (3D) neighbours, and half of each contact belongs to it. The mean of
-  // n_a^2 over the contacts is 1/Dim, with n_a a component of the normal.
+  // n_a^2 over the contacts is 1/Dim, with n_a a component of the normal of a contact.
   constexpr double kContactsAlong = Dim == 2 ? 3.0 / 2.0 : 6.0 / 3.0;
   const double stiffness = stiffest_contact(g, packing.law, load_on(packing, pressure), false);
   const double frequency = std::sqrt(kContactsAlong * stiffness * squared_diameters / cell_mass) / side;

@@ -12,8 +12,8 @@ namespace floc {
 
 /// Walls of a packing in motion, moved by the velocity Verlet scheme that moves the grains. The load of an axis between
 /// walls acts on both walls: a stress p is a force p S inwards on each wall, with S the area of the wall, so that p V,
-/// with V the volume, is the potential energy of the load [SVI2024]. At an imposed strain rate, each wall moves with
-/// half of the relative velocity of the two walls.
+/// with V the volume of the box, is the potential energy of the load [SVI2024]. If a strain rate is imposed on the
+/// axis, each of its two walls moves with half of their relative velocity.
 template <int Dim>
 class WallMotion {
  public:
@@ -27,12 +27,13 @@ class WallMotion {
   double distance(int axis) const { return gap_of(axis, &Wall<Dim>::position); }
   double distance_rate(int axis) const { return gap_of(axis, &Wall<Dim>::velocity); }
 
-  /// Returns the walls in the form that force kernels read; valid until the walls move.
+  /// Returns pointers to the arrays of the walls, in the form that force kernels (compiled loops over pairs) read;
+  /// valid for the lifetime of this object.
   WallView<Dim> view() const;
 
-  /// Sorts the pairs of grains with walls by wall; to be called after new lists of these pairs have been built.
+  /// Lists, for each wall, the pairs of a grain with this wall; to be called after new lists of pairs have been built.
   void list_pairs(const PairArrays<Dim>& pairs);
-  /// Sums the forces with which the grains push each wall outwards, in the order of the pairs of the wall.
+  /// Sums the forces with which grains push each wall outwards, in the order of the pairs that list_pairs() has listed.
   void sum_forces(const Interaction<Dim>& interaction);
 
   /// Accelerates the walls over half a time step by the forces that sum_forces() has summed last.

@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Calls the visitor with the name and the value of every member of a RunPoint.
+/// Lists the members of RunPoint that a checkpoint contains: calls `visit` with the name and the value of each.
 constexpr auto kMembers = [](auto& point, const auto& visit) {
   visit("step", point.step);
   visit("aggregating", point.aggregating);

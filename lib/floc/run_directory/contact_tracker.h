@@ -8,20 +8,21 @@
 
 namespace floc {
 
-/// Records how contacts open and close during the steps of a run, in the table DIR/contacts.csv. It has one row per
-/// interval of time and one for each equilibrium.
+/// Records how contacts open and close while the packing of a run moves, in the table DIR/contacts.csv, where DIR is
+/// the directory of the run. The table has one row per interval of time, and one for each equilibrium (the last row of
+/// a step).
 ///
-/// Columns: step, branch, P (target pressure of the step), time (since the beginning of the run), phi (solid fraction),
-/// n_contacts, gained and lost (contacts that opened or closed since the previous row or the beginning of the step),
-/// kept (contacts that already existed at the beginning of the step). The last row of a step describes its equilibrium.
+/// Columns: step (number of the equilibrium), branch (name of the stage), P (imposed pressure), time (since the
+/// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that closed or opened since the
+/// previous row or the beginning of the step), kept (contacts that exist since the beginning of the step).
 template <int Dim>
 class ContactTracker final : public MotionTable<Dim> {
  public:
-  /// @param file  file of the table; if it exists, its rows up to the present point of the run are kept
-  /// @param start  packing at the beginning of the present step of the load path
+  /// @param file  file of the table; if it exists, its rows up to the present time of the run are kept
+  /// @param start  packing at the beginning of the present step
   ContactTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start);
 
-  /// Adds a row for a packing in motion.
+  /// Adds a row for a moving packing.
   /// @param time  time since the beginning of the run
   void record(const Run<Dim>& run, const Packing<Dim>& packing, double time);
   void finish_step(const Run<Dim>& run) override;
@@ -30,9 +31,10 @@ class ContactTracker final : public MotionTable<Dim> {
   Packing<Dim> start_, previous_;
 };
 
-/// Starts recording the contacts of a run while it moves, in the table contacts.csv of its directory.
+/// Starts recording the contacts of a run in the table contacts.csv of its directory while its packing moves.
+/// @param options  options of the run
 /// @param interval  simulated time between two rows (time unit of the scene)
-/// @pre the run is not finished, and its object is not moved in memory while it is driven
+/// @pre the run is not finished; its object is not moved in memory while it is driven
 template <int Dim>
 std::unique_ptr<ContactTracker<Dim>> track_contacts(Run<Dim>& run, const RunOptions& options,
                                                     const RunDirectory& directory, double interval);

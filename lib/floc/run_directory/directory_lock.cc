@@ -17,8 +17,8 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Number of attempts to lock a directory, and the pause between two attempts (microseconds). The processes of a killed
-/// ensemble end slightly later than the ensemble itself, so a new run waits for them.
+/// The lock is tried several times with a pause (microseconds) in between, because the processes of a killed ensemble
+/// may end, and release their locks, slightly after the ensemble.
 constexpr int kAttempts = 50;
 constexpr useconds_t kPause = 10'000;
 
@@ -27,16 +27,16 @@ std::string host_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
 }
 
-/// Returns the text that the process with the lock wrote into the lock file, or "another process" if it has not written
-/// it yet.
+/// Returns the words by which a message names the process that has the lock: its text in the lock file, or "another
+/// process" if it has not written this text yet.
 std::string holder(int file) {
   std::array<char, 512> text{};
   const ssize_t n = ::pread(file, text.data(), text.size() - 1, 0);
   return n > 0 ? std::string(text.data(), static_cast<std::size_t>(n)) : "another process";
 }
 
-/// Whether the path still leads to the open lock file. The process with the lock removes the file before it releases
-/// the lock.
+/// Whether the path of the lock file still leads to the file that was opened. It does not if the process that had the
+/// lock has removed the file, which it does before it releases the lock.
 bool is_current(int file, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -44,13 +44,14 @@ bool is_current(int file, const std::string& path) {
          opened.st_dev == named.st_dev;
 }
 
-/// Whether an error of flock() means that the file system does not support locks. A directory in such a file system is
-/// used without a lock.
+/// Whether an error of flock() means that the file system does not support locks. The directory is then used without a
+/// lock.
 bool has_no_locks(int error) {
   return error == ENOTSUP || error == EOPNOTSUPP || error == ENOSYS || error == ENOLCK;
 }
 
-/// Checks that a directory for a new run is empty.
+/// Checks that a directory for a new run is empty, unless the run in it may be continued or replaced.
+/// @param runs  word for the content of the directory in messages, "run" or "runs"
 /// @throws InputError if it contains other files than the lock file
 void require_empty(const std::string& path, Existing existing, const std::string& runs) {
   if (existing != Existing::refuse || !fs::is_directory(path)) return;
@@ -61,15 +62,16 @@ void require_empty(const std::string& path, Existing existing, const std::string
                                          runs, runs == "run" ? "it" : "them"));
 }
 
-/// Creates the directory if necessary, and returns its path. The directory can then be locked.
+/// Creates a directory if it does not exist, and returns its path, so that the directory can then be locked.
+/// @param runs  word for the content of the directory in messages, "run" or "runs"
 const std::string& prepared(const std::string& path, Existing existing, const std::string& runs) {
   if (path.empty())
     throw InputError("\"\"", "the name of the directory is empty: expected the name of a directory");
   if (path == "-") throw InputError(path, "this name means standard output: expected the name of a directory");
   if (fs::exists(path) && !fs::is_directory(path))
     throw InputError(path, "this is a file: expected a directory");
-  // If another process has locked the directory, the attempt to lock it fails later with a better message, which names
-  // this process.
+  // If a lock file exists, another process may use the directory. Then it is not checked here whether the directory is
+  // empty: locking it fails later, with a message that names the other process.
   if (!fs::exists(fs::path(path) / DirectoryLock::kName)) require_empty(path, existing, runs);
   std::error_code failed;
   fs::create_directories(path, failed);
@@ -99,14 +101,14 @@ DirectoryLock::DirectoryLock(const std::string& directory)
   struct stat held {};
   if (::stat(directory.c_str(), &held) == 0) device_ = held.st_dev, inode_ = held.st_ino;
   const std::string text = fmt::format("process {} on {}", ::getpid(), host_name());
-  // The text is used only in messages, so a failure to write it is ignored. If the disk is full, an error is reported
-  // when a state is written.
+  // The text in the lock file is used only in messages, so it does not matter if it cannot be written. If the disk is
+  // full, saving a state reports it.
   if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, text.data(), text.size(), 0) < 0) return;
 }
 
 DirectoryLock::~DirectoryLock() {
   if (file_ < 0) return;
-  // the lock file is kept if it already belongs to another process
+  // if another process has its own lock file under this name, that file is not removed
   if (is_current(file_, path_)) ::unlink(path_.c_str());
   ::close(file_);
 }
@@ -114,8 +116,8 @@ DirectoryLock::~DirectoryLock() {
 bool DirectoryLock::is_held() const {
   struct stat named {};
   const bool found = ::stat(directory_.c_str(), &named) == 0;
-  // If only the lock file was removed, this process still has the directory. If there is another lock file, it belongs
-  // to another process.
+  // If the lock file was removed, the directory still belongs to this process. If there is another lock file in its
+  // place, the directory belongs to another process.
   return found && named.st_dev == device_ && named.st_ino == inode_ &&
          (is_current(file_, path_) || ::access(path_.c_str(), F_OK) != 0);
 }
@@ -123,14 +125,15 @@ bool DirectoryLock::is_held() const {
 void DirectoryLock::require_held() const {
   if (is_held()) return;
   throw IoError(directory_,
-                "this is no longer the directory of the run, which has been renamed or removed; expected a "
-                "directory that stays in place. The states saved so far are in the renamed directory, in which "
-                "--resume continues the run");
+                "this is no longer the directory of the run: it has been renamed or removed while the run used "
+                "it. The states saved so far are in the renamed directory; to continue the run, give that "
+                "directory with --resume");
 }
 
 ClaimedDirectory::ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs)
     : lock_(prepared(path, existing, runs)) {
-  // Another process may have written files into the directory before it was locked.
+  // This is checked once more, because another process may have written files into the directory just before it was
+  // locked.
   require_empty(path, existing, runs);
 }
 

@@ -5,12 +5,12 @@
 
 namespace floc {
 
-/// Locks a directory for this process until the object is destroyed, so that no other process of floc writes into it.
-/// The lock is an advisory lock (flock) on a file in the directory. The operating system releases it when the process
-/// ends, even if the process is killed.
+/// Lock on a directory, so that no other process of floc writes into it as long as this object exists. It is an
+/// advisory lock (flock) on a file in the directory, which the operating system releases when the process ends, even if
+/// the process is killed.
 class DirectoryLock {
  public:
-  /// Name of the lock file.
+  /// Name of the lock file in the directory.
   static constexpr const char* kName = "run.lock";
 
   /// Locks the directory.
@@ -21,32 +21,35 @@ class DirectoryLock {
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
-  /// Whether the path still leads to the locked directory. It does not if the directory has been renamed or removed,
-  /// even if another directory now has its name.
+  /// Whether the path of the directory still leads to the locked directory. It does not if the directory has been
+  /// renamed or removed, even if another directory has its name now.
   bool is_held() const;
-  /// Checks that the path still leads to the locked directory, before files are written into it.
-  /// @throws IoError if it does not
+  /// Checks that the path of the directory still leads to the locked directory. Callers do this before they write files
+  /// into it.
+  /// @throws IoError if it leads elsewhere
   void require_held() const;
 
  private:
   std::string directory_;
   std::string path_;
-  std::uint64_t device_ = 0, inode_ = 0;  ///< identity of the locked directory
+  std::uint64_t device_ = 0, inode_ = 0;  ///< device number and inode number of the locked directory
   int file_ = -1;
 };
 
-/// Treatment of an existing directory with files of a run: report an error, continue the run, or replace it.
+/// Treatment of a directory that already contains files of a run: report an error (refuse), continue that run (resume),
+/// or replace its files (overwrite).
 enum class Existing { refuse, resume, overwrite };
 
-/// Creates a directory for one run or for the runs of an ensemble, unless it exists, and locks it.
+/// Directory that belongs to this process: the constructor creates it, unless it exists, and locks it. It is for one
+/// run or for the runs of an ensemble.
 class ClaimedDirectory {
  public:
-  /// @param runs  "run" or "runs": word for the content of the directory in messages
+  /// @param runs  word that messages use for the content of the directory, "run" or "runs"
   /// @throws InputError if the path is empty or not a directory, if another process has locked the directory, or if the
   /// directory is not empty and `existing` is Existing::refuse
   ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs);
 
-  /// Whether the path still leads to the locked directory, see DirectoryLock::is_held().
+  /// Whether the path of the directory still leads to the locked directory, see DirectoryLock::is_held().
   bool is_held() const { return lock_.is_held(); }
   void require_held() const { lock_.require_held(); }
 

@@ -36,8 +36,8 @@ class Driver {
   }
 
  private:
-  /// Advances the run. Input that turns out to be invalid only during the motion is reported here. No file or key is to
-  /// blame, so the message names the step and the packing.
+  /// Advances the run by one chunk of time steps. If the motion cannot continue, the message of the error names the
+  /// step and its pressure: no single file or key of the scene is to blame.
   RunEvent advance() {
     try {
       return run_.advance();
@@ -47,7 +47,9 @@ class Driver {
           fmt::format(
               "the motion of the packing cannot continue: {}. A packing collapses in this way if its contacts "
               "are too soft for its pressure or for its adhesion: expected stiffer contacts, a lower pressure "
-              "or less adhesion. floc scene check prints the stiffness relative to these (kappa)",
+              "or less adhesion. floc scene check prints the stiffness number kappa, which compares the "
+              "stiffness "
+              "with the pressure or the adhesion",
               error.what()));
     }
   }
@@ -59,8 +61,8 @@ class Driver {
                            state.packing);
     directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);
-    // The rows of the table are written before the state, because a run that is resumed removes rows beyond the saved
-    // states.
+    // The table of the motion (contacts.csv or energy.csv) is written before the state file. If the run is killed in
+    // between, the resumed run removes the rows beyond the last saved state; it could not restore missing rows.
     if (table_ != nullptr) table_->write();
     const std::string sha256 = directory_.save(state, options_.timing ? std::optional(seconds) : std::nullopt);
     if (options_.equilibrium) options_.equilibrium(state, run_.report(), seconds);
@@ -79,8 +81,8 @@ class Driver {
     last_checkpoint_ = Clock::now();
   }
 
-  /// Stops because the present step does not converge. Its report is taken before the checkpoint, because writing the
-  /// checkpoint restarts the step.
+  /// Stops because the packing does not come to equilibrium. The report of the relaxation is taken before the
+  /// checkpoint is written, because writing the checkpoint restarts the relaxation.
   DriveReport give_up() { return stop_with({DriveReport::gave_up, run_.report()}); }
 
   DriveReport stop_with(DriveReport report) {

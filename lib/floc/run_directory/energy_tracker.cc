@@ -15,16 +15,16 @@ namespace {
 constexpr const char* kEnergyHeader =
     "step,branch,P,time,phi,work,elastic,kinetic,viscous,sliding,scaling,removed,initial,error,"
     "liquid,law,hysteresis";
-/// Number of columns before the terms of the energy balance (step, branch, P, time, phi).
+/// Number of columns of energy.csv before the terms of the energy balance: step, branch, P, time and phi.
 constexpr int kLeading = 5;
 
-/// Returns the energy terms in a row of energy.csv.
+/// Returns the terms of the energy balance in a row of energy.csv, from which the balance of a resumed run continues.
 EnergyTerms terms_of(const std::string& row) {
   std::istringstream fields(row);
   std::string field;
   for (int k = 0; k < kLeading; ++k) std::getline(fields, field, ',');
   EnergyTerms t;
-  double error = 0.0;  // is not stored, because it follows from the other terms
+  double error = 0.0;  // EnergyTerms has no member for the error, because it follows from the other terms
   for (double* term : {&t.work, &t.elastic, &t.kinetic, &t.viscous, &t.sliding, &t.scaling, &t.removed,
                        &t.initial, &error, &t.liquid, &t.law, &t.hysteresis}) {
     std::getline(fields, field, ',');
@@ -55,7 +55,7 @@ void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& pac
 template <int Dim>
 void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const double time_step = time - std::exchange(time_, time);
-  // during an aggregation, the clusters of grains fly freely and the boundary does no work on them
+  // No balance is recorded during an aggregation: clusters of grains are moved over long times without time steps.
   if (run.point().aggregating) {
     account_ = EnergyAccount<Dim>(packing);
     return;
@@ -76,9 +76,10 @@ void require_energy_account(const RunOptions& options) {
         "--track-energy",
         "the scene has walls (table [box]), but the energy balance can be recorded only in periodic cells");
   if (options.relaxation.finish != Finish::dynamic)
-    throw InputError("--track-energy",
-                     "the equilibria of this scene may be found by Newton steps, which follow no motion whose "
-                     "energy could be recorded; expected equilibrium.finish = \"dynamic\"");
+    throw InputError(
+        "--track-energy",
+        "Newton steps may find the equilibria of this scene without any motion whose energy could be "
+        "recorded; expected equilibrium.finish = \"dynamic\"");
   for (const LoadStage& stage : options.load)
     if (stage.shear != 0.0)
       throw InputError(
@@ -88,16 +89,16 @@ void require_energy_account(const RunOptions& options) {
                       stage.name));
   if (options.assembly.vibration && options.assembly.protocol != AssemblyOptions::Protocol::state)
     throw InputError("--track-energy",
-                     "assembly.vibration moves the grains between two equilibria without forces whose work "
-                     "could be recorded; expected a scene without assembly.vibration");
+                     "assembly.vibration moves the grains between two equilibria as hard bodies, so the energy "
+                     "balance cannot be recorded; expected a scene without assembly.vibration");
 }
 
 template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory) {
   require_energy_account(options);
-  // The contact law at the beginning of a step may differ from the law of the state before it, so the energy balance
-  // starts from the saved state.
+  // The contact law may change at the beginning of a step, which changes the energy. To account for this, the balance
+  // starts from the saved equilibrium before the step, which still has the old law.
   const RunPoint& point = run.point();
   const bool at_a_state = point.step > 0 && point.equilibration.empty();
   auto tracker = std::make_unique<EnergyTracker<Dim>>(

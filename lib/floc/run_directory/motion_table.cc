@@ -18,8 +18,8 @@ MotionTable<Dim>::MotionTable(std::string file, std::string header, const RunPoi
   read_rows(point);
 }
 
-/// Reads the rows of an existing file up to the time of `point`. A run that was killed may have written rows beyond the
-/// point from which it continues; these are dropped.
+/// Reads the rows of an existing file up to the time of `point`. Later rows are dropped: a run that was killed may have
+/// written rows after its last checkpoint, and writes them again when it is resumed.
 template <int Dim>
 void MotionTable<Dim>::read_rows(const RunPoint& point) {
   if (!std::filesystem::exists(file_)) return;
@@ -28,7 +28,7 @@ void MotionTable<Dim>::read_rows(const RunPoint& point) {
   if (!std::getline(in, line)) return;
   if (line != header_)
     throw InputError(file_ + ":1",
-                     "the columns of this table differ from those of this version of floc: " + line);
+                     "the columns of this table differ from those that this version of floc writes: " + line);
   const double reached = (point.time + point.equilibration_time) * (1.0 + 1e-12);
   for (int number = 2; std::getline(in, line); ++number) {
     std::istringstream fields(line);

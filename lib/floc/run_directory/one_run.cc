@@ -15,10 +15,10 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Largest state file that is opened for these checks (bytes).
+/// Largest state file that is opened in order to check that it belongs to a run (bytes).
 constexpr std::uintmax_t kLargestOpened = 16 << 20;
 
-/// Origin of a state: dimension, seed and scene, which are the same for all states of a run, and the step.
+/// Origin of a state: the dimension, seed and scene of its run, and the number of the state in the run.
 struct Origin {
   int dimension;
   std::uint64_t seed;
@@ -26,7 +26,7 @@ struct Origin {
   int step;
 };
 
-/// Returns the origin of a state, or std::nullopt if its file is too large to be opened for this check.
+/// Returns the origin of the state in a file, or std::nullopt if the file is too large to be opened for a check.
 std::optional<Origin> origin_of(const std::string& file) {
   if (fs::file_size(file) > kLargestOpened) return std::nullopt;
   return std::visit(
@@ -44,7 +44,7 @@ void require_same_scene(const Origin& found, const Origin& expected, const std::
                           reference));
 }
 
-/// Checks that path.csv is complete. In a file that was cut short, the last line does not end in a newline character.
+/// Checks that the table path.csv of a run is complete. If it was cut short, its last line has no newline character.
 void require_whole_table(const std::string& directory) {
   const std::string table = (fs::path(directory) / "path.csv").string();
   if (!fs::exists(table)) return;
@@ -87,8 +87,7 @@ void require_one_run(const std::string& directory) {
     ++expected;
     const std::optional<Origin> origin = origin_of(file);
     if (!origin) continue;
-    // A renamed or copied file would pass the other checks, so the step recorded in the file must be the number in its
-    // name.
+    // A state file of this run that was renamed or copied would pass the other checks.
     if (origin->step != step)
       throw InputError(file,
                        fmt::format("this file contains state {} of its run, but its name is that of state {}",
@@ -98,8 +97,9 @@ void require_one_run(const std::string& directory) {
       first_file = file;
     }
     if (origin->dimension != first->dimension)
-      throw InputError(file, fmt::format("this state is not {}D like {}: expected the states of one run",
-                                         first->dimension, first_file));
+      throw InputError(
+          file, fmt::format("the dimension of this state is not {}, as in {}: expected the states of one run",
+                            first->dimension, first_file));
     require_same_scene(*origin, *first, file, "the states before it in the directory");
     if (origin->seed != first->seed)
       throw InputError(file, fmt::format("this state was made with seed {}, but the states before it with seed "

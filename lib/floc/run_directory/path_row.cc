@@ -59,8 +59,8 @@ std::vector<std::string> columns_of(int dimension, bool boxed) {
   return columns;
 }
 
-/// Adds to a row of path.csv the stress and strain of each axis, and the quantities of a test with a driven axis. If no
-/// axis is driven, the last axis is taken in its place.
+/// Adds to a row of path.csv the stress and strain along each axis, and quantities such as the mobilised friction of a
+/// test in which one axis is driven. If the stage drives no axis, these quantities are given for the last axis.
 template <int Dim>
 void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std::vector<TableValue>& row) {
   const Vec<Dim> stress = state.stress.diagonal();
@@ -77,8 +77,8 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
     row.emplace_back(value);
   const StageReference& turn = state.path.turn;
   const bool is_sheared = state.target_offset.has_value();
-  // A shear stress that resists a positive strain counts as positive. In a shear test the mobilised friction is
-  // tau/sigma on the planes perpendicular to the axis.
+  // The shear stress is positive if it resists a positive shear strain. In a simple shear, the mobilised friction is
+  // the shear stress over the normal stress on the planes perpendicular to `turn.axis`.
   const double shear_stress = is_sheared ? -state.stress(0, turn.axis) : 0.0;
   const double mobilised = is_sheared ? shear_stress / stress[turn.axis] : test.mobilised;
   row.push_back(is_test ? TableValue{mobilised} : TableValue{});
@@ -89,9 +89,8 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   row.push_back(is_sheared ? TableValue{shear_stress} : TableValue{});
 }
 
-/// Adds to a row of path.csv the values that describe the walls. They include the pressure on the walls of each axis,
-/// and the part of this pressure that friction on the walls parallel to the axis carries. Both are undefined along an
-/// axis without walls.
+/// Adds to a row of path.csv the values that describe the walls. For each axis with walls, these include the pressure
+/// on its two walls, and the part of this pressure that friction on the walls parallel to the axis carries.
 template <int Dim>
 void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
   const Packing<Dim>& packing = state.packing;
@@ -157,7 +156,7 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;
-  std::getline(text, line);  // skips the line with the names of the columns
+  std::getline(text, line);  // skips the first line, which has the names of the columns
   std::getline(text, line);
   return line;
 }

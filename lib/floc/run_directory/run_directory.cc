@@ -16,8 +16,8 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// Returns the number of cells in a row of a CSV table. The name of a branch may be in quotation marks and contain
-/// commas.
+/// Returns the number of cells in a row of a CSV table. A comma within quotation marks, as in the name of a branch,
+/// does not separate cells.
 int n_cells(const std::string& row) {
   int n = 1;
   bool quoted = false;
@@ -28,7 +28,7 @@ int n_cells(const std::string& row) {
   return n;
 }
 
-/// Reads a state of a run from its file. @throws InputError if the dimension of the state is not Dim
+/// Reads a state of a run from its file. @throws InputError if the state does not have Dim dimensions
 template <int Dim>
 State<Dim> read_run_state(const std::string& file) {
   AnyState any = read_state(file);
@@ -109,7 +109,7 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   for (int step = 0; step < n_states; ++step) {
     if (rows_.contains(step) && step + 1 < n_states) continue;
     State<Dim> state = read_run_state<Dim>(state_path(step));
-    // The wall time of this step is unknown, because the process that measured it was killed.
+    // A row is missing if the run was killed before it wrote the row. The wall time of the step is then unknown.
     if (!rows_.contains(step)) rows_[step] = row_of(state, std::nullopt);
     if (step + 1 == n_states)
       reached =
@@ -125,7 +125,7 @@ std::optional<ReachedPoint<Dim>> RunDirectory::resume_point() {
   return reached;
 }
 
-/// Returns the lengths of the cell along the axes in a state that is saved or is being saved.
+/// Returns the sides of the cell (length) in the equilibrium number `step`, which has been saved or is being saved.
 template <int Dim>
 Vec<Dim> RunDirectory::sides_of(int step) {
   std::vector<double>& sides = sides_[step];
@@ -172,15 +172,16 @@ void RunDirectory::read_rows() {
   std::istringstream in(read_file(path_table()));
   std::string line;
   if (!std::getline(in, line)) return;
-  if (in.eof()) return;  // the line with the names of the columns is incomplete
+  if (in.eof()) return;  // the first line, with the names of the columns, is incomplete: there are no rows
   if (line != path_header(dimension_, boxed_))
     throw InputError(path_table() + ":1",
-                     "the columns of this table differ from those of this version of floc: " + line);
+                     "the columns of this table differ from those that this version of floc writes: " + line);
   const int n_columns = n_cells(line);
   while (std::getline(in, line)) {
     int step = -1;
     std::istringstream first(line);
-    // An incomplete row (without a newline character or with too few cells) is written again from its state file.
+    // A row without a newline character, or with too few cells, is left out; it is then written again from its state
+    // file.
     const bool whole = !in.eof() && n_cells(line) == n_columns;
     if (whole && first >> step && step >= 0) rows_[step] = line;
   }

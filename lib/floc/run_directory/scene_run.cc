@@ -29,8 +29,8 @@ RunOptions run_options(const Scene& scene, const SceneRunOptions& asked) {
   return options;
 }
 
-/// Returns the text of the scene of the run in a directory, which is stored in its first state or, before the first
-/// state, in its checkpoint. Returns an empty text if neither exists.
+/// Returns the text of the scene of the run in a directory. The first state of the run contains this text or, before
+/// there is a state, the checkpoint does. The result is empty if neither exists.
 std::string scene_of_run(const std::string& directory) {
   for (const std::string& file : {state_file(directory, 0), directory + "/checkpoint/checkpoint.h5"})
     if (std::filesystem::exists(file))
@@ -38,8 +38,8 @@ std::string scene_of_run(const std::string& directory) {
   return "";
 }
 
-/// Opens the directory of the run. If the run in it cannot be continued because its scene differs, the message names
-/// the keys that differ.
+/// Opens the directory of a run. If the run in it cannot be continued because it was begun with another scene, the
+/// message of the error also names the keys in which the two scenes differ.
 RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, const RunOptions& options) {
   try {
     return RunDirectory(asked.directory, existing, options);
@@ -54,7 +54,8 @@ RunDirectory open_directory(const SceneRunOptions& asked, Existing existing, con
   }
 }
 
-/// Returns a description of how fast a force residual above its tolerance changes; an empty text if this is not known.
+/// Returns words that say how fast the force residual of a packing that has not come to equilibrium falls or grows; an
+/// empty text if this is not known.
 std::string trend_of(const RelaxationReport& report) {
   if (report.decay_rate == 0.0) return "";
   return fmt::format(", {} at the rate {:.2g} per unit of time", report.decay_rate > 0.0 ? "falls" : "grows",

@@ -13,13 +13,15 @@
 
 namespace floc {
 
-/// Options for running a scene in a directory (options of `floc run`).
+/// Options for running a scene in a directory. They correspond to the options of the command `floc run`.
 struct SceneRunOptions {
   std::string directory;
   std::optional<std::uint64_t> seed;  ///< replaces the seed of the scene
   std::optional<int> threads;         ///< replaces the number of threads of the scene
-  std::optional<int> until;           ///< number of the equilibrium after which the run stops
-  /// if present, contacts.csv is written, with this simulated time between two rows (time unit of the scene)
+  /// number (from 0) of the equilibrium after which the run stops; absent: it runs to its end
+  std::optional<int> until;
+  /// simulated time between two rows of the table contacts.csv (time unit of the scene); if absent, the table is not
+  /// written
   std::optional<double> track_contacts;
   bool track_energy = false;
   bool resume = false;
@@ -27,31 +29,32 @@ struct SceneRunOptions {
   bool no_timing = false;
 };
 
-/// Returns the options for running a scene, with no more threads than are useful (useful_threads()).
-/// @throws InputError, before any file is written, if the scene cannot be run with these options
+/// Returns the options of a run: those of its scene, changed by `asked`, with no more threads than are useful
+/// (useful_threads()).
+/// @throws InputError if the scene cannot be run with these options; no file has been written then
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked);
 
-/// Returns a text that says how many of the requested threads the run leaves unused, and why; empty if it uses all of
-/// them.
+/// Returns a message that says how many of the requested threads the run leaves unused, and why; empty if it uses all
+/// of them.
 std::string unused_threads(const Scene& scene, const SceneRunOptions& asked);
 
-/// A run of a scene in its directory, ready to be driven, and a table that is recorded while the packing moves.
+/// A run of a scene in its directory, ready to be driven, and the table in which its motion is recorded.
 template <int Dim>
 struct SceneRun {
   RunOptions options;
   RunDirectory directory;
   Run<Dim> run;
-  /// table of contacts or energies recorded while the packing moves; null if there is none
+  /// table of contacts or energies that is recorded while the packing moves; null for none
   std::unique_ptr<MotionTable<Dim>> table;
 
-  /// Begins the run or resumes it.
-  /// @throws InputError if the scene cannot be run, or if the directory contains another run, or this run while neither
-  /// resume nor overwrite is set
+  /// Begins a new run in the directory, or resumes the run in it.
+  /// @throws InputError if the scene cannot be run, if the directory contains the run of another scene, or if it
+  /// contains a run although neither `asked.resume` nor `asked.overwrite` is set
   SceneRun(const Scene& scene, const SceneRunOptions& asked);
 
-  /// Drives the run.
-  /// @param watch  functions that are called to report progress; the other options in it are replaced by those given to
-  /// the constructor
+  /// Drives the run: computes its equilibria and saves them in its directory.
+  /// @param watch  functions that are called to report progress; all other options in `watch` are ignored, because the
+  /// constructor has been given them
   [[nodiscard]] DriveReport drive(DriveOptions<Dim> watch);
 
  private:
@@ -60,22 +63,23 @@ struct SceneRun {
   bool timing_;
 };
 
-/// Runs a scene in one call, like the command `floc run`: to its end, or until the function `stop` returns true. The
-/// run then stops at a checkpoint, from which another call with `asked.resume` continues it.
-/// @param scene_file  scene (TOML)
+/// Runs a scene in one call, like the command `floc run`: to its end, or until `stop` returns true. A run that is
+/// stopped writes a checkpoint, from which a later call with `asked.resume` continues it.
+/// @param scene_file  name of the scene file (TOML)
 /// @param changes  texts "key=value", each of which replaces a value of the scene
-/// @param stop  function called between chunks of time steps, which stops the run by returning true; if empty, the run
-/// continues to its end
-/// @return report whose `outcome` is done, stopped, or gave_up if an equilibrium was not reached
+/// @param stop  function that is called between chunks of time steps and stops the run by returning true; if empty, the
+/// run continues to its end
+/// @return report whose `outcome` is `done`, `stopped`, or, if an equilibrium was not reached, `gave_up`
 /// @throws InputError if read_scene() or the constructor of SceneRun does, IoError if the directory cannot be written
 [[nodiscard]] DriveReport run_scene(const std::string& scene_file, const SceneRunOptions& asked,
                                     const std::vector<std::string>& changes = {},
                                     const std::function<bool()>& stop = {});
 
-/// Returns the treatment of an existing directory of a run, which follows from the options resume and overwrite.
+/// Returns the treatment of a directory that already contains a run. It follows from the options `resume` and
+/// `overwrite`.
 Existing existing_of(const SceneRunOptions& asked);
 
-/// Returns a description of how a run ended that has not made all its equilibria; empty if it is done.
+/// Returns a message that says why a run ended before all its equilibria were made; empty if it made them all.
 template <int Dim>
 std::string ending_of(const DriveReport& report, const Run<Dim>& run);
 

@@ -16,12 +16,12 @@
 namespace floc {
 namespace {
 
-/// Largest factor between the stiffness number of a scene and that of the table for which the errors of the table
-/// apply.
+/// Errors scale with the stiffness, so the measured errors apply only to scenes whose stiffness number differs at most
+/// by this factor from that of the scene with which they were measured.
 constexpr double kStiffnessRange = 10.0;
 
-/// Keys of [accuracy], each with the observables that it stands for (names in the column "observable" of the table of
-/// errors).
+/// Keys of the table [accuracy] of a scene, each with the observables for which it stands: names in the column
+/// "observable" of the table of measured errors.
 const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"phi", {"phi"}},
     {"z", {"z_plus", "z_minus"}},
@@ -36,17 +36,18 @@ const std::vector<std::string>& observables_of(const std::string& key) {
   return std::find_if(kKeys.begin(), kKeys.end(), [&](const auto& k) { return k.first == key; })->second;
 }
 
-/// A setting of the table, with its rows of the table by the name of the observable.
+/// Numerical settings from the table of measured errors, with the rows about them.
 struct Candidate {
   std::string parameter, value;
   NumericalSettings settings;
   double cost_ratio;
-  std::map<std::string, const MeasuredAccuracy*> of;
+  std::map<std::string, const MeasuredAccuracy*> of;  ///< rows of the table, by the names of the observables
 
   bool is_reference() const { return parameter == "strict"; }
 };
 
-/// Names of the settings for the motion of the cell. Their values in the table are factors, for example "10 times".
+/// Names, in the table of measured errors, of the mass of the cell and of the cap on its strain rate. Their values are
+/// factors of the default values, for example "10 times".
 constexpr const char* kMassOfCell = "cell_mass";
 constexpr const char* kCapOfCell = "strain_rate_cap";
 
@@ -54,8 +55,9 @@ bool is_of_cell(const std::string& parameter) {
   return parameter == kMassOfCell || parameter == kCapOfCell;
 }
 
-/// Returns settings of the table, sorted by cost.
-/// @param of_cell  if true, the settings for the motion of the cell; otherwise the numerical settings of a scene
+/// Returns settings from the table of measured errors, the cheapest first.
+/// @param of_cell  if true, settings of the mass of the cell and of the cap on its strain rate; otherwise numerical
+/// settings of a scene
 std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table, bool of_cell = false) {
   std::vector<Candidate> candidates;
   for (const MeasuredAccuracy& row : table) {
@@ -72,7 +74,8 @@ std::vector<Candidate> candidates_of(const std::vector<MeasuredAccuracy>& table,
   return candidates;
 }
 
-/// Returns the smallest error that a setting guarantees for an observable; infinite if the error was not measured.
+/// Returns the smallest relative error of an observable that settings guarantee; infinite if their error was not
+/// measured.
 double guaranteed_error(const Candidate& candidate, const std::string& observable) {
   const auto found = candidate.of.find(observable);
   if (found == candidate.of.end()) return std::numeric_limits<double>::infinity();
@@ -82,24 +85,26 @@ double guaranteed_error(const Candidate& candidate, const std::string& observabl
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the number in the value of a setting for the cell, for example 10 for "10 times"; NaN if there is none.
+/// Returns the factor of a setting of the cell, for example 10 for the value "10 times"; NaN if the value contains no
+/// number.
 double factor_of(const Candidate& of_cell) {
   return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Relative difference below which two factors of the mass or the cap of the cell count as equal. A factor computed as
-/// a ratio has a rounding error.
+/// Relative difference below which two factors, of the mass of the cell or of the cap on its strain rate, count as
+/// equal. The factors of a scene are ratios and have rounding errors.
 constexpr double kRoundingOfFactors = 1e-9;
 
 bool is_default(double factor) {
   return std::abs(factor - 1.0) <= kRoundingOfFactors;
 }
 
-/// Returns the setting whose measured factor is closest to `factor`, among the factors on the same side of 1 that
-/// differ from 1 at least as much; null if there is none.
-/// @param of_cell  measured settings for the motion of the cell
-/// @param parameter  name of the setting, "cell_mass" or "strain_rate_cap"
+/// Returns the measured setting of the cell that covers a factor of a scene: its own factor lies on the same side of 1,
+/// is at least as far from 1, and is the closest of these. Returns null if no setting covers the factor.
+/// @param of_cell  measured settings of the mass of the cell and of the cap on its strain rate
+/// @param parameter  quantity that the factor multiplies: "cell_mass" or "strain_rate_cap"
+/// @param factor  value in the scene over the default value
 const Candidate* nearest_beyond(const std::vector<Candidate>& of_cell, const std::string& parameter,
                                 double factor) {
   const auto distance = [&](double f) { return factor > 1.0 ? std::log(f) : -std::log(f); };
@@ -112,7 +117,8 @@ const Candidate* nearest_beyond(const std::vector<Candidate>& of_cell, const std
   return nearest;
 }
 
-/// Settings for the motion of the cell whose measured errors are added to those of every numerical setting.
+/// Measured settings of the cell that cover the cell of a scene. Their errors are added to those of all numerical
+/// settings.
 using Additions = std::vector<const Candidate*>;
 
 Additions additions_of(const std::vector<Candidate>& of_cell, const std::vector<CellFactors>& cells) {
@@ -130,8 +136,9 @@ Additions additions_of(const std::vector<Candidate>& of_cell, const std::vector<
   return additions;
 }
 
-/// Returns the largest error that a setting guarantees for the observables of a key, after the errors caused by the
-/// motion of the cell have been added.
+/// Returns the relative error that settings guarantee for all observables of a key of [accuracy], including the errors
+/// that the cell causes.
+/// @param additions  settings of the cell whose errors are added
 double guaranteed_error_of_key(const Candidate& candidate, const Additions& additions, const std::string& key) {
   double least = 0.0;
   for (const std::string& observable : observables_of(key)) {
@@ -160,8 +167,8 @@ std::string errors_of(const Candidate& setting, const WantedAccuracy& wanted) {
 std::string reason_of(const Candidate& chosen, const Additions& additions, const WantedAccuracy& wanted) {
   const NumericalSettings& s = chosen.settings;
   std::string reason = fmt::format(
-      "finish {}, time step {}, tolerance {:g}, patience {}: this takes {:.2f} of the time of the strictest "
-      "settings. Measured errors: {}",
+      "finish {}, time step {}, tolerance {:g}, patience {}: this takes {:.2f} of the processor time of the "
+      "strictest settings. Measured errors: {}",
       finish_name(s.finish), s.time_step, s.tolerance, s.patience, chosen.cost_ratio,
       errors_of(chosen, wanted));
   for (const Candidate* addition : additions)
@@ -178,7 +185,7 @@ std::vector<std::string> split_cells(const std::string& line) {
   return cells;
 }
 
-/// One row of the table of errors, whose values are accessed by the names of the columns.
+/// One row of the table of measured errors. Its values are found by the names of their columns.
 class Row {
  public:
   Row(const std::map<std::string, std::size_t>& columns, std::vector<std::string> cells, std::string place)
@@ -191,7 +198,7 @@ class Row {
                        "column " + column + " is missing: the file must be a table written by floc tradeoff");
     return cells_[at->second];
   }
-  /// Returns the number in a column of the row; NaN if the cell is empty.
+  /// Returns the number in a column of this row; NaN if the cell is empty.
   double number(const std::string& column) const {
     const std::string& cell = text(column);
     if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -235,8 +242,8 @@ std::vector<std::string> accuracy_keys() {
 }
 
 std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place) {
-  // Rows about other parameters are left out: they change the physics, the number of grains, or the way the states are
-  // analysed.
+  // Parameters of the table that a scene can give for more accuracy. All others change the physics, the number of
+  // grains, or the analysis of the states, so their rows are left out.
   const std::vector<std::string> kSettable = {"strict",   "scene",    "finish",    "tolerance", "time_step",
                                               "patience", "together", kMassOfCell, kCapOfCell};
   std::istringstream in(csv);
@@ -278,7 +285,7 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
                   floor,
                   additions.empty() ? ""
                                     : " with the mass and the strain rate of the cell that the scene gives")
-            : "the table shipped with floc has no error of this quantity; leave the key out";
+            : "the table of measured errors shipped with floc has no error of this quantity; leave out the key";
     return choice;
   }
   for (const Candidate& c : candidates)
@@ -292,7 +299,8 @@ AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table, const
     }
   choice.refused_key = wanted.front().first;
   choice.failure_reason =
-      "no setting of the table shipped with floc keeps all requested errors at once; request larger errors";
+      "no settings in the table of measured errors shipped with floc keep all requested errors at once; "
+      "request larger errors";
   return choice;
 }
 

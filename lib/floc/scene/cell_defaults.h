@@ -7,19 +7,22 @@ namespace floc {
 
 /// Default mass of the cell and default caps on its strain rate (measurements: docs/quasistatic.md).
 
-/// Mass of the cell during assembly, over the mass of all grains. With a lighter cell, packings made from a gas are
-/// looser than the published ones.
+/// Default mass of the cell during the assembly, over the mass of all grains. With a lighter cell, packings made from a
+/// gas are looser than the published ones.
 inline constexpr double kAssemblyCellMass = 1.0;
-/// Mass of the cell on load paths, over the mass of all grains. A heavier cell overshoots and compacts the packing; a
-/// lighter one gives the same densities.
+/// Default mass of the cell on load paths, over the mass of all grains. A heavier cell overshoots the imposed stress
+/// and compacts the packing; a lighter one gives the same densities.
 inline constexpr double kLoadCellMass = 0.1;
-/// Cap on the strain rate of the cell for cohesive grains, in units of 1/T0 with T0 = sqrt(a m/F0).
+/// Default cap on the strain rate of the cell for cohesive grains, in units of 1/T0. T0 = sqrt(a m/F0), with the
+/// largest diameter a, the mass m of the largest grain and the pull-off force F0.
 inline constexpr double kStrainRateCap = 0.05;
-/// Cap on the inertial number |L'/L| sqrt(m/P) of the cell, for grains without adhesion.
+/// Default cap on the inertial number |L'/L| sqrt(m/P) of the cell, for grains without adhesion (side L of the cell,
+/// rate of change L', mass m of the largest grain, pressure P).
 inline constexpr double kLargestInertialNumber = 1e-3;
 
-/// Returns the default cap on the strain rate of the cell: a cap in units of 1/T0 for a law with adhesion, otherwise a
-/// cap on the inertial number.
+/// Returns the default cap on the rate at which the cell deforms: kStrainRateCap if the grains adhere, otherwise
+/// kLargestInertialNumber.
+/// @param law  contact law, which determines whether the grains adhere
 inline CellResponse default_cap(const Law& law) {
   CellResponse response;
   if (law.adheres())
@@ -29,8 +32,9 @@ inline CellResponse default_cap(const Law& law) {
   return response;
 }
 
-/// Returns the default mass of the cell and cap on its strain rate for the stages of a load path. They apply if neither
-/// the stage nor the rest of the scene gives these values.
+/// Returns the default mass of the cell and the default cap on its strain rate on the load path. They apply to a stage
+/// if neither the stage nor the table [cell] of the scene gives these values.
+/// @param law  contact law, which determines whether the grains adhere
 inline CellResponse default_load_response(const Law& law) {
   CellResponse response = default_cap(law);
   response.cell_mass = kLoadCellMass;

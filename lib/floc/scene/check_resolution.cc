@@ -16,7 +16,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Returns the stresses imposed at the end of a stage, each with the scene key that gives it.
+/// Returns the stresses that a stage imposes at its end, each with the key of the scene that gives it.
 std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) {
   if (stage.is_isotropic()) return {{stage.control == "axes" ? "axes" : "to", stage.to}};
   std::vector<std::pair<const char*, double>> stresses;
@@ -25,8 +25,9 @@ std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) 
   return stresses;
 }
 
-/// Calls check(table, key, pressure) for the pressure of the assembly and for the stresses of the stages of the load
-/// path, in order. It stops before the first stage for which `ends` is true.
+/// Calls check(table, key, pressure) for every imposed pressure or stress of a scene in order, with the key that gives
+/// it: for the pressure of the assembly, then for the stresses at the ends of the stages. Ends before the first stage
+/// for which ends(stage) is true.
 template <class Check, class Ends>
 void for_each_pressure(TableReader& root, const Scene& scene, const Check& check, const Ends& ends) {
   TableReader assembly = root.table("assembly", "", Need::optional);
@@ -37,11 +38,11 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
     for (const auto& [key, stress] : stresses_of(scene.load[k])) check(stages[k], key, stress);
 }
 
-/// Records a fault for every pressure that is not larger than the accepted error of a stress, because it cannot be
+/// Records a fault for every pressure that is not larger than the tolerance of a stress, because it cannot be
 /// distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
   if (!scene.law.adheres() || scene.assembly.box || !(scene.grains.diameter.max > 0)) return;
-  // Area (3D) or length (2D) on which a stress acts.
+  // Area (in 2D length) that turns a stress into a force on a grain.
   const double area = std::pow(scene.grains.diameter.max, scene.dimension - 1);
   const double least = scene.relaxation.tolerance.stress * pull_off_force(scene) / area;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
@@ -50,23 +51,25 @@ void check_pressures(TableReader& root, const Scene& scene) {
           key,
           fmt::format(
               "{} = {}: this pressure is not larger than the accepted error of a stress, equilibrium.stress * "
-              "F0/{} = {:.3g}; expected a higher pressure or a smaller equilibrium.stress",
+              "F0/{} = {:.3g} (pull-off force F0, largest diameter a); expected a higher pressure or a smaller "
+              "equilibrium.stress",
               t.path_of(key), pressure, scene.dimension == 2 ? "a" : "a^2", least));
   };
-  // The accepted error of a stress is proportional to the adhesion. A stage that changes the adhesion, and all stages
-  // after it, are therefore not checked.
+  // The tolerance of a stress is proportional to the pull-off force. If a stage changes this force, the stage and all
+  // later ones are not checked.
   for_each_pressure(root, scene, check, [](const LoadStage& stage) {
     return std::any_of(stage.set.begin(), stage.set.end(),
                        [](const auto& change) { return change.first == "adhesion.force"; });
   });
 }
 
-/// Records a fault if contacts are so stiff that rounding the sides of the cell or the positions of the grains causes
-/// errors above the tolerances of stresses or forces.
+/// Records a fault if contacts are so stiff that rounding errors of the sides of the cell cause stresses above their
+/// tolerance, or rounding errors of positions cause net forces above their tolerance.
 void check_stiffness(TableReader& root, const Scene& scene) {
   constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
   const double a = scene.grains.diameter.max;
-  const double area = std::pow(a, scene.dimension - 1);  // area (3D) or length (2D) on which a stress acts
+  // area (in 2D length) that turns a stress into a force on a grain
+  const double area = std::pow(a, scene.dimension - 1);
   const double F1 = std::max(pull_off_force(scene), scene.assembly.pressure * area);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
   TableReader contact = root.table("contact", "", Need::optional);
@@ -74,18 +77,20 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   const double stiffness = area * scene.law.contact_modulus(scene.dimension, a);
   const bool varies = scene.law.force_exponent() != 1.0;
   const double kappa = varies ? std::pow(stiffness / F1, 2.0 / 3.0) : stiffness / F1;
-  // Each side of the cell is stored as one double, whose rounding changes all overlaps (see solve_statics()).
+  // Each side of the cell is stored as one double. Its rounding error changes all overlaps, and thus the stress (see
+  // solve_statics()).
   if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
     contact.fault(
         "normal",
         fmt::format(
             "contact.normal.{} = {}: the contacts are so stiff that rounding errors cause stresses of {:.1e} "
-            "F1/a^(d-1), where F1 is the larger of the pull-off force and P a^(d-1); expected errors below "
-            "equilibrium.stress = {:.1e}, thus softer contacts or a larger equilibrium.stress",
+            "F1/a^(d-1), where F1 is the larger of the pull-off force and P a^(d-1) (first pressure P, largest "
+            "diameter a, dimension d); expected errors below equilibrium.stress = {:.1e}, thus softer contacts "
+            "or a larger equilibrium.stress",
             varies ? "modulus" : "stiffness", stiffness / a, 4 * kHalfUnit * kappa,
             scene.relaxation.tolerance.stress));
-  // During motion each coordinate is stored as one double. About four contacts act on a grain, and their rounding
-  // errors add up.
+  // While the packing moves, each coordinate of a grain is stored as one double. The rounding errors of about four
+  // contacts add up to a net force on the grain.
   const double side =
       std::pow(scene.grains.count / std::max(scene.assembly.solid_fraction, 0.1), 1.0 / scene.dimension);
   const double force = 4 * kHalfUnit * kappa * side;
@@ -93,14 +98,15 @@ void check_stiffness(TableReader& root, const Scene& scene) {
     equilibrium.fault(
         "finish",
         fmt::format("equilibrium.finish = \"dynamic\": rounding errors of the positions cause net forces of "
-                    "{:.1e} F1 on grains, where F1 is the larger of the pull-off force and P a^(d-1), but "
+                    "{:.1e} F1 on grains, where F1 is the larger of the pull-off force and P a^(d-1) (first "
+                    "pressure P, largest diameter a, dimension d), but "
                     "equilibrium.force = {:.1e} requires smaller ones; expected a larger equilibrium.force, or "
                     "finish = \"auto\", which stores each position as a sum of two numbers",
                     force, scene.relaxation.tolerance.force));
 }
 
-/// Records a fault if the stiffness number kappa of spheres is too small: their overlaps are proportional to 1/kappa,
-/// and Hertz' law does not hold for large overlaps.
+/// Records a fault if spheres are so soft that they overlap too far at an imposed pressure. Their overlaps are
+/// proportional to 1/kappa (stiffness number kappa), and Hertz' law holds only for small overlaps.
 void check_overlaps(TableReader& root, const Scene& scene) {
   constexpr double kLeastKappa = 30.0;
   if (!scene.law.is_for_small_overlaps()) return;
@@ -108,14 +114,16 @@ void check_overlaps(TableReader& root, const Scene& scene) {
     const double kappa = hertz_kappa(scene, pressure);
     if (pressure > 0 && kappa < kLeastKappa)
       t.fault(key,
-              fmt::format("{} = {}: the stiffness number kappa = (E~/P)^(2/3) is {:.3g}, expected at least {}: "
-                          "with a smaller one spheres overlap too far for contact.normal.law = \"{}\"",
+              fmt::format("{} = {}: at this pressure P the stiffness number kappa = (E~/P)^(2/3), with E~ = "
+                          "E/(1 - nu^2), is {:.3g}; expected at least {}, because softer spheres overlap too "
+                          "far for contact.normal.law = \"{}\"",
                           t.path_of(key), pressure, kappa, kLeastKappa, scene.law.normal_keyword()));
   };
   for_each_pressure(root, scene, check, [](const LoadStage&) { return false; });
 }
 
-/// Records a fault if the adhesion alone pulls two grains too far into each other. Their overlap is F0/K_N.
+/// Records a fault if adhesion alone makes two grains overlap too far. Their overlap is F0/K_N, with the pull-off force
+/// F0 and the normal stiffness K_N.
 void check_cohesive_overlap(TableReader& root, const Scene& scene) {
   constexpr double kLargest = 0.1;
   if (!scene.assembly.box || !scene.law.has_adhesion() || scene.law.force_exponent() != 1.0) return;

@@ -5,9 +5,10 @@
 
 namespace floc {
 
-/// Records a fault if the tolerances of a scene are too coarse for its loads (a pressure is smaller than the accepted
-/// error of a stress), if rounding errors of very stiff contacts exceed the tolerances, or if grains are so soft that
-/// they overlap too far.
+/// Records a fault in a scene whose results would not be accurate for one of these reasons: a pressure is not larger
+/// than the tolerance of a stress; contacts are so stiff that rounding errors exceed the tolerances; grains are so soft
+/// that they overlap too far.
+/// @param root  reader of the root table of the scene
 void check_resolution(TableReader& root, const Scene& scene);
 
 }  // namespace floc

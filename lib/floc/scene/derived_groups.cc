@@ -37,8 +37,8 @@ int steps_of(const KnownStress& from, const LoadStage& stage) {
 }
 
 struct Steps {
-  int up = 0;  ///< number of equilibria on stages that load the packing or keep its load
-  int down = 0;
+  int up = 0;    ///< number of equilibria in stages that increase or keep the pressure
+  int down = 0;  ///< number of equilibria in stages that decrease the pressure
 };
 
 Steps count_steps(const Scene& scene) {
@@ -85,8 +85,8 @@ void add_cohesion(const Scene& scene, double a, Groups& groups) {
   groups.push_back({"h0/a", F0 / K_N, "overlap of two grains pulled together by their adhesion alone"});
 }
 
-/// Adds the dimensionless numbers of the liquid, and those of the liquid bridge between two of the largest grains if
-/// each grain has three bridges.
+/// Adds the dimensionless numbers of the liquid between grains. Those of a liquid bridge are given for two of the
+/// largest grains, on the assumption that each grain has three bridges.
 void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double share = law.liquid_volume(1.0);
   const double grain = std::numbers::pi / 6.0 * a * a * a;
@@ -97,8 +97,8 @@ void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   groups.push_back({"hm/a", bridge.reach / a, "gap at which this liquid bridge breaks"});
 }
 
-/// Adds the dimensionless numbers of elastic spheres. Overlaps are proportional to 1/kappa, and the pressure between
-/// the surfaces is proportional to kappa^(-1/2).
+/// Adds the dimensionless numbers of elastic spheres. The overlap of two spheres is proportional to 1/kappa, and the
+/// largest pressure between their surfaces to kappa^(-1/2).
 void add_spheres(const Scene& scene, Groups& groups) {
   const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
   double highest = scene.assembly.pressure;
@@ -111,15 +111,17 @@ void add_spheres(const Scene& scene, Groups& groups) {
                     "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure of the scene"});
   groups.push_back({"kappa", hertz_kappa(scene, highest), "(E~/P)^(2/3) at the highest pressure of the scene"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
-  // The largest pressure is computed for a contact that carries the mean force, which follows from z Phi = 4
-  // (coordination number z, solid fraction Phi).
+  // Largest pressure between the surfaces in a contact that carries the mean force. The mean force at a given pressure
+  // is that of a packing with z Phi = 4 (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
                     "largest pressure between the surfaces of a contact with the mean force, at the highest "
                     "pressure of the scene"});
 }
 
-/// Returns a parameter of the contact law in dimensionless form, named after its symbol, or std::nullopt for a
-/// parameter that serves as a unit of others.
+/// Returns a parameter of the contact law in dimensionless form, with its symbol as its name; std::nullopt for forces,
+/// pressures and volumes, which are used as units.
+/// @param K_N  normal stiffness of a contact
+/// @param a  largest diameter
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
   const std::string& symbol = n.declared->symbol;
   switch (n.declared->unit) {
@@ -143,6 +145,7 @@ std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
 
 /// Adds the dimensionless parameters of one component of the contact law.
 /// @param slot  key of the component in a scene, for example "friction"
+/// @param a  largest diameter
 void add_slot(const std::string& slot, const Scene& scene, double a, Groups& groups) {
   LawParameters law = scene.law;
   const double K_N = scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
@@ -159,11 +162,11 @@ void add_law(const Scene& scene, double a, Groups& groups) {
         {"zeta", damping_ratio(damping.get<ViscousDamping>().restitution), "fraction of critical damping"});
 }
 
-/// Adds the caps on the strain rate and the mass of the cell in one part of a run, if they differ from those of another
-/// part.
-/// @param r  settings of this part
-/// @param other  settings of the part with which they are compared
-/// @param where  name of this part of the run, in words
+/// Adds the caps on the strain rate of the cell, and its mass, in one part of a run (the assembly, or a stage of the
+/// load path), if they differ from those in another part.
+/// @param r  options in this part
+/// @param other  options in the part with which this one is compared
+/// @param where  words for this part of the run, for example " at assembly"
 void add_cell(const RelaxationOptions& r, const RelaxationOptions& other, const std::string& where,
               Groups& groups) {
   if (r.strain_rate_cap && r.strain_rate_cap != other.strain_rate_cap)
@@ -198,15 +201,18 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
                       "sqrt(a m/F0), unit of time of the motion of cohesive grains (time unit of the scene)"});
 }
 
-/// Returns T = sqrt(m/(p a^(D-2))), the unit of time of a compaction between walls.
+/// Returns T = sqrt(m/(p a^(D-2))), the unit of time of a compaction between walls, with the first pressure p and the
+/// dimension D (time unit of the scene).
 /// @param a  largest diameter
 /// @param m  mass of a grain of this diameter
 double compaction_time(const Scene& scene, double a, double m) {
   return std::sqrt(m / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
 }
 
-/// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024], with the stresses sc = F0/a^(D-1)
-/// and se = K_N/a^(D-2), where D is the dimension.
+/// Adds the dimensionless numbers of a dynamic compaction between walls [SVI2024]. They compare the stresses sc =
+/// F0/a^(D-1) and se = K_N/a^(D-2) with the pressure (pull-off force F0, normal stiffness K_N, dimension D).
+/// @param a  largest diameter
+/// @param m  mass of a grain of this diameter
 void add_box(const Scene& scene, double a, double m, Groups& groups) {
   const BoxOptions& box = *scene.assembly.box;
   const double p = scene.assembly.pressure;
@@ -237,8 +243,9 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
-/// Returns the number of time steps of the compaction under one pressure. It follows from the longest allowed time
-/// (equilibrium.stop_time) or, without it, from the usual time of dense samples.
+/// Returns the expected number of time steps of a compaction between walls under one pressure. It follows from the
+/// longest time that the scene allows (equilibrium.stop_time) or, if the scene gives none, from the usual time for
+/// dense packings.
 double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
   const double a = scene.grains.diameter.max;
@@ -246,8 +253,9 @@ double steps_of_compaction(const Scene& scene) {
          time_step_of_scene(scene);
 }
 
-/// Returns the normal stiffness K_N of a contact. If K_N varies with the force, it is taken at the mean force under the
-/// first pressure P, which gives 0.665 kappa P a (for z Phi = 4).
+/// Returns the normal stiffness K_N of a contact. For spheres it increases with the force, and is given for the mean
+/// force under the first pressure P: 0.665 kappa P a, for z Phi = 4 (stiffness number kappa, largest diameter a,
+/// coordination number z, solid fraction Phi).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);
@@ -265,18 +273,20 @@ double time_step_of_scene(const Scene& scene) {
 }
 
 double expected_cost(const Scene& scene) {
-  // Processor time per sphere and time step (s), for about two contacts per sphere on a core of 2023.
+  // Processor time for one sphere and one time step (s), with about two contacts per sphere, on a core of the year
+  // 2023.
   constexpr double kSecondsPerGrainStep = 4.3e-8;
   if (scene.assembly.box) {
     const Steps stages = count_steps(scene);
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
            (1 + stages.up + stages.down);
   }
-  // Processor time of assembling a packing from a gas, relative to the time of one loading step.
+  // Processor time of assembling a packing from a gas over that of one equilibrium of loading.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
-  // Time step of the run from which kSecondsPerGrainAndStep was measured, in units of sqrt(m/K_N).
+  // Time step in the run with which kSecondsPerGrainAndStep was measured, in units of sqrt(m/K_N) (mass m of the
+  // largest grain, normal stiffness K_N).
   constexpr double kTimedStep = 0.1;
   const double step = time_step_of_scene(scene) /
                       std::sqrt(mass_of(scene, scene.grains.diameter.max) / typical_stiffness(scene));
@@ -311,8 +321,8 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   groups.push_back(
       {"time_step", time_step_of_scene(scene), "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);
-  // An aggregated packing is first brought to equilibrium at zero pressure, and a vibrated packing once before it is
-  // vibrated. Both make one equilibrium more than other assemblies.
+  // Most assemblies make one equilibrium. There are two if the grains are aggregated (first an equilibrium at zero
+  // pressure), or if a packing made from a gas is vibrated (an equilibrium before and one after the vibration).
   const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||
                      (scene.assembly.vibration && !scene.starts_from_state());
   const int assembled = twice ? 2 : 1;

@@ -14,14 +14,16 @@ namespace {
 
 constexpr NumberRule kRelativeError{positive, "a positive number (relative error)"};
 
-/// Returns the stiffness number a K_N/F0 of the scene, or std::nullopt without adhesion.
+/// Returns the stiffness number a K_N/F0 of a scene (largest diameter a, normal stiffness K_N, pull-off force F0), or
+/// std::nullopt without adhesion.
 std::optional<double> stiffness_number(const Scene& scene) {
   if (!scene.law.adheres()) return std::nullopt;
   const double a = scene.grains.diameter.max;
   return a * scene.law.contact_modulus(scene.dimension, a) / pull_off_force(scene);
 }
 
-/// Returns the settings for the motion during the assembly, then during each stage of the load path.
+/// Returns the options of the relaxation, with the mass and the caps of the cell, in each part of a run: first in the
+/// assembly, then in each stage of the load path.
 std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
   std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
   for (const LoadStage& stage : scene.load) parts.push_back(stage.cell.applied_to(scene.relaxation));
@@ -33,13 +35,15 @@ std::vector<CellFactors> cells_of(const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     cells.push_back(
         {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
-  // The mass of the cell during assembly has no influence on accuracy: it determines which packing is made.
+  // The mass of the cell during the assembly determines which packing is made. It does not affect the accuracy, so it
+  // counts as the default.
   cells.front().mass = 1.0;
   return cells;
 }
 
-/// Records a fault if the mass of the cell or the cap on its strain rate is outside the range of the table of errors
-/// shipped with floc. This table covers the default values and factors up to the measured ones.
+/// Records a fault if the mass of the cell, or the cap on its strain rate, is outside the range of the table of
+/// measured errors shipped with floc. The range extends from the default values to those with which errors were
+/// measured.
 void check_table_covers_cell(TableReader& t, const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     if (part.inertial_number_cap) {
@@ -59,8 +63,8 @@ void check_table_covers_cell(TableReader& t, const Scene& scene) {
     }
 }
 
-/// Records a fault for each numerical setting that [accuracy] would choose: a scene gives either [accuracy] or these
-/// settings.
+/// Records a fault for each key that gives a numerical setting which [accuracy] chooses: a scene may have either
+/// [accuracy] or these keys.
 void refuse_settings(TableReader& root) {
   TableReader equilibrium = root.table("equilibrium", "", TableReader::Need::optional);
   TableReader run = root.table("run", "", TableReader::Need::optional);
@@ -100,8 +104,8 @@ void check_table_covers(TableReader& t, const Scene& scene) {
     check_table_covers_cell(t, scene);
 }
 
-/// Writes the chosen settings into the TOML tables of the scene. The text of the scene then gives the settings that are
-/// run, even if a later version of floc has another table of errors.
+/// Writes the chosen numerical settings into the TOML tables of the scene. Its text then gives the settings of the run,
+/// and they stay the same if a later version of floc has another table of measured errors.
 void write_choice(const AccuracyChoice& choice, toml::table& root) {
   const auto table = [&](const char* name) -> toml::table& {
     return *root.insert(name, toml::table{}).first->second.as_table();
@@ -133,7 +137,7 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
   }
   refuse_settings(root);
   check_table_covers(t, scene);
-  // A fault has already been recorded for a key with an invalid value.
+  // If `wanted` is empty although the table has keys, their values are invalid, and faults have been recorded for them.
   const bool asks = std::ranges::any_of(accuracy_keys(), [&t](const std::string& key) { return t.has(key); });
   if (wanted.empty() && asks) return false;
   if (wanted.empty()) {

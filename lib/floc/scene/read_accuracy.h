@@ -6,10 +6,11 @@
 
 namespace floc {
 
-/// Reads the table [accuracy]: chooses numerical settings for the requested errors, and writes them into the scene and
-/// into its text, unless the scene records that this was done before. Faults are recorded for settings that the scene
-/// gives in addition to [accuracy], and for requested errors below those of the table shipped with floc.
-/// @return whether settings were chosen
+/// Reads the table [accuracy] of a scene: chooses numerical settings that keep the requested errors, and writes them
+/// into the scene and into its TOML tables. If the scene records that this was done before, nothing is changed. Faults
+/// are recorded for numerical settings that the scene gives besides [accuracy], and for requested errors that no
+/// settings keep.
+/// @return whether settings were chosen now
 bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene);
 
 }  // namespace floc

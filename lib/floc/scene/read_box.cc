@@ -16,8 +16,8 @@ using Need = TableReader::Need;
 
 constexpr NumberRule kPositive{positive, "a positive number"};
 
-/// Reads the key box.boundary: one keyword for each axis, "walls" (walls that move), "fixed" (walls at rest) or
-/// "periodic".
+/// Reads the key box.boundary, which gives a keyword for each axis: "walls" (walls that move under the pressure),
+/// "fixed" (walls at rest) or "periodic" (no walls).
 void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
   constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
   static const char* const kAxisNames[] = {"x", "y", "z"};
@@ -50,8 +50,8 @@ void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
   for (int a = 0; a < scene.dimension; ++a) box.sides[a] = sides[static_cast<std::size_t>(a)];
 }
 
-/// Reads the friction coefficient and the adhesion of grains on walls. They have no default values, because they
-/// determine the result and publications often omit them.
+/// Reads the friction coefficient between grains and walls, and the pull-off force of grains from walls. They have no
+/// default values, because they determine the result and publications often omit them.
 void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
   const NumberRule friction{not_negative,
                             "the friction coefficient of grains on walls, a number >= 0 (there is no default, "
@@ -75,7 +75,7 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
                     box.friction));
 }
 
-/// Checks that the box is large enough for its grains to be placed at random.
+/// Checks that the box is so large that its grains can be placed in it at random.
 void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
   const double d = scene.grains.diameter.max;
   if (scene.starts_from_state() || !(d > 0) || scene.grains.count == 0) return;
@@ -87,7 +87,7 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
             fmt::format(
                 "box.sides: the side {} along axis {} is too short; expected more than the largest diameter {}",
                 box.sides[a], a + 1, d));
-  // The volume is computed as if all grains had the smallest diameter, which is a lower bound.
+  // Lower bound on the volume of the grains: all of them are counted with the smallest diameter.
   const double least = std::pow(scene.grains.diameter.min, scene.dimension) * std::numbers::pi /
                        (scene.dimension == 2 ? 4.0 : 6.0) * scene.grains.count;
   const double volume = box.sides.head(scene.dimension).prod();
@@ -95,7 +95,7 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
   if (scene.assembly.solid_fraction == 0.0 && least > densest * volume)
     t.fault("sides",
             fmt::format("box.sides: the {} grains fill at least {:.3g} of the volume of the box, but they can "
-                        "be placed at random without overlap only up to {}; expected longer sides",
+                        "be placed at random without overlap only up to the fraction {}; expected longer sides",
                         scene.grains.count, least / volume, densest));
 }
 
@@ -123,7 +123,7 @@ void read_boxed_gas(TableReader& assembly, Scene& scene) {
         "assembly.kinetic_pressure is not allowed here: the grains of the file assembly.state start at rest");
     return;
   }
-  // Above these solid fractions grains can no longer be placed at random without overlap.
+  // At higher solid fractions than those accepted here, grains cannot be placed at random without overlap.
   const bool plane = scene.dimension == 2;
   scene.assembly.solid_fraction =
       assembly
@@ -144,8 +144,8 @@ void read_box(TableReader& root, Scene& scene) {
   read_boundary(t, scene.dimension, box);
   read_sides(t, scene, box);
   read_contacts(t, scene, box);
-  // Fixed walls and periodic sides do not respond to a pressure, so along at least one axis the walls must be able to
-  // move.
+  // At least one axis must have walls that can move: fixed walls and periodic boundaries do not respond to the
+  // pressure.
   if (std::none_of(box.boundary.begin(), box.boundary.begin() + scene.dimension,
                    [](BoxSide side) { return side == BoxSide::walls; }))
     t.fault("boundary",
@@ -183,14 +183,17 @@ void read_compaction_end(TableReader& t, Scene& scene) {
                Need::optional)
           .value_or(end.energy_ratio);
   if (t.has("energy_ratio") && end.criterion != CompactionEnd::Criterion::energy_ratio)
-    t.fault("energy_ratio",
-            "equilibrium.energy_ratio is used only with equilibrium.end = \"energy_ratio\": expected this end, "
-            "or remove the key");
-  end.longest = t.number("stop_time",
-                         {kPositive.holds,
-                          "a positive number (time in units of T = sqrt(m/(P a^(d-2))), after which the state "
-                          "is recorded even if it still moves)"},
-                         Need::optional);
+    t.fault(
+        "energy_ratio",
+        "equilibrium.energy_ratio is used only with equilibrium.end = \"energy_ratio\": expected this value of "
+        "equilibrium.end, or no key energy_ratio");
+  end.longest =
+      t.number("stop_time",
+               {kPositive.holds,
+                "a positive number (time after which the state is recorded even if it still moves, in "
+                "units of sqrt(m/(P a^(d-2))): largest mass m, pressure P, largest diameter a, "
+                "dimension d)"},
+               Need::optional);
 }
 
 }  // namespace floc

@@ -5,16 +5,17 @@
 
 namespace floc {
 
-/// Reads the keys of the table [assembly] that apply to a scene with walls (table [box]): the solid fraction and the
-/// kinetic pressure of the gas from which the packing is made.
+/// Reads two keys of the table [assembly] of a scene with walls (table [box]): the solid fraction and the kinetic
+/// pressure of the gas from which the packing is made.
 void read_boxed_gas(TableReader& assembly, Scene& scene);
 
-/// Reads the table [box], which describes walls around the grains and replaces the table [cell].
+/// Reads the table [box] of a scene, which describes walls around the grains. It replaces the table [cell], which
+/// describes a periodic cell.
 /// @pre the tables [assembly] and [grains] have been read
 void read_box(TableReader& root, Scene& scene);
 
-/// Reads the keys of the table [equilibrium] that define when the compaction between walls ends. Records a fault for
-/// each of these keys if the scene has no table [box].
+/// Reads the keys of the table [equilibrium] that define when the compaction of grains between walls ends. If the scene
+/// has no walls (no table [box]), a fault is recorded for each of these keys.
 void read_compaction_end(TableReader& equilibrium, Scene& scene);
 
 }  // namespace floc

@@ -21,8 +21,8 @@ using Kind = DiameterDistribution::Kind;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
-/// Returns the text of a file. If the file cannot be read or is not text, a fault is recorded and std::nullopt is
-/// returned.
+/// Returns the text of a file with diameters. If the file cannot be read or is not text, a fault is recorded and
+/// std::nullopt is returned.
 std::optional<std::string> text_of_list(const std::string& path, TableReader& t, SceneSource& source) {
   try {
     std::string text = read_text(path);
@@ -74,7 +74,9 @@ void read_list(TableReader& t, SceneSource& source, const std::string& directory
   d.max = *largest;
 }
 
-/// Reads the two diameters between which a distribution lies (min, max) or of which it consists (small, large).
+/// Reads the smallest and the largest diameter of a distribution (keys min and max), or its only two diameters (keys
+/// small and large).
+/// @param small, large  keys of the two diameters
 void read_sizes(TableReader& t, const char* small, const char* large, DiameterDistribution& d) {
   d.min = t.number(small, kDiameter).value_or(0);
   d.max = t.number(large, kDiameter).value_or(0);
@@ -88,14 +90,14 @@ void read_lognormal(TableReader& t, DiameterDistribution& d) {
   d.sigma =
       t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
           .value_or(0);
-  // Smallest share of the lognormal distribution that may lie between min and max. For larger shares its quantiles are
-  // computed with at least half of their digits correct.
+  // Smallest share of the complete lognormal distribution that must lie between min and max. With a smaller share, its
+  // quantiles would lose more than half of their digits.
   constexpr double kLeastShare = 1e-12;
   if (!(d.min > 0 && d.min < d.max && d.median > 0 && d.sigma > 0)) return;
   const double share = share_within_bounds(d);
   if (!(share >= kLeastShare))
-    t.fault("median", fmt::format("grains.diameter.median = {}: only the share {:.2g} of this distribution "
-                                  "lies between min = {} and max = {}; expected a share of at least {:.0e}",
+    t.fault("median", fmt::format("grains.diameter.median = {}: only the fraction {:.2g} of this distribution "
+                                  "lies between min = {} and max = {}; expected a fraction of at least {:.0e}",
                                   d.median, share, d.min, d.max, kLeastShare));
 }
 
@@ -108,8 +110,8 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
   if (!chosen) return d;
   d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list,
                       Kind::power_law, Kind::lognormal, Kind::power_law,  Kind::power_law}[*chosen];
-  // Distributions that are uniform by volume or by area are power laws with a fixed exponent, so three keywords share
-  // one kind. `chosen` distinguishes them.
+  // Three keywords stand for power laws: "power_law", and "uniform_by_volume" and "uniform_by_area", which fix the
+  // exponent. kByVolume is the index of the first of the latter two.
   constexpr std::size_t kByVolume = 6;
   switch (d.kind) {
     case Kind::uniform:

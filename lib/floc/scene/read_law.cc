@@ -12,7 +12,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Number that replaces an invalid one, so that the checks that follow can still be made.
+/// Number that takes the place of an invalid one, so that later checks still find a complete contact law.
 constexpr double kPlaceholder = 1.0;
 
 NumberRule rule_of(const DeclaredNumber& n) {
@@ -24,7 +24,7 @@ NumberRule rule_of(const DeclaredNumber& n) {
   return {kHolds[static_cast<int>(n.at_first)], n.expectation.c_str()};
 }
 
-/// Returns the description of the table of one component of the contact law for messages, for example: a table {law =
+/// Returns words for the table that a component of the contact law must have, for messages; for example: a table {law =
 /// "tail", force, range} or {law = "constant", force}.
 std::string expected_table(const DeclaredSlot& slot) {
   std::string text = "a table ";
@@ -33,7 +33,8 @@ std::string expected_table(const DeclaredSlot& slot) {
   return text;
 }
 
-/// Records a fault for each key that belongs only to other models of this component of the contact law.
+/// Records a fault for each key in the table of a component of the contact law that the chosen model does not have, but
+/// another model of this component has.
 void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const DeclaredModel& chosen) {
   for (const DeclaredModel& other : slot.models)
     for (const DeclaredNumber& n : other.numbers)
@@ -43,8 +44,8 @@ void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const Decla
                                     t.path_of(n.key), chosen.keyword, slot.key, n.key, other.keyword, n.key));
 }
 
-/// Returns the index of the model that a table of the contact law means if it does not name one: the default model,
-/// unless the table gives a number that only another model has.
+/// Returns the index of the model that the table of a component of the contact law stands for if it has no key "law":
+/// the default model, unless the table has a number that only another model has.
 std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot) {
   std::size_t meant = 0;
   for (std::size_t k = 0; k < slot.models.size(); ++k)
@@ -62,8 +63,8 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   const auto chosen = t.choice("law", keywords, names_its_model(slot) ? Need::required : Need::optional);
   if (!chosen && (t.has("law") || (slot.models.size() > 1 && names_its_model(slot)))) return;
   const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot)];
-  // If the chosen model cannot be combined with the models read before, only this fault is recorded and the numbers of
-  // the model are not checked.
+  // If the chosen model cannot be combined with the models of other components, only this fault is reported, not the
+  // numbers of the model.
   const bool goes_together = fits(model, law);
   model.choose(law);
   bool all_right = true;
@@ -92,8 +93,8 @@ Law read_law(TableReader& root, int dimension) {
   for (const DeclaredSlot& slot : declared_slots())
     read_slot(t.table(slot.key, expected_table(slot).c_str(), slot.optional ? Need::optional : Need::required),
               slot, law);
-  // The numbers themselves have been checked above, with messages that name their scene keys. Only combinations remain
-  // to be checked.
+  // Each number has been checked above. It remains to check whether the components can be combined with each other and
+  // with the dimension of the scene.
   for (const auto& faults : {law.faults_between_slots(), law.faults_in_dimension(dimension)})
     for (const LawFault& fault : faults) t.fault(fault.slot, fault.words);
   t.refuse_other_keys();

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Reads the table [contact], which has one table for each component of the contact law (normal, adhesion, friction,
-/// ...). Each component accepts the keys that its models declare. For an invalid value a fault is recorded, and the
-/// returned law has a valid number in its place.
+/// Reads the contact law of a scene from its table [contact], in which each component of the law (normal, adhesion,
+/// friction, ...) has a table. The models of a component declare the keys of this table. For an invalid value a fault
+/// is recorded, and the returned law has a valid number in place of this value.
 Law read_law(TableReader& root, int dimension);
 
 }  // namespace floc

@@ -17,8 +17,8 @@ using Need = TableReader::Need;
 constexpr bool is_steps_per_decade(double x) {
   return x > 0 && x <= 1000;
 }
-/// Largest logarithmic strain of a stage. At a strain of 2 a side has 0.14 of its original length; at larger strains
-/// the cell would practically vanish.
+/// Largest logarithmic strain of an axis in one stage. At a strain of 2 the length of the axis is 0.14 of its original
+/// length; at larger strains the cell would practically vanish.
 constexpr double kLargestStrain = 2.0;
 constexpr bool is_strain(double x) {
   return x >= -kLargestStrain && x <= kLargestStrain;
@@ -29,7 +29,8 @@ constexpr double kRoundingPerStep = 1e-6;
 constexpr NumberRule kStrain{
     is_strain,
     "a logarithmic strain from -2 to 2 (compression positive; at larger strains the cell would vanish)"};
-/// Largest shear strain of a stage. A packing reaches a steady state long before it.
+/// Largest shear strain of one stage. It is large enough for every test: a packing reaches its steady state much
+/// earlier.
 constexpr NumberRule kShear{[](double x) { return x >= -100 && x <= 100; }, "a shear strain from -100 to 100"};
 const std::vector<std::string> kControls = {"isotropic",       "oedometric", "triaxial",
                                             "constant_volume", "axes",       "simple_shear"};
@@ -40,7 +41,7 @@ std::vector<std::string> law_keys(LawParameters law) {
   return keys;
 }
 
-/// Applies the changes that a stage makes to the contact law, and records their faults.
+/// Applies the changes of the contact law that a stage makes (its key "set"), and records faults in them.
 /// @param present  contact law before the stage, replaced by the law during the stage
 void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   LawParameters law = present;
@@ -60,9 +61,9 @@ void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   present = law;
 }
 
-/// Reads the stress or the strain that a stage imposes on one axis at its end.
+/// Reads the load that a stage imposes on one axis at its end: a stress, or a logarithmic strain (key "strain").
 /// @param stress_key  key that gives the stress
-/// @param of_stress  description of the accepted stresses, for messages
+/// @param of_stress  words for the accepted stresses, for messages
 AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_stress) {
   const bool has_stress = t.has(stress_key);
   const auto stress = t.number(stress_key, {not_negative, of_stress}, Need::optional);
@@ -77,24 +78,24 @@ AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_s
   return {AxisLoad::stress, stress.value_or(0.0)};
 }
 
-/// Reads the loads on the axes from the key axes of a stage, for example `axes = [{stress = 2.0}, {strain = 0.1}, {as =
-/// 1}]`.
+/// Reads the loads that a stage imposes on the axes from its key "axes", for example `axes = [{stress = 2.0}, {strain =
+/// 0.1}, {as = 1}]`, where {as = 1} means the load of axis 1.
 std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   std::vector<AxisLoad> axes;
   const char* expectation =
-      "an array with one table for each axis: {stress = ..}, {strain = ..} or {as = 1} (as axis 1)";
+      "an array with one table for each axis: {stress = ..}, {strain = ..} or {as = 1} (the load of axis 1)";
   std::vector<TableReader> tables = t.tables("axes", expectation);
   if (t && (!t.has("axes") || static_cast<int>(tables.size()) != dimension))
     t.fault("axes", fmt::format("{} has {} tables: expected {}, one for each axis: {{stress = ..}}, {{strain = "
-                                "..}} or {{as = 1}} (as axis 1)",
+                                "..}} or {{as = 1}} (the load of axis 1)",
                                 t.path_of("axes"), tables.size(), dimension));
   for (TableReader& axis : tables) {
-    const auto as = axis.integer("as", {1, 3, "the number of an earlier axis, whose load this axis shares"},
-                                 Need::optional);
+    const auto as =
+        axis.integer("as", {1, 3, "the number of an earlier axis, whose load this axis takes"}, Need::optional);
     const bool known = as && *as <= static_cast<std::int64_t>(axes.size());
     if (as && !known)
       axis.fault("as",
-                 fmt::format("{} = {}: expected the number of an earlier axis, whose load this axis shares",
+                 fmt::format("{} = {}: expected the number of an earlier axis, whose load this axis takes",
                              axis.path_of("as"), *as));
     if (as)
       axes.push_back(known ? axes[static_cast<std::size_t>(*as - 1)] : AxisLoad{});
@@ -105,7 +106,10 @@ std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   return axes;
 }
 
-/// Returns the loads on all axes in a test in which one axis is driven to a stress or a strain.
+/// Returns the loads on all axes in a test that drives one axis to a stress or a strain.
+/// @param control  keyword of the test, which determines the loads on the other axes: "oedometric" (they keep their
+/// lengths), "triaxial" (they keep their stresses) or "constant_volume"
+/// @param axis  axis that is driven, counted from 0
 std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int axis, int dimension) {
   if (control == "constant_volume" && t.has("to"))
     t.fault("to", fmt::format("{} is not allowed here: a stage at constant volume imposes a length, not a "
@@ -120,8 +124,8 @@ std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int 
   return axes;
 }
 
-/// Reads a stage of simple shear. The planes perpendicular to one axis move along the first axis; the stress on this
-/// axis and the lengths of all other axes are kept.
+/// Reads a stage of simple shear. The planes perpendicular to the axis `stage.axis` move along the first axis. The
+/// stress on `stage.axis`, and the lengths of all other axes, stay as they are.
 void read_shear(TableReader& t, int dimension, LoadStage& stage) {
   const char* which = dimension == 2
                           ? "the number of the axis perpendicular to the planes that are sheared, 2"
@@ -164,8 +168,9 @@ double largest_strain(const LoadStage& stage) {
   return largest;
 }
 
-/// Whether steps_per_decade determines the number of steps of a stage. This requires that every imposed stress is
-/// positive at the end of the stage, and known and positive at its start.
+/// Whether the key steps_per_decade determines the number of steps of a stage. It does if every imposed stress is
+/// positive at the end of the stage, and positive and known before the run at its start.
+/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a) {
@@ -176,8 +181,8 @@ bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   return any;
 }
 
-/// Reads the number of steps of a stage whose axes are loaded differently.
-/// @param from  stresses on the axes before the stage, as far as they are known
+/// Reads the number of steps of a stage that imposes different loads on its axes.
+/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
   const auto strain_step =
       t.number("strain_step", {positive, "a positive number (strain of one step)"}, Need::optional);
@@ -193,7 +198,7 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
         fmt::format("{} is not allowed here: the stage imposes no strain; expected steps or steps_per_decade",
                     t.path_of("strain_step")));
   if (strain_step && strain > 0.0) {
-    // If the strain is an exact multiple of strain_step, rounding must not add another step.
+    // kRoundingPerStep: if the strain is a multiple of strain_step, rounding must not add one more step.
     const double n = std::ceil(strain / *strain_step - kRoundingPerStep);
     if (n > static_cast<double>(kMaxSteps))
       t.fault("strain_step",
@@ -202,8 +207,8 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
     else
       stage.steps = std::max(1, static_cast<int>(n));
   }
-  // The number of steps per decade needs the ratio of the last stress to the first one, so both must be known and
-  // positive.
+  // The number of steps follows from the ratio of the stresses at the end and at the start of the stage, so both must
+  // be positive and known.
   if (stage.steps_per_decade && !counts_in_decades(from, stage))
     t.fault("steps_per_decade",
             fmt::format("{} is not allowed here: the stress at the start of the stage is zero or not known "
@@ -214,7 +219,9 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
                                  strain > 0.0 ? " or strain_step" : " or steps_per_decade"));
 }
 
-/// Checks the number of steps of a stage that ends at the same pressure on every axis.
+/// Checks the keys that give the number of steps of a stage that ends at equal pressures on all axes.
+/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
+/// @param has_end  whether the stage has a valid pressure "to"
 void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end, const LoadStage& stage) {
   const bool by_decade = t.has("steps_per_decade");
   const bool by_number = t.has("steps");
@@ -232,8 +239,10 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
                                             t.path_of("steps_per_decade")));
 }
 
-/// Returns the default name of a stage: "load", "unload" or "hold" if the stress before the stage is known, otherwise
-/// its control (for example "triaxial").
+/// Returns the name of a stage to which the scene gives none: "load", "unload" or "hold" for an isotropic or oedometric
+/// stage, if it is known before the run whether the load increases; otherwise the control of the stage, for example
+/// "triaxial".
+/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);
   const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
@@ -245,7 +254,8 @@ std::string default_name(const KnownStress& from, const LoadStage& stage) {
   return driven.end > *before ? "load" : driven.end < *before ? "unload" : "hold";
 }
 
-/// Checks the strains of a stage that imposes a strain on every axis. Their sum is the strain of the volume.
+/// Checks the change of volume of a stage that imposes a strain on every axis. The sum of the logarithmic strains must
+/// not be so large that the cell vanishes.
 void check_volume(TableReader& t, const LoadStage& stage) {
   double sum = 0.0;
   for (const AxisLoad& axis : stage.axes) {
@@ -258,8 +268,9 @@ void check_volume(TableReader& t, const LoadStage& stage) {
                                 t.path_of("axes"), sum, kLargestStrain));
 }
 
-/// Checks that grains without adhesion keep no stress of zero on an axis, as far as the stress before the stage is
-/// known.
+/// Checks that no axis keeps a stress of zero during a stage if the grains do not adhere: nothing would hold them
+/// together. Stresses that are not known before the run are not checked.
+/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage, const Law& law) {
   if (law.adheres()) return;
   for (std::size_t a = 0; a < std::min(from.size(), stage.axes.size()); ++a)
@@ -271,8 +282,9 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
                       t.path_of("control"), stage.control, a + 1));
 }
 
-/// Checks a stage that ends at zero stress.
-/// @param cell_cap  whether the scene limits the inertial number, which allows no motion at zero pressure
+/// Checks a stage that ends at zero stress on an axis: grains must adhere, and the cell must be able to move.
+/// @param has_end  whether the stage has a valid pressure "to"
+/// @param cell_cap  whether the table [cell] caps the inertial number, which allows no motion at zero pressure
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
   const bool zero = stage.is_isotropic()
                         ? has_end && stage.to == 0.0
@@ -296,8 +308,8 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                              t.path_of(key)));
 }
 
-/// Checks the loads on the axes of a box. A stress needs an axis whose walls can move, and all other axes must keep
-/// their length.
+/// Checks the loads that a stage imposes on the axes of a box with walls. A stress can be imposed only on an axis whose
+/// walls can move; the lengths of all other axes must stay constant.
 void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) {
   const char* key = t.has("axes") ? "axes" : "control";
   for (std::size_t a = 0; a < stage.axes.size(); ++a) {
@@ -315,8 +327,8 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
 }
 
 /// Reads one stage of the load path.
-/// @param scene  scene, of which the contact law, the assembly and the box have been read
-/// @param from  stresses on the axes before the stage, as far as they are known
+/// @param scene  scene, whose contact law, assembly and box have been read
+/// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 /// @param law  contact law before the stage, replaced by the law during the stage
 LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from, Law& law) {
   const std::optional<BoxOptions>& box = scene.assembly.box;
@@ -335,13 +347,14 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
                                 t.path_of(key)));
   } else {
     read_axes_of(t, dimension, stage);
-    // Equal stresses on all axes are treated as an isotropic load, so that both give identical results.
+    // If all stresses in the key "axes" are equal, the stage is treated as isotropic, so that both ways to write it
+    // give identical results.
     if (stage.control == "axes" && !stage.axes.empty() && stage.axes[0].kind == AxisLoad::stress &&
         std::count(stage.axes.begin(), stage.axes.end(), stage.axes[0]) == dimension) {
       stage.to = stage.axes[0].end;
       stage.axes.clear();
     } else if (static_cast<int>(stage.axes.size()) != dimension) {
-      stage.axes.assign(from.size(), AxisLoad{});  // a fault has been recorded
+      stage.axes.assign(from.size(), AxisLoad{});  // a fault has been recorded for the key "axes"
     }
   }
   stage.steps_per_decade =
@@ -362,8 +375,8 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
   apply_changes(t, stage, law);
   if (stage.cell.strain_rate_cap && !law.adheres())
     t.fault("strain_rate_cap",
-            fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires adhesion, but "
-                        "the grains do not adhere; expected inertial_number_cap",
+            fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires a pull-off "
+                        "force F0, but the grains do not adhere; expected inertial_number_cap",
                         t.path_of("strain_rate_cap")));
   check_zero_stress(t, stage, has_end, law, scene.relaxation.inertial_number_cap.has_value());
   check_kept_stress(t, from, stage, law);

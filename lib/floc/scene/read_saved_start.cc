@@ -17,18 +17,19 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Reads the packing of a state file a second time, when the run starts. The file was first read with the scene.
-/// @param sha256  checksum of the file when the scene was read
+/// Reads the packing from which a run starts, when the run begins. The state file was read once before, with the scene.
+/// @param sha256  SHA-256 checksum that the file had when the scene was read
 /// @throws InputError if the file has changed since then
 std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const std::string& sha256) {
   if (sha256_of_file(file) != sha256)
     throw InputError(
-        file, "the file has changed since the scene was read: expected the state from which the scene starts");
+        file, "the file has changed since the scene was read: restore the state from which the scene starts");
   return std::visit([](auto state) -> std::variant<Packing<2>, Packing<3>> { return std::move(state.packing); },
                     read_state(file));
 }
 
-/// Returns the number of copies along each axis; it is 1 along the third axis in 2D.
+/// Returns the number of copies of the saved packing along each axis, from the key assembly.copies; in 2D it is 1 along
+/// the third axis.
 Vec<3, int> read_copies(TableReader& t, int dimension) {
   const bool plane = dimension == 2;
   const char* example = plane
@@ -46,7 +47,7 @@ Vec<3, int> read_copies(TableReader& t, int dimension) {
   return out;
 }
 
-/// Returns the reason why a run cannot start from a state; empty if it can.
+/// Returns the reason why a run of the scene cannot start from a saved state; empty if it can.
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (Dim != scene.dimension)
@@ -66,9 +67,9 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   return "";
 }
 
-/// Returns the description of the grains of a packing as in a scene: their number, their sizes, and the density of the
-/// heaviest grain.
-/// @param n_tiles  number of copies of the packing
+/// Returns the grains of a saved packing in the form in which a scene gives them: their number, their sizes, and their
+/// density, which is computed from the heaviest grain.
+/// @param n_tiles  number of copies of the packing that the run starts from
 template <int Dim>
 GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
   GrainOptions out;
@@ -97,8 +98,9 @@ std::string start_description(const State<Dim>& state, const std::string& file, 
                        : "of the scene, in place of the contact law in the state file: " + law_text(law));
 }
 
-/// Writes into the scene the properties of its starting state that a scene must have: grains, solid fraction, and a
-/// description of the start.
+/// Fills in the data that a scene which starts from a saved state does not give itself: grains, solid fraction, and a
+/// description of the start in words.
+/// @param file  name of the state file
 template <int Dim>
 void describe_start(TableReader& t, const State<Dim>& state, const std::string& file, Scene& scene) {
   SavedStart& start = scene.assembly.saved;

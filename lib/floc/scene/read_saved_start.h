@@ -7,15 +7,17 @@
 
 namespace floc {
 
-/// Reads the keys of the table [assembly] that describe the saved state from which a run starts: `state`, its file;
-/// `copies`, the number of copies of it along each axis; and `state_sha256`, its checksum, which floc writes into the
-/// text of a scene. Sets the number, sizes and density of the grains, the solid fraction and a description of the start
-/// in the scene. The packing itself is read when the run begins. Faults are recorded for a file that is not a state,
-/// for a state with another unit system, dimension or checksum or with a cell that is not rectangular, and for too many
-/// grains.
+/// Reads the keys of the table [assembly] that describe the saved state from which a run starts:
+/// - `state`: the name of the state file;
+/// - `copies`: the number of copies of the packing along each axis;
+/// - `state_sha256`: the SHA-256 checksum of the file, which floc writes into the text of a scene.
+///
+/// Writes the number, sizes and density of the grains, the solid fraction, and a description of the start into the
+/// scene. The packing itself is read when the run begins. Faults are recorded if the file is not a state file; if its
+/// unit system, dimension or checksum is another; if its cell is not rectangular; and if there are too many grains.
 /// @param t  table [assembly]
 /// @param directory  directory to which the name of the state file is relative
-/// @param scene  scene to be completed
+/// @param scene  scene that is completed
 /// @pre the contact law of the scene has been read
 void read_saved_start(TableReader& t, const std::string& directory, Scene& scene);
 

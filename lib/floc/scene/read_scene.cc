@@ -37,8 +37,10 @@ constexpr bool is_gas_of_disks(double x) {
 constexpr bool is_gas_of_spheres(double x) {
   return x > 0 && x <= kDensestGasOfSpheres;
 }
-/// Whether a time step, in units of sqrt(m_min/K_N), is stable. The explicit time integration is unstable from 0.4 on
+/// Whether a time step, in units of sqrt(m_min/K_N), is stable: the explicit time integration is unstable from 0.4 on
 /// (see RelaxationOptions::time_step).
+/// @param x  time step in units of sqrt(m_min/K_N), with the mass m_min of the smallest grain and the normal stiffness
+/// K_N
 constexpr bool is_stable_step(double x) {
   return x > 0 && x < 0.4;
 }
@@ -73,8 +75,9 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   t.refuse_other_keys();
 }
 
-/// Reads the table [cell].
-/// @return default response of the cell in stages of the load path, with only those values that [cell] does not give
+/// Reads the table [cell] of a scene with a periodic cell.
+/// @return default mass of the cell and default caps on its strain rate on the load path, without the values that
+/// [cell] gives itself
 CellResponse read_cell(TableReader& root, Scene& scene) {
   const bool from_state = scene.starts_from_state();
   TableReader t = root.table("cell", "a table [cell]", from_state ? Need::optional : Need::required);
@@ -100,18 +103,19 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   CellResponse unsaid = default_load_response(scene.law);
   if (said.has_cap()) unsaid.strain_rate_cap = unsaid.inertial_number_cap = std::nullopt;
   if (said.cell_mass) unsaid.cell_mass.reset();
-  // If the run starts from a saved packing that is not vibrated, the assembly only brings it to its first pressure, so
-  // the cell responds as on the load path.
+  // If the run starts from a saved packing that is not vibrated, the assembly only brings the packing to its first
+  // pressure. The cell then moves as it does on the load path.
   if (from_state && !scene.assembly.vibration) scene.assembly.cell = scene.assembly.cell.or_else(unsaid);
   return unsaid;
 }
 
-/// Whether the scene has walls: a scene has either a table [box] (walls) or a table [cell] (periodic cell).
+/// Whether a scene has walls: it has either a table [box] (walls) or a table [cell] (periodic cell).
 bool has_box(const TableReader& root) {
   return root.has("box");
 }
 
-/// Reads the table assembly.vibration: the vibration of a packing before its compression.
+/// Reads the table assembly.vibration, which describes the vibration of a packing before its compression.
+/// @param assembly  table [assembly]
 std::optional<Vibration> read_vibration(TableReader& assembly) {
   if (!assembly.has("vibration")) return std::nullopt;
   TableReader t = assembly.table("vibration", "a table with two numbers, {dilation, collisions}");
@@ -137,8 +141,8 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
     t.refuse("gas", "assembly.gas is not allowed here: the grains come from the file assembly.state");
   else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
-  // In a scene with walls the pressure on the walls (box.pressure) acts from the start, so keys of a periodic cell are
-  // not allowed.
+  // In a scene with walls, the pressure on the walls (box.pressure) acts from the start, and keys about a periodic cell
+  // are not allowed.
   const bool boxed = has_box(root);
   if (boxed) {
     read_boxed_gas(t, scene);
@@ -152,9 +156,12 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
                                 "scene has no table [box]",
                                 key));
   }
-  const NumberRule agitation{positive, "a positive number (speed at the start V0/V*, V* = sqrt(F0 D0/m))"};
-  // The key agitation (initial speed of the grains) is required for the protocol "aggregation", in which it brings
-  // grains into contact. It is refused for cohesive grains that are compressed directly.
+  const NumberRule agitation{
+      positive,
+      "a positive number (speed of the grains at the start, in units of sqrt(F0 D0/m) with "
+      "the pull-off force F0, the range D0 of the adhesion and the largest mass m)"};
+  // The key "agitation" gives the speed of the grains at the start. The protocol "aggregation" requires it, to bring
+  // grains into contact. Cohesive grains that are compressed directly must not have it.
   const bool aggregates = scene.assembly.protocol == Protocol::aggregation;
   if (boxed && aggregates)
     t.fault("protocol",
@@ -185,9 +192,10 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
              "assembly.vibration is not allowed here: only packings in a periodic cell can be vibrated, but "
              "the scene has walls");
   else if (aggregates)
-    t.refuse("vibration",
-             "assembly.vibration is not allowed here: expected protocol = \"direct\" or \"state\", or remove "
-             "the key");
+    t.refuse(
+        "vibration",
+        "assembly.vibration is not allowed here: expected assembly.protocol = \"direct\" or \"state\", or no "
+        "key vibration");
   else
     scene.assembly.vibration = read_vibration(t);
   if (scene.starts_from_state()) {
@@ -216,14 +224,19 @@ void read_equilibrium(TableReader& root, Scene& scene) {
       t.choice("finish", {finish_name(kFinishes[0]), finish_name(kFinishes[1]), finish_name(kFinishes[2])},
                Need::optional);
   relaxation.max_time =
-      t.number("max_time", {positive, "a positive number (time in units of sqrt(a m/F1))"}, Need::optional)
+      t.number("max_time",
+               {positive,
+                "a positive number (time in units of sqrt(a m/F1) with the largest diameter a, "
+                "its mass m and the typical force F1)"},
+               Need::optional)
           .value_or(relaxation.max_time);
-  relaxation.patience = t.number("patience",
-                                 {positive,
-                                  "a positive number (factor of the time during which a packing must not move "
-                                  "before it counts as at rest)"},
-                                 Need::optional)
-                            .value_or(relaxation.patience);
+  relaxation.patience =
+      t.number("patience",
+               {positive,
+                "a positive number, which multiplies the time during which a packing must not "
+                "move before it counts as at rest"},
+               Need::optional)
+          .value_or(relaxation.patience);
   relaxation.finish = kFinishes[finish.value_or(0)];
   t.refuse_other_keys();
 }
@@ -239,10 +252,12 @@ void read_run(TableReader& root, Scene& scene) {
                                  Need::optional);
   scene.relaxation.threads = static_cast<int>(threads.value_or(scene.relaxation.threads));
   scene.relaxation.time_step =
-      t.number("time_step",
-               {is_stable_step,
-                "a number in (0, 0.4) (time step in units of sqrt(m_min/K); larger ones are unstable)"},
-               Need::optional)
+      t.number(
+           "time_step",
+           {is_stable_step,
+            "a number in (0, 0.4) (time step in units of sqrt(m_min/K) with the smallest mass m_min and the "
+            "contact stiffness K; larger ones are unstable)"},
+           Need::optional)
           .value_or(scene.relaxation.time_step);
   scene.relaxation.skin = t.number(
       "skin", {positive, "a positive number (length in units of the largest diameter)"}, Need::optional);
@@ -252,7 +267,7 @@ void read_run(TableReader& root, Scene& scene) {
   t.refuse_other_keys();
 }
 
-/// Records faults of tables of the scene that contradict each other.
+/// Records faults for tables of a scene that contradict each other.
 void check_consistency(TableReader& root, SceneSource& source, const Scene& scene) {
   const bool cohesive = scene.law.has_adhesion() || source.is_faulty("contact.adhesion.law");
   TableReader contact = root.table("contact", "", Need::optional);
@@ -262,8 +277,8 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
   for (TableReader* t : {&cell, &assembly})
     if (t->has("strain_rate_cap") && !t->has("inertial_number_cap") && !cohesive)
       t->fault("strain_rate_cap",
-               fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires adhesion, "
-                           "but the scene has none; expected inertial_number_cap",
+               fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires a pull-off "
+                           "force F0, but the grains do not adhere; expected inertial_number_cap",
                            t->path_of("strain_rate_cap")));
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
   if (!cohesive || (scene.law.has_adhesion() && scene.law.range() == 0))
@@ -280,8 +295,10 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
     assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
-/// Replaces the name of a file of diameters in the TOML tables of the scene by the diameters, so that the text of the
-/// scene is complete.
+/// Writes the diameters of the grains into the TOML tables of a scene, in place of the name of the file that gives
+/// them. The text of the scene is then complete.
+/// @param root  root table of the scene
+/// @param values  diameters that have been read from the file
 /// @return whether the scene names such a file
 bool inline_list(toml::table& root, const std::vector<double>& values) {
   if (values.empty()) return false;
@@ -294,8 +311,9 @@ bool inline_list(toml::table& root, const std::vector<double>& values) {
   return true;
 }
 
-/// Writes the SHA-256 of the state file from which the run starts into the TOML tables of the scene.
-/// @return whether it was written
+/// Writes the SHA-256 checksum of the state file from which the run starts into the TOML tables of a scene.
+/// @param root  root table of the scene
+/// @return whether it was written; it is not if no state file is given or its checksum is there already
 bool name_state(toml::table& root, const Scene& scene) {
   return scene.starts_from_state() &&
          root["assembly"].as_table()->insert("state_sha256", scene.assembly.saved.sha256).second;

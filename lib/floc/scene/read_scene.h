@@ -7,22 +7,22 @@
 
 namespace floc {
 
-/// Reads a scene file (in TOML; docs/scenes.md describes all keys).
+/// Reads a scene file, which describes a packing and its load path (in TOML; docs/scenes.md describes all keys).
 ///
 /// Physical parameters have no default values. Numerical settings have the default values of the options structs.
-/// @param path  scene file; names of files in it are relative to its directory
+/// @param path  name of the scene file; names of files in the scene are relative to its directory
 /// @param overrides  texts "key.path=value", each of which replaces a value of the scene. They are applied in order
-/// before the scene is checked. The value is TOML; a word without quotation marks is read as a string. An item of an
-/// array is addressed by its index from 0: "load.0.to=1".
-/// @throws InputError that names every fault of the scene in a line of its own, as "file:line: key = value:
-/// expectation", or as "--set key=value: ..." for an override
+/// before the scene is checked. The value is TOML, but a word without quotation marks is taken as a string. An item of
+/// an array is addressed by its index from 0: "load.0.to=1".
+/// @throws InputError that names every fault of the scene on a line of its own: "file:line: key = value: expectation",
+/// or "--set key=value: ..." for an override
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
 
-/// Reads a scene from a text, for example from the text of the scene stored in a state file.
-/// @param text  scene (TOML)
+/// Reads a scene from a text, for example from the text that a state file contains.
+/// @param text  text of the scene (TOML)
 /// @param place  name of the text, for messages
 /// @param directory  directory to which names of files in the text are relative
-/// @param overrides  texts "key.path=value" that replace values, see read_scene()
+/// @param overrides  texts "key.path=value", each of which replaces a value, see read_scene()
 /// @throws InputError that names every fault of the scene, see read_scene()
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
                   const std::vector<std::string>& overrides = {});

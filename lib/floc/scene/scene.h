@@ -7,21 +7,23 @@
 
 namespace floc {
 
-/// Largest number of grains of a packing. Its unknowns (three per disk, six per sphere) are counted in an int.
+/// Largest number of grains of a packing. The number of unknowns of its equilibrium (three per disk, six per sphere)
+/// then still fits into an int.
 inline constexpr std::int64_t kMaxGrains = 100'000'000;
 
-/// Content of a scene file: the options of a run, and further data that the program needs.
+/// Content of a scene file: the options of a run, the name of the scene and the interval of checkpoints, and texts that
+/// describe how it was read.
 struct Scene : RunOptions {
   std::string name;
   double checkpoint_every = 60.0;  ///< wall time between two checkpoints (s)
   /// description of the saved packing from which the run starts; empty if it does not start from a saved packing
   std::string start;
-  /// settings chosen for the table [accuracy], with the reason; empty without this table
+  /// numerical settings that the table [accuracy] chose, with the reason, in words; empty without this table
   std::string accuracy;
 
   bool starts_from_state() const { return assembly.protocol == AssemblyOptions::Protocol::state; }
-  /// Whether another seed gives another sample. Every start is random, except a saved packing whose grains are at rest
-  /// and are not vibrated.
+  /// Whether runs of the scene with different seeds give different packings. This is false only for a run that starts
+  /// from a saved packing, with its grains at rest and not vibrated.
   bool is_random() const {
     return !starts_from_state() || assembly.agitation > 0.0 || assembly.vibration.has_value();
   }

@@ -15,7 +15,9 @@ std::string below(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
-/// Adds all values of a TOML node to `values` by their dotted keys. Tables in an array are numbered, as in "load.0.to".
+/// Adds all values in a TOML node to `values`. Their keys are written with dots; tables in an array are numbered from
+/// 0, as in "load.0.to".
+/// @param path  key of the node itself; empty for the root table
 void flatten(const toml::node& node, const std::string& path, Values& values) {
   if (const toml::table* table = node.as_table()) {
     for (const auto& [key, value] : *table) flatten(value, below(path, std::string(key.str())), values);

@@ -27,8 +27,9 @@ std::vector<std::string> split_key(const std::string& key) {
   return parts;
 }
 
-/// Returns the value of an override ("--set key=value") as a table {v = value}. A word without quotation marks is read
-/// as a string.
+/// Returns the value of an override ("--set key=value") as the TOML table {v = value}. A word without quotation marks
+/// is taken as a string.
+/// @param text  the value, as the user wrote it
 toml::table parse_value(const std::string& text) {
   try {
     return toml::parse("v = " + text);
@@ -37,9 +38,11 @@ toml::table parse_value(const std::string& text) {
   }
 }
 
-/// Returns the TOML node below `node` with the name `part`, which is a key of a table or the index of an item of an
-/// array. A missing table is created. Returns null if `node` is an array without this item, or neither a table nor an
-/// array.
+/// Returns the TOML node that one part of the key of an override (the text between two dots) leads to from `node`. If
+/// `node` is a table, the part is a key in it; if the table does not have this key, an empty table is added under it.
+/// If `node` is an array, the part is the index of an item. Returns null if the array has no such item, or if `node` is
+/// neither a table nor an array.
+/// @param part  part of the key
 toml::node* descend(toml::node* node, const std::string& part) {
   if (toml::table* table = node->as_table()) {
     if (!table->contains(part)) table->insert(part, toml::table{});
@@ -92,7 +95,8 @@ void SceneSource::apply(const std::string& override_text) {
   if (!table) throw InputError(place, "the last part of the path must be the name of a key in a table");
   const toml::table value = parse_value(trimmed(override_text.substr(equals + 1)));
   value.get("v")->visit([&](const auto& v) { table->insert_or_assign(parts.back(), v); });
-  // The last override of a key determines its value, so messages about the key must name this override.
+  // If several overrides have the same key, the last one determines the value. It is stored first, because messages
+  // name the first one that they find.
   overrides_.insert(overrides_.begin(), {key, override_text});
 }
 
@@ -109,7 +113,7 @@ unsigned SceneSource::line_of(const std::string& key, const toml::node* node) co
 std::string SceneSource::place_of(const std::string& key, const toml::node* node) const {
   if (const Override* o = override_of(key)) return "--set " + o->text;
   if (const unsigned line = line_of(key, node)) return fmt::format("{}:{}", place_, line);
-  // If no line is known, the table exists only because an override added a key to it, so the message names that
+  // If the key has no line in the file, an override below this key has added its table. The message names that
   // override.
   for (const Override& o : overrides_)
     if (is_below(o.key, key)) return "--set " + o.text;
@@ -140,7 +144,7 @@ void SceneSource::throw_faults() const {
 
 std::string as_written(const toml::node& node) {
   if (node.is_table()) return "a table";
-  // fmt prints the shortest text that reads back as the same number, whereas toml++ prints 17 digits.
+  // fmt prints a number with as few digits as identify it, whereas toml++ prints 17 digits.
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });

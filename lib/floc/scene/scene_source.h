@@ -8,37 +8,44 @@
 
 namespace floc {
 
-/// Parsed text of a scene, with the values that the user replaced (overrides, "--set key=value") and the faults found
-/// while it is read.
+/// Parsed text of a scene. It also holds the values that the user replaced (overrides, from the option "--set
+/// key=value"), and the faults that are found while the scene is read.
 class SceneSource {
  public:
-  /// @throws InputError if the text is not TOML, or if an override is not of the form "key.path=value" or names a table
-  /// or array item that the scene does not have
+  /// @param text  text of the scene (TOML)
+  /// @param place  name of the scene file, for messages
+  /// @param overrides  texts "key.path=value", each of which replaces a value of the scene
+  /// @throws InputError if the text is not TOML, or if an override is not of this form or names a table or array item
+  /// that the scene does not have
   SceneSource(const std::string& text, std::string place, const std::vector<std::string>& overrides);
 
   const toml::table& root() const { return root_; }
   toml::table& root() { return root_; }
 
-  /// Returns the place where the value of a key comes from: "file:line", or the override ("--set key=value") that
-  /// replaced it.
+  /// Returns the place that gives the value of a key, for messages: "file:line", or "--set key=value" if an override
+  /// gives it.
+  /// @param node  TOML node of the value, or the table in which the key is missing
   std::string place_of(const std::string& key, const toml::node* node) const;
 
   /// Records a fault of the scene.
-  /// @param node  TOML node that the message is about, or the table in which the key is missing
+  /// @param key  key that the message is about
+  /// @param node  TOML node of the value, or the table in which the key is missing
+  /// @param problem  message without the place, which is added
   void fault(const std::string& key, const toml::node* node, const std::string& problem);
-  /// Records a fault in a file other than the scene file, for example a file of diameters that the scene names.
+  /// Records a fault in another file than the scene file, for example in a file of diameters that the scene names.
+  /// @param place  name of the other file, with the number of the line
   void fault_at(const std::string& place, const std::string& problem);
 
-  /// Whether a fault has been recorded for this key itself; faults of keys below it do not count.
+  /// Whether a fault has been recorded for a key. Faults of keys in its table, if it has one, do not count.
   bool is_faulty(const std::string& key) const;
 
-  /// Throws the recorded faults, if there are any.
-  /// @throws InputError with all faults in one message, in the order of the lines of the file
+  /// Throws the recorded faults of the scene, if there are any.
+  /// @throws InputError with all faults in one message, in the order of the lines of the scene file
   void throw_faults() const;
 
  private:
   struct Fault {
-    unsigned line;  ///< number of the line in the scene file; 0 if the fault belongs to no line of it
+    unsigned line;  ///< number of the line in the scene file; 0 if the fault is not in this file
     std::string key;
     std::string message;
   };
@@ -60,8 +67,8 @@ class SceneSource {
 /// Returns a TOML value as the user would write it, for messages.
 std::string as_written(const toml::node& node);
 
-/// Returns the candidate that is most similar to `key` (smallest edit distance), or an empty text if there are no
-/// candidates.
+/// Returns the candidate that is most similar to `key` (with the smallest edit distance), to suggest it in a message;
+/// an empty text if there are no candidates.
 std::string nearest_key(std::string_view key, const std::vector<std::string>& candidates);
 
 }  // namespace floc

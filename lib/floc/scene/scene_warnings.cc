@@ -19,11 +19,11 @@ namespace {
 
 using Warnings = std::vector<std::string>;
 
-/// Rounding error of the net force on a grain, in units of the typical force F1. About four forces of a few F1 each act
-/// on a grain.
+/// Smallest residual of the net force on a grain that double precision allows, in units of the typical force F1. About
+/// four contact forces of a few F1 act on a grain, and their rounding errors add up.
 constexpr double kRounding = 1e-15;
-/// Kinetic energy per grain that rounding errors maintain, in the unit of equilibrium.energy. The velocities are 1e-12
-/// of their natural unit.
+/// Kinetic energy of a grain that rounding errors maintain, in the unit of the tolerance equilibrium.energy. It
+/// corresponds to velocities of 1e-12 in their natural unit.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -33,18 +33,19 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
     if (value <= kRounding)
       warnings.push_back(fmt::format(
           "equilibrium.{} = {}: this tolerance cannot be reached in double precision, because rounding errors "
-          "of the forces leave about {}; steps would end only at equilibrium.max_time",
+          "leave a residual of about {}; each step would continue until it is given up at equilibrium.max_time",
           key, value, kRounding));
     else if (value < newton && !scene.assembly.box)
       warnings.push_back(fmt::format(
-          "equilibrium.{} = {}: the Newton iteration stops at a residual of {}, which is larger; if it does "
-          "not happen to reach a smaller residual, a step ends only at equilibrium.max_time",
+          "equilibrium.{} = {}: the Newton iteration stops at a residual of {}, which is larger than this "
+          "tolerance; unless the residual falls further by chance, a step is given up at equilibrium.max_time",
           key, value, newton));
   }
   if (scene.relaxation.finish == Finish::dynamic && t.energy < kLeastEnergy)
     warnings.push_back(
         fmt::format("equilibrium.energy = {}: with finish = \"dynamic\" rounding errors keep the kinetic "
-                    "energy of the grains at about {}, so steps would end only at equilibrium.max_time",
+                    "energy of the grains at about {}, so each step would continue until it is given up at "
+                    "equilibrium.max_time",
                     t.energy, kLeastEnergy));
 }
 
@@ -57,10 +58,12 @@ double largest_stress(const LoadStage& stage) {
   return largest;
 }
 
-/// Returns the overlap of two of the largest grains over their radius, under their adhesion and a multiple of the mean
-/// contact force F at a pressure P. For equal grains P = z Phi F/(pi a^(d-1)), in which z Phi = 4 is assumed
-/// (coordination number z, solid fraction Phi, diameter a, dimension d).
-/// @param times_mean  the multiple of the mean force
+/// Returns the overlap of two grains of the largest diameter over their radius, under their adhesion and a multiple of
+/// the mean contact force. The mean force F at a pressure P follows from P = z Phi F/(pi a^(d-1)), where z Phi = 4 is
+/// assumed (coordination number z, solid fraction Phi, largest diameter a, dimension d).
+/// @param law  contact law
+/// @param pressure  pressure P
+/// @param times_mean  number by which the mean force is multiplied
 double overlap_under(const Scene& scene, const Law& law, double pressure, double times_mean) {
   const double a = scene.grains.diameter.max;
   const double mean = 0.25 * std::numbers::pi * pressure * std::pow(a, scene.dimension - 1);
@@ -75,10 +78,11 @@ double overlap_under(const Scene& scene, const Law& law, double pressure, double
   return overlap / (0.5 * a);
 }
 
-/// Warns if the grains are so soft that they overlap too far at the pressures of the load path, for example because the
-/// stiffness is given in other units than the pressure.
+/// Warns if the grains are so soft that they overlap too far at a pressure of the load path. This happens, for example,
+/// if the stiffness is given in other units than the pressure.
 void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
-  constexpr double kLoaded = 3.0;  // multiple of the mean force, which a few percent of the contacts carry
+  // a few percent of the contacts carry more than this multiple of the mean contact force
+  constexpr double kLoaded = 3.0;
   if (!(scene.grains.diameter.max > 0.0)) return;
   Law law = scene.law, softest = law;
   double deepest = overlap_under(scene, law, scene.assembly.pressure, kLoaded), at = scene.assembly.pressure;
@@ -90,7 +94,7 @@ void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
   if (deepest > kDeepOverlap)
     warnings.push_back(
         fmt::format("contact.normal: at the pressure {} grains in contact would overlap by about {:.2g} of "
-                    "their radius under the mean force, and by {:.2g} under {} times the mean force: {}",
+                    "their radius under the mean contact force, and by {:.2g} under {} times this force: {}",
                     at, overlap_under(scene, softest, at, 1.0), deepest, kLoaded, question_of_units(softest)));
 }
 
@@ -103,7 +107,7 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
                     scene.law.range(), radius));
 }
 
-/// Returns the largest water content that the scene gives, at the beginning or in a stage of the load path.
+/// Returns the largest water content during a run: the one at its beginning, or one that a stage of the load path sets.
 /// @param at_first  water content at the beginning
 double most_water(const Scene& scene, double at_first) {
   double most = at_first;
@@ -113,7 +117,8 @@ double most_water(const Scene& scene, double at_first) {
   return most;
 }
 
-/// Warns of effects of the liquid between grains that are not obvious from the values in the scene.
+/// Warns if the liquid between grains has effects that the values in the scene do not suggest: if the grains are in
+/// fact dry, if liquid bridges merge, and if walls stay dry.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   const auto& adhesion = scene.law.parameters().adhesion;
   if (!adhesion.holds<CapillaryAdhesion>()) return;
@@ -128,8 +133,8 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
     warnings.push_back(
         "contact.adhesion.contact_angle = 90: at this angle the liquid does not attract; the grains behave as "
         "if they were dry");
-  // Largest volume of a liquid bridge over R'^3 (R' is the radius of equal grains) at which bridges do not merge yet,
-  // for three bridges per grain.
+  // Largest volume of a liquid bridge between grains of radius R, divided by R^3, at which the bridges of a grain do
+  // not merge yet, for three bridges per grain.
   constexpr double kMerging = 0.1;
   const double filled = law.liquid_volume(4.0 / 3.0 * std::numbers::pi) / kBridgesPerGrain;
   if (filled > kMerging)
@@ -144,26 +149,29 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
         "between grains");
 }
 
-/// Returns the unit of time sqrt(a m/F1) at a pressure, with the largest diameter a, its mass m and the typical force
-/// F1; 0 if there is no force.
+/// Returns the unit of time sqrt(a m/F1) at a pressure, with the largest diameter a, the mass m of a grain of this
+/// diameter, and the typical force F1 (the larger of the pull-off force and the pressure times a^(d-1), in d
+/// dimensions); 0 if F1 is zero.
 double time_unit(const Scene& scene, double pressure) {
   const double a = scene.grains.diameter.max, m = mass_of(scene, a);
   const double F1 = std::max(pull_off_force(scene), pressure * std::pow(a, scene.dimension - 1));
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// Warns if the first step is given up at equilibrium.max_time before the compression of a gas can bring its grains
-/// into contact.
+/// Warns if the compression of a gas takes so long that the first step is given up, at the time equilibrium.max_time,
+/// before the grains touch.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
-  // Smallest solid fraction at which a gas that is compressed directly comes to rest, even with adhesion.
+  // Smallest solid fraction at which a gas compressed under pressure (protocol "direct") may come to rest, even if its
+  // grains adhere.
   const double loosest = scene.dimension == 2 ? 0.5 : 0.35;
   const bool gas = scene.assembly.protocol == AssemblyOptions::Protocol::direct;
   const double phi = scene.assembly.solid_fraction, pressure = scene.assembly.pressure;
   if (!gas || !(phi > 0.0) || phi >= loosest || !(pressure > 0.0)) return;
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
-  // The inertial number is the strain rate times sqrt(m/P), or sqrt(m/(P a)) for spheres. This time equals sqrt(a m/F1)
-  // if the pressure P determines the force F1.
+  // strain_rate_cap is a strain rate times `free_unit`; inertial_number_cap is a strain rate times sqrt(m/P) for disks,
+  // or sqrt(m/(P a)) for spheres. The latter time equals sqrt(a m/F1) if the pressure P determines the typical force
+  // F1.
   const double free_unit = scene.law.adheres() ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
@@ -179,7 +187,8 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
                     r.strain_rate_cap ? *r.strain_rate_cap : *r.inertial_number_cap, phi, least, r.max_time));
 }
 
-/// Returns the side of the cell of a dense packing of all grains, in units of the largest diameter.
+/// Returns the side of a square or cubic cell that contains all grains of a scene in a dense packing, in units of the
+/// largest diameter.
 double packed_side(const Scene& scene) {
   const double densest = scene.dimension == 2 ? 0.8 : 0.6;
   const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
@@ -191,11 +200,12 @@ double lightest(const Scene& scene) {
   return std::pow(scene.grains.diameter.min / scene.grains.diameter.max, scene.dimension);
 }
 
-/// Warns if the cell is too light. A cell that weighs less than a few grains vibrates faster than the grains, which
-/// makes the time step smaller (cell_time_step_of()).
+/// Warns if the cell is so light that it makes the time step much smaller: a cell that weighs less than a few grains
+/// vibrates faster than the grains (see cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   if (scene.assembly.box) return;
-  constexpr double kSlow = 0.1;  // smallest accepted time step, over the time step that the grains allow
+  // smallest time step without a warning, over the time step that the grains allow
+  constexpr double kSlow = 0.1;
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
   const auto check = [&](const std::string& key, const CellResponse& cell) {
     const double mass = cell.applied_to(scene.relaxation).cell_mass;
@@ -214,12 +224,13 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
       return;
 }
 
-/// Warns if the walls are too light. The grains determine the time step, and the motion of walls that are too light for
-/// this time step diverges.
+/// Warns if the walls are too light: only the grains determine the time step, and if it is too long for the walls,
+/// their motion diverges.
 void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
   if (!scene.assembly.box) return;
-  // Two thirds of the grains that fit side by side along a wall touch it. The motion of a wall diverges if dt w > 2,
-  // with w^2 = n K/M for n touching grains of stiffness K and a wall of mass M.
+  // About two thirds of the grains that fit side by side along a wall touch it. The motion of a wall diverges if dt w >
+  // 2, with the time step dt and the frequency w of the wall: w^2 = n K/M, for n touching grains, contact stiffness K
+  // and mass M of the wall.
   const double n_touching = 2.0 / 3.0 * std::pow(packed_side(scene), scene.dimension - 1);
   const double step = scene.relaxation.time_step * (scene.dimension == 2 ? 1.0 : 0.775);
   const double least = n_touching * lightest(scene) * std::pow(0.5 * step, 2);
@@ -231,10 +242,11 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
 }
 
 /// Warns if contacts are so stiff relative to the load that the motion into equilibrium takes very many time steps.
-/// This concerns spheres, because their forces depend on the path, so that Newton steps alone cannot find their
-/// equilibria.
+/// This is checked only for spheres: their forces depend on the path, so their equilibria cannot be found by Newton
+/// steps without motion.
 void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
-  // largest number of time steps per sqrt(a m/F1) without a warning; twice the largest number of the shipped scenes
+  // Largest number of time steps per unit of time sqrt(a m/F1) without a warning: twice that of any scene shipped with
+  // floc.
   constexpr double kMany = 3000.0;
   if (scene.law.force_exponent() == 1.0) return;
   const double pressure = scene.assembly.pressure;
@@ -257,8 +269,9 @@ void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
         "dissipate no energy, so that grains separate again; expected one of these tables");
 }
 
-/// Warns if a single grain makes up much of the volume. The diameters are quantiles of their distribution including
-/// both of its ends, so there is always one grain of the largest diameter, however rare this diameter is.
+/// Warns if a single grain makes up much of the volume of all grains. One grain always has the largest diameter,
+/// however rare this diameter is in the distribution: the diameters are equally spaced quantiles, including both ends
+/// of the distribution.
 void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.05;
   const DiameterDistribution& d = scene.grains.diameter;

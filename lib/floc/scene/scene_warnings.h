@@ -7,10 +7,10 @@
 
 namespace floc {
 
-/// Returns warnings about a valid scene that may not give the intended result: tolerances that double precision or
-/// Newton steps cannot reach, adhesion that reaches beyond the nearest neighbours, steps that are given up before they
-/// can converge, grains that cannot stick together, a run that takes more than a month. Each warning gives the key, its
-/// value, and the reason.
+/// Returns warnings about a scene that is valid but may not give the intended result, for example because rounding
+/// errors exceed a tolerance, because adhesion reaches beyond the nearest neighbours, because steps are given up before
+/// they can converge, because grains cannot stick together, or because the run takes more than a month. Each warning
+/// names the key and its value, and gives the reason.
 std::vector<std::string> scene_warnings(const Scene& scene);
 
 }  // namespace floc

@@ -4,10 +4,10 @@
 
 namespace floc {
 
-/// Returns the text of a scene with comments, from which a user can start a scene of their own. It is the demo scene
-/// shipped with floc, under another name.
+/// Returns the text of a scene with comments, from which users can start to write their own scene. It is the demo scene
+/// that is shipped with floc, with the given name in place of its own.
 /// @param name  name of the scene: letters, digits, '.', '_' and '-' only
-/// @throws InputError if the name has other characters or is empty
+/// @throws InputError if the name is empty or contains other characters
 std::string starting_scene(const std::string& name);
 
 }  // namespace floc

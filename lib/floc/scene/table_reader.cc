@@ -10,8 +10,7 @@
 namespace floc {
 namespace {
 
-/// Returns the value of a TOML node that is a whole or real number, or std::nullopt if it is not a number or not
-/// finite.
+/// Returns the value of a TOML node as a number; std::nullopt if it is not a whole or real number, or not finite.
 std::optional<double> finite_number(const toml::node& node) {
   std::optional<double> value;
   if (node.is_integer()) value = static_cast<double>(node.as_integer()->get());
@@ -61,7 +60,7 @@ std::optional<std::int64_t> TableReader::integer(const std::string& key, Integer
   const std::int64_t value = node->is_integer() ? node->as_integer()->get() : 0;
   if (node->is_integer() && value >= rule.at_least && value <= rule.at_most) return value;
   const auto* number = node->as_floating_point();
-  // TOML reads 2.0 as a real number and 2 as a whole number.
+  // In TOML, 2 is a whole number and 2.0 is a real number, which is not accepted here.
   if (number != nullptr && whole_number(number->get()))
     fault(key, fmt::format("{} = {:.1f}: expected {}, written without a decimal point", path_of(key),
                            number->get(), rule.expectation));

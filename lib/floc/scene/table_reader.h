@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Requirement on a real number: a function that tests it, and its description for messages, for example "a positive
-/// number (K_N, force per length)".
+/// Condition that a real number in a scene must satisfy: a function that tests the number, and words for messages, for
+/// example "a positive number (K_N, force per length)".
 struct NumberRule {
   bool (*holds)(double);
   const char* expectation;
@@ -22,15 +22,15 @@ constexpr bool not_negative(double x) {
   return x >= 0;
 }
 
-/// Requirement on a whole number: its limits, and their description for messages.
+/// Condition that a whole number in a scene must satisfy: its smallest and largest value, and words for messages.
 struct IntegerRule {
   std::int64_t at_least, at_most;
   const char* expectation;
 };
 
-/// Reads the keys of one table of a scene. It remembers which keys were read, so that every other key can be reported
-/// as a fault. Faults are recorded in the SceneSource, not thrown, and the function that finds one returns no value. A
-/// reader of a missing table returns no values and records no faults.
+/// Reads the keys of one table of a scene. The reader remembers which keys it has read, so that all other keys of the
+/// table can be reported as unknown. If a value is missing or invalid, the reader records a fault in the SceneSource
+/// (it throws nothing) and returns no value. A reader of a missing table returns no values and records no faults.
 class TableReader {
  public:
   enum class Need { required, optional };
@@ -48,30 +48,33 @@ class TableReader {
   std::optional<double> number(const std::string& key, NumberRule rule, Need need = Need::required);
   std::optional<std::int64_t> integer(const std::string& key, IntegerRule rule, Need need = Need::required);
   std::optional<std::string> text(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns the index of the value of a key in the list `choices`, which holds all accepted values.
+  /// Returns the index, in `choices`, of the keyword that a key has as its value.
+  /// @param choices  all keywords that the key accepts
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& choices,
                                     Need need = Need::required);
   TableReader table(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns one reader for each table of an array of tables; the result is empty if the key is missing.
+  /// Returns one reader for each table in the array of tables that a key has as its value; the result is empty if the
+  /// key is missing.
   std::vector<TableReader> tables(const std::string& key, const char* expectation);
-  /// Returns the numbers in a table, by their keys. The keys of tables inside it are written with dots, for example
-  /// "adhesion.force".
+  /// Returns the numbers in the table that a key has as its value, each with its key. The keys of numbers in inner
+  /// tables are written with dots, for example "adhesion.force".
   std::vector<std::pair<std::string, double>> flat_numbers(const std::string& key);
-  /// Returns an array of at least one number, in which each number satisfies the rule. The result is empty if the key
-  /// is missing or its value is invalid.
+  /// Returns the numbers in the array that a key has as its value: at least one, each of which satisfies the rule. The
+  /// result is empty if the key is missing or its value is invalid.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
-  /// Returns an array of texts. The result is empty if the key is missing or its value is invalid.
+  /// Returns the texts in the array that a key has as its value. The result is empty if the key is missing or its value
+  /// is invalid.
   std::vector<std::string> texts(const std::string& key, const char* expectation);
 
-  /// Records a fault about a key of this table, or about the table itself if it does not have the key.
+  /// Records a fault at a key of this table, or, if the table does not have the key, at the table itself.
   void fault(const std::string& key, const std::string& problem);
 
-  /// Records a fault if the table has this key, for keys that are valid only in other scenes.
+  /// Records a fault if the table has a key that other scenes may have but this scene may not.
   void refuse(const std::string& key, const std::string& problem);
 
-  /// Records a fault for every key that was not read. The message names the most similar key that is valid in this
-  /// table.
+  /// Records a fault for every key of the table that has not been read. The message names the most similar key among
+  /// those that have been read.
   void refuse_other_keys();
 
  private:

@@ -11,28 +11,29 @@ namespace floc {
 template <int Dim>
 Packing<Dim> scaled_to(const Packing<Dim>& packing, double solid_fraction);
 
-/// Coordination and pressure of a packing after affine scaling, before any grain has moved otherwise.
+/// Coordination numbers and pressure of a packing right after affine scaling, before its grains move to a new
+/// equilibrium.
 struct AffinePrediction {
-  /// Coordination number by the pairs that overlap after all distances are scaled by s, with rattlers at their
-  /// places. It is z_I(a/s - a), with z_I(h) the coordination number of neighbours at gaps up to h and a the
-  /// diameter.
+  /// Coordination number of the pairs of grains that overlap after all distances are scaled by s; rattlers are scaled
+  /// like all grains. It equals z_I(a/s - a), with z_I(h) the coordination number of neighbours at gaps up to h in the
+  /// given packing, and a the diameter.
   double z = 0.0;
-  /// Coordination number z_II(a/s - a) of the scaled packing if rattlers are first pushed against other grains.
+  /// Coordination number z_II(a/s - a): as `z`, but before the scaling the rattlers are pushed against other grains.
   double z_pushed = 0.0;
-  /// Mean normal stress by the normal forces N of the contact law at the overlaps after scaling by s
-  /// (force/length^(Dim-1)): the sum of N(a - s r) s r over pairs at distances s r < a, divided by Dim times
-  /// the volume.
+  /// Mean normal stress (force/length^(Dim-1)) by the normal forces N that the contact law gives for the overlaps after
+  /// scaling by s: the sum of N(a - s r) s r over the pairs of grains at distances s r < a, divided by Dim times the
+  /// volume of the scaled cell.
   double pressure = 0.0;
 };
 
-/// Packing from which coordination and pressure are predicted at several solid fractions.
+/// Packing from which coordination numbers and pressure are predicted at other solid fractions.
 template <int Dim>
 class AffineReference {
  public:
   /// @param rattler  whether each grain is a rattler (a grain that carries no force)
   AffineReference(const Packing<Dim>& packing, const std::vector<bool>& rattler);
 
-  /// Returns the prediction at a solid fraction. @throws InputError if find_contacts() throws it
+  /// Returns the prediction for the packing scaled to a solid fraction. @throws InputError if find_contacts() throws it
   AffinePrediction at(double solid_fraction) const;
 
  private:

@@ -9,8 +9,8 @@ double lateral_mean(int axis, const Vec<Dim>& values) {
   return (values.sum() - values[axis]) / (Dim - 1);
 }
 
-/// Returns the value on the driven axis minus the mean of the others. For stresses this is the deviator q; for
-/// strains, times a factor, its work conjugate eps_q.
+/// Returns the value on the driven axis minus the mean of the values on the other axes. For stresses this is the
+/// deviator q; for strains it is, up to a factor, the strain eps_q on which q does work.
 template <int Dim>
 double difference(int axis, const Vec<Dim>& values) {
   return values[axis] - lateral_mean<Dim>(axis, values);

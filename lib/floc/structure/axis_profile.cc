@@ -11,6 +11,7 @@ namespace floc {
 namespace {
 
 /// Returns the volume of the part of a ball between two planes normal to the first axis.
+/// @param place, low, high  coordinates of the centre of the ball and of the planes on this axis (length)
 template <int Dim>
 double ball_between(double place, double radius, double low, double high) {
   constexpr double kFar = std::numeric_limits<double>::infinity();

@@ -10,18 +10,18 @@ namespace floc {
 /// A slice of the cell between two planes parallel to all lattice vectors but one, and the grains whose centres
 /// lie in the slice.
 struct ProfileSlice {
-  /// Distances of the planes from the plane through the origin, or from the lower wall (length).
+  /// Distances of the two planes of the slice from the origin or, between walls, from the lower wall (length).
   double low = 0.0, high = 0.0;
   double solid_fraction = 0.0;  ///< solid fraction from exact volumes; an overlap counts once for each grain
   int n_grains = 0;
-  std::vector<double> mean;  ///< mean of each value over the grains of the slice; NaN if there are none
+  /// Mean of each array of values over the grains of the slice; NaN if the slice has no grains.
+  std::vector<double> mean;
 };
 
 inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
 
-/// Divides the cell into slices of equal thickness, and computes the solid fraction and the mean values of
-/// each.
-/// @param axis    index of the lattice vector across the slices, from 0   @param n  number of slices
+/// Divides the cell into slices of equal thickness, and computes the solid fraction and the mean values of each slice.
+/// @param axis    index, from 0, of the lattice vector that is not parallel to the slices   @param n  number of slices
 /// @param values  arrays of one number per grain, whose means are computed
 /// @throws InputError if n is not in kProfileSlices
 template <int Dim>

@@ -13,28 +13,28 @@ struct BondSigns {
   double z_plus = 0.0;   ///< coordination number of bonds in compression
   double z_minus = 0.0;  ///< coordination number of bonds in tension
   double z_near = 0.0;   ///< coordination number of bonds with |F_N| < `near`
-  /// Share of bonds in tension among the bonds that are not near zero; 0 if there are none.
+  /// Share of bonds in tension among the bonds that are not near zero; 0 if there are no such bonds.
   double minus_share = 0.0;
   double mean_plus = 0.0, mean_minus = 0.0;  ///< mean |F_N| of the bonds in compression and in tension (force)
 };
 
-/// Counts the bonds by the sign of their normal force.
-/// @param near  bonds with a smaller normal force count as near zero (force), >= 0; otherwise InputError
+/// Counts the bonds by the sign of their normal force F_N.
+/// @param near  bonds with |F_N| < near count as near zero (force), >= 0; otherwise InputError
 template <int Dim>
 BondSigns bond_signs(const Packing<Dim>& packing, double near);
 
-/// Returns the tensile strength of a packing (stress), the tension at which it would break if every bond
-/// carried its pull-off force at once:
+/// Returns the tensile strength of a packing (stress), the tension at which the packing would break if every bond
+/// carried its pull-off force at once. With z the coordination number and Phi the solid fraction, it is
 ///
 ///   z Phi F0/(pi d^(Dim-1)),
 ///
-/// which is the virial of z bonds per grain between equal grains that touch, exact for a crystal. Rumpf's
-/// estimate of the tensile strength has z = pi/(1 - Phi).
+/// the virial stress of equal grains that touch, exact for a crystal. Rumpf's estimate of the tensile strength has z =
+/// pi/(1 - Phi).
 /// @param F0  pull-off force (force)   @param d  diameter (length)
 double virial_strength(int dimension, double z, double solid_fraction, double F0, double d);
 
-/// Returns Rumpf's estimate of the tensile strength (stress), which is virial_strength() with z = pi/(1 - Phi):
-/// Phi/(1 - Phi) F0/d^(Dim-1).
+/// Returns Rumpf's estimate of the tensile strength (stress), which is virial_strength() with z = pi/(1 - Phi): Phi/(1
+/// - Phi) F0/d^(Dim-1), with Phi the solid fraction.
 double rumpf_strength(int dimension, double solid_fraction, double F0, double d);
 
 }  // namespace floc

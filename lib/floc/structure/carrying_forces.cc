@@ -20,8 +20,8 @@ void count(int dimension, const CarryingStructure& carrying, CarryingForces& out
   if (dimension == 3) out.z_star_star = out.z_star + 2.0 * out.x2 / (3.0 * (1.0 - out.x0));
 }
 
-/// Returns the reduced moment `<N^q>/<N>^q` of the elastic normal forces N of the contacts, whose mean is
-/// positive.
+/// Returns the reduced moment `<N^q>/<N>^q` of the elastic normal forces N of the force-carrying contacts.
+/// @param mean  mean `<N>`, > 0
 template <int Dim>
 double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean, double q) {
   double sum = 0.0;
@@ -29,8 +29,8 @@ double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carr
   return sum / static_cast<double>(carrying.contacts.size());
 }
 
-/// Returns the fabric of the strong contacts (force above the mean) or of the weak contacts: the sum of n n -
-/// 1/Dim over them, with n the normal, divided by the number of all contacts.
+/// Returns the fabric tensor of the strong contacts (elastic normal force above the mean) or of the weak contacts: the
+/// sum of n n - 1/Dim over these contacts, with n the normal, divided by the number of all force-carrying contacts.
 template <int Dim>
 Mat<Dim> fabric_of(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean, bool strong) {
   Mat<Dim> sum = Mat<Dim>::Zero();

@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Relative tolerance of the radius of a grain in two states, above the rounding of numbers in files.
+/// Largest relative difference between the radii of a grain in two states that counts as rounding of numbers in files.
 constexpr double kSameRadius = 1e-9;
 
-/// Returns the integer matrix M with after = M * before up to a strain, which maps the lattice vectors of one
-/// state to those of the other.
+/// Returns the integer matrix M that expresses the lattice vectors of the state after by those of the state before:
+/// after = M * before, up to a strain.
 template <int Dim>
 Mat<Dim> lattice_choice(const Cell<Dim>& before, const Cell<Dim>& after) {
   return (after.matrix * before.matrix.inverse()).array().round().matrix();
@@ -27,8 +27,8 @@ bool is_lattice_choice(const Mat<Dim>& choice) {
   return std::abs(std::abs(choice.determinant()) - 1.0) < 1e-6;
 }
 
-/// Returns the circular mean of reduced displacements, component by component. It does not depend on the images
-/// of the grains in the periodic cell.
+/// Returns the circular mean of displacements in reduced coordinates, component by component. It does not depend on the
+/// choice of the periodic image of each grain.
 template <int Dim>
 Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   Vec<Dim> mean;
@@ -43,8 +43,9 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   return mean;
 }
 
-/// Identity of a contact (grains, image and key, in canonical order, with the image in the lattice of the state
-/// before) and its index in the contact list.
+/// Identity of a contact and its index in the contact list. The identity consists of the two grains in canonical order,
+/// the periodic image in the lattice of the state before, and the key, which distinguishes contacts of one pair of
+/// grains.
 template <int Dim>
 struct Named {
   Contact<Dim> name;
@@ -119,12 +120,13 @@ std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) 
   if (!before.walls.empty() || !after.walls.empty())
     return "the grains are between walls, but contacts are compared only in periodic cells";
   if (before.grains.size() != after.grains.size())
-    return fmt::format("{} grains in one state, {} in the other: both must be states of the same grains",
-                       before.grains.size(), after.grains.size());
+    return fmt::format(
+        "there are {} grains in one state, but {} in the other: both must be states of the same grains",
+        before.grains.size(), after.grains.size());
   for (int i = 0; i < before.grains.size(); ++i)
     if (std::abs(before.grains.radius[i] - after.grains.radius[i]) > kSameRadius * before.grains.radius[i])
       return fmt::format(
-          "grain {} has radius {:.10g} in one state, {:.10g} in the other: both must be states of the same "
+          "grain {} has radius {:.10g} in one state, but {:.10g} in the other: both must be states of the same "
           "grains",
           before.grains.name(i), before.grains.radius[i], after.grains.radius[i]);
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
@@ -142,9 +144,9 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   out.cell_after = choice.inverse() * after.cell.matrix;
   out.deformation = out.cell_after.transpose() * before.cell.matrix.transpose().inverse();
 
-  // Displacements are computed in reduced coordinates, where the affine part is zero. The common translation is
-  // subtracted first, by a circular mean, which does not depend on the images of the grains. Otherwise rounding
-  // to the nearest image would separate grains that moved together by half a cell.
+  // Displacements are computed in reduced coordinates, where the affine part is zero. Before they are rounded to the
+  // nearest periodic image, their circular mean is subtracted, which does not depend on the images of the grains.
+  // Otherwise the rounding would separate grains that moved together by half a cell.
   const int n = before.grains.size();
   const Mat<Dim> to_reduced = out.cell_after.transpose().inverse();
   std::vector<Vec<Dim>> moved(n);
@@ -162,7 +164,7 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   }
   for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));
 
-  // Contacts are identified by their image in the lattice of `before`: another choice of lattice vectors, or a
+  // Contacts are identified by their periodic image in the lattice of `before`: another choice of lattice vectors, or a
   // grain that crosses the border of the cell, changes the image of a contact but not the contact.
   const auto old_names = named<Dim>(before.contacts, [](const Contact<Dim>& c) { return c.image; });
   const auto new_names = named<Dim>(after.contacts, [&](const Contact<Dim>& c) -> Vec<Dim, int> {

@@ -19,16 +19,16 @@ struct KeptContact {
 template <int Dim>
 struct ContactChanges {
   std::vector<KeptContact> kept;
-  std::vector<int> lost;    ///< indices in the contact list of the state before
-  std::vector<int> gained;  ///< indices in the contact list of the state after
+  std::vector<int> lost;    ///< indices of the lost contacts in the contact list of the state before
+  std::vector<int> gained;  ///< indices of the gained contacts in the contact list of the state after
   int n_parted = 0;         ///< number of lost contacts whose grains now attract each other across a gap
   /// Deformation gradient of the cell: the affine displacement takes x to deformation * x. The strain is
   /// Identity - deformation, with shortening positive.
   Mat<Dim> deformation = Mat<Dim>::Identity();
-  /// Displacement of each grain minus its affine part and the mean displacement (length).
+  /// Displacement of each grain minus its affine part and minus the mean displacement of all grains (length).
   std::vector<Vec<Dim>> displacement;
-  /// Numbers of lattice vectors by which each grain was moved back into the cell. The position after is
-  /// deformation * (position before) + displacement + (mean displacement) + wrapped * cell.
+  /// Numbers of lattice vectors by which each grain was moved back into the cell. The position after is deformation *
+  /// (position before) + displacement + (mean displacement) + wrapped * cell_after.
   std::vector<Vec<Dim, int>> wrapped;
   /// Lattice vectors of the state after that correspond to those of the state before, one per row.
   Mat<Dim> cell_after = Mat<Dim>::Identity();
@@ -44,10 +44,10 @@ struct ContactChanges {
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
-/// Compares two states of a packing. Grains are identified by their index, contacts by both grains, image and
-/// key. Displacements are taken to the nearest image in reduced coordinates, so grains must move by less than
-/// half the cell relative to their mean. A common translation or another choice of lattice vectors does not
-/// change the result.
+/// Compares two states of a packing. Grains are identified by their index, contacts by both grains, image and key.
+/// Displacements are taken to the nearest periodic image in reduced coordinates, so that each grain must move by less
+/// than half the cell relative to the mean displacement. A common translation or another choice of lattice vectors does
+/// not change the result.
 /// @pre incomparable(before, after) is empty
 template <int Dim>
 ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Returns the number of contacts between grains that both have two contacts.
+/// Returns the number of contacts between two grains that have exactly two contacts each.
 template <int Dim>
 int between_pairs(const Packing<Dim>& packing) {
   std::vector<int> degree(packing.grains.size(), 0);

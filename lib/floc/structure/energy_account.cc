@@ -19,7 +19,7 @@
 namespace floc {
 namespace {
 
-/// Returns the energy stored in the contacts, including the energy of attraction.
+/// Returns the energy stored in the contacts of a packing, including the energy of attraction (energy).
 template <int Dim>
 double elastic_energy_of(const Packing<Dim>& packing) {
   return contact_energy(packing).all();
@@ -43,11 +43,11 @@ template <int Dim>
 struct StepMotion {
   Vec<Dim> branch;  ///< branch vector at the end of the step (length)
   Vec<Dim> normal_before, normal, middle;
-  double opening;   ///< increase of the gap (length)
-  Shear<Dim> slip;  ///< slip in the tangential frame at the end of the step (length)
+  double opening;   ///< increase of the gap in the step (length)
+  Shear<Dim> slip;  ///< slip of the surfaces in the step, in the tangential frame at its end (length)
   RotationVector<Dim> rolling;
   double twisting = 0.0;
-  double twist = 0.0;  ///< mean rotation of the two grains about the normal (radians)
+  double twist = 0.0;  ///< mean rotation of the two grains about the normal in the step (radians)
 
   StepMotion(const ContactGeometry<Dim>& before, const ContactGeometry<Dim>& after,
              const RotationVector<Dim>& rotation_i, const RotationVector<Dim>& rotation_j)
@@ -77,8 +77,8 @@ struct StepMotion {
   }
 };
 
-/// Returns the energy that a spring dissipates in a step: its stored energy before, minus its stored energy
-/// after, plus the work done on it by `motion`.
+/// Returns the energy that a spring dissipates in a step: its stored energy before, minus its stored energy after, plus
+/// the work done on the spring by the displacement `motion`.
 template <class V>
 double spring_loss(const V& before, double stiffness_before, const V& after, double stiffness_after,
                    const V& motion) {
@@ -92,15 +92,16 @@ template <int Dim>
 void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, const StepMotion<Dim>& motion,
                        EnergyTerms& terms) {
   const Shear<Dim> start = motion.carried(to_shear<double>(motion.normal_before, before.shear_force));
-  // A tangential force falls in proportion to its stiffness if this falls, but does not grow if this grows.
+  // If the tangential stiffness falls, the tangential force falls in proportion; if the stiffness grows, the force
+  // stays.
   const double ratio = before.kt > after.kt ? after.kt / before.kt : 1.0;
   const Shear<Dim> scaled = ratio * start, none = Shear<Dim>::Zero();
   terms.scaling += spring_loss<Shear<Dim>>(start, before.kt, scaled, after.kt, none) +
                    0.5 * (start - scaled).dot(motion.slip);
   terms.sliding += spring_loss<Shear<Dim>>(scaled, after.kt, to_shear<double>(motion.normal, after.shear_force),
                                            after.kt, motion.slip);
-  // The stored moments act on grain i, and change sign here, because the moments on grain j have the sign of
-  // the rotation of i relative to j.
+  // A contact stores the moments that act on grain i. They change sign here, because the moments on grain j have the
+  // sign of the rotation of i relative to j.
   terms.sliding += spring_loss<RotationVector<Dim>>(motion.carried(-before.rolling_moment), before.kr,
                                                     -after.rolling_moment, after.kr, motion.rolling);
   terms.sliding += spring_loss<Vec<1>>(Vec<1>(-before.twisting_moment), before.ktw,
@@ -132,9 +133,9 @@ double attraction_energy(const Law& law, const Packing<Dim>& packing, const Cont
                                                 acting_parameters(law, packing.grains, c));
 }
 
-/// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step, at the
-/// positions of the grains at its end: liquid is shared out again, flows into bridges that form, or leaves
-/// bridges that are no longer in the contact list.
+/// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step, with the grains
+/// at their positions at the end of the step. Volumes change if liquid is shared out again, flows into bridges that
+/// form, or leaves bridges that are no longer in the contact list.
 template <int Dim>
 double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
                         const ContactChanges<Dim>& changes) {
@@ -183,8 +184,8 @@ class Step {
         changes_(contact_changes(before, after)),
         law_(compose_law(after.law)) {}
 
-  /// Adds the losses of all contacts that touch at the beginning or at the end of the step, and the work of the
-  /// boundary.
+  /// Adds the work of the boundary on the packing, and the energy dissipated by all contacts that touch at the
+  /// beginning or at the end of the step.
   void add_to(EnergyTerms& terms) {
     for (const KeptContact& kept : changes_.kept)
       add_contact(before_.contacts[kept.before], after_.contacts[kept.after], terms);
@@ -221,13 +222,13 @@ class Step {
     const ContactEnergy energy = contact_energy(packing, c);
     return packing.law.adheres_by_itself() ? energy.normal + energy.attraction : energy.normal;
   }
-  /// Returns the normal force that belongs to normal_energy().
+  /// Returns the normal force of a contact whose work normal_energy() stores (force).
   double force_of_normal_law(const Contact<Dim>& c) const {
     return after_.law.adheres_by_itself() ? c.normal_force : c.elastic_force;
   }
 
-  /// Returns a contact of the end of the step with its image at the beginning. The images differ if a grain was
-  /// moved back into the cell.
+  /// Returns a contact at the end of the step, with the periodic image that it had at the beginning. The image changes
+  /// if a grain is moved back into the cell.
   Contact<Dim> named_as_before(Contact<Dim> after) const {
     after.image += changes_.wrapped[after.j] - changes_.wrapped[after.i];
     return after;
@@ -272,7 +273,7 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
   Step<Dim>(previous_, now, time_step).add_to(terms_);
   terms_.elastic = elastic_energy_of(now);
   terms_.kinetic = kinetic_energy_of(now);
-  // If all velocities were set to zero, the energy removed is the change of the error of the account in this
+  // If all velocities were set to zero, the energy removed is the change of the error of the energy balance in this
   // step.
   if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
   previous_ = now;

@@ -16,7 +16,7 @@ struct EnergyTerms {
   double sliding = 0.0;
   double scaling = 0.0;  ///< energy dissipated by tangential forces whose stiffness falls with the normal load
   double removed = 0.0;  ///< energy removed by setting all velocities to zero
-  double initial = 0.0;  ///< elastic and kinetic energy at the beginning
+  double initial = 0.0;  ///< sum of the elastic and the kinetic energy at the beginning
   /// Energy added when liquid is shared out and liquid bridges form: change of the elastic energy with the
   /// volumes of the bridges.
   double liquid = 0.0;
@@ -33,10 +33,9 @@ struct EnergyTerms {
   }
 };
 
-/// Keeps the energy balance of a moving packing from its states after each time step: work + liquid + law =
-/// change of elastic + change of kinetic + viscous + sliding + scaling + hysteresis + removed. The error
-/// vanishes with the time step, to first order with dashpots, limits of forces or liquid, to second order
-/// without them.
+/// Keeps the energy balance of a moving packing from its states after each time step: work + liquid + law = change of
+/// elastic + change of kinetic + viscous + sliding + scaling + hysteresis + removed. The error vanishes with the time
+/// step: to first order if there are dashpots, limits of forces or liquid, otherwise to second order.
 template <int Dim>
 class EnergyAccount {
  public:

@@ -17,11 +17,11 @@ namespace {
 
 /// Forces up to this share of the largest force in the packing count as zero, because they may be rounding.
 constexpr double kRoundedForce = 1e-12;
-/// Share of the pressure of a network in which all forces are compressive, up to which the pressure counts as
-/// zero.
+/// A pressure counts as zero up to this share of the pressure that the contact forces would cause if all were
+/// compressive.
 constexpr double kNoPressure = 1e-8;
 
-/// Returns the largest elastic or total normal force of the contacts of a packing (force).
+/// Returns the largest magnitude of the elastic and of the total normal forces of the contacts of a packing (force).
 template <int Dim>
 double largest_part(const Packing<Dim>& packing) {
   double largest = 0.0;
@@ -30,7 +30,7 @@ double largest_part(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// Returns the index of the histogram bin of a value; nothing if it is more than kMaxBins bins from zero, or
+/// Returns the index of the histogram bin of a value; nothing if the value is more than kMaxBins bins from zero, or
 /// NaN.
 std::optional<int> bin_of(double value, double width) {
   const double bin = std::floor(value / width);

@@ -6,12 +6,13 @@
 
 namespace floc {
 
-/// Moments of the contact forces and mobilisation of friction, over contacts that touch (docs/physics.md,
-/// "Force network"). All are zero if there are no contacts.
+/// Moments of the contact forces and mobilisation of friction, over contacts that touch (docs/physics.md, "Force
+/// network"). All values are zero if there are no contacts.
 struct ForceMoments {
   double mean_normal = 0.0;  ///< mean `<N>` of the elastic normal force N (force)
   double largest = 0.0;      ///< largest elastic normal force N (force)
-  /// Reduced moments `Z(q) = <N^q>/<N>^q` for q = 2, 3, 4. Without adhesion, N is the whole normal force.
+  /// Reduced moments `Z(q) = <N^q>/<N>^q` of the elastic normal force N, for q = 2, 3, 4. Without adhesion, N is the
+  /// whole normal force.
   std::array<double, 3> Z{};
   /// Mean of |F_T|/N, tangential over elastic normal force, over contacts with N above (M1) and below (M2) the
   /// mean `<N>`; at most the coefficient of friction.

@@ -20,9 +20,10 @@ class MobilisationByForce {
     ++side.n;
   }
 
-  /// Mean of |F_T|/N over contacts with N above the mean; 0 if there are none.
+  /// Mean of |F_T|/N, tangential over elastic normal force, over contacts with N above the mean; 0 if there are none.
   double M1() const { return above_.value(); }
-  /// Mean of |F_T|/N over the other contacts; 0 if there are none.
+  /// Mean of |F_T|/N, tangential over elastic normal force, over contacts with N not above the mean; 0 if there are
+  /// none.
   double M2() const { return below_.value(); }
 
  private:

@@ -8,13 +8,13 @@
 
 namespace floc {
 
-/// Pair correlation g(r) of the centres of grains: number of pairs at distances in [b, b + 1) * width, over the
-/// number expected for independent grains of the same number density. All periodic images are counted, for any
+/// Pair correlation g(r) of the centres of grains: number of pairs at distances r in bin b, [b, b + 1) * width, over
+/// the number expected for independent grains of the same number density. All periodic images are counted, for any
 /// lattice and any distance.
 ///
-/// Between walls, only grains that are at least the largest distance away from every wall are counted, because
-/// these have all their neighbours, and g is relative to the number density of these grains. It is 0 if there
-/// are none.
+/// Between walls, only grains at least the largest distance of g(r) away from every wall are counted, because these
+/// have all their neighbours. g(r) is then relative to the number density of these grains, and 0 if there are no such
+/// grains.
 struct PairCorrelation {
   double width = 0.0;     ///< width of a bin (length)
   std::vector<double> g;  ///< pair correlation g(r) of each bin, from r = 0
@@ -25,8 +25,8 @@ struct PairCorrelation {
   double middle(int b) const { return (b + 0.5) * width; }
 };
 
-/// Range of the largest distance of g(r), in largest diameters. Up to 1000 diameters, each disk of a packing
-/// has about three million neighbours.
+/// Range of the largest distance r of g(r), in largest diameters. Up to 1000 diameters, each disk of a packing has
+/// about three million neighbours.
 inline constexpr NumberRange kPairReach{.least = 0.0, .most = 1000.0, .without_least = true};
 /// Largest number of pairs that the pair correlation g(r) may count; they take 5 GB of memory.
 inline constexpr double kMostPairs = 2.5e8;

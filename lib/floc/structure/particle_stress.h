@@ -10,9 +10,9 @@ namespace floc {
 ///
 ///   sigma_i = -(1/V_i) sum_j f_(j on i) (x) l_i,   V_i = volume of the grain / Phi
 ///
-/// where l_i is the arm from the centre to the contact point, f are the static forces of all interactions, and
-/// Phi is the solid fraction. The sum of V_i sigma_i over the grains is exactly the volume of the cell times
-/// static_stress().
+/// where l_i is the arm from the centre of grain i to the contact point with grain j, f are the static forces of all
+/// interactions, (x) is the outer product, and Phi is the solid fraction. The sum of V_i sigma_i over the grains is
+/// exactly the volume of the cell times static_stress().
 template <int Dim>
 std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 
@@ -20,9 +20,8 @@ std::vector<Mat<Dim>> particle_stress(const Packing<Dim>& packing);
 template <int Dim>
 std::vector<double> particle_pressure(const Packing<Dim>& packing);
 
-/// Returns the pressures of the grains, with those whose sign is not significant set to zero. These are the
-/// pressures of rattlers, whose forces are rounding, and pressures up to zero_force/a^(Dim-1), with a the
-/// largest diameter.
+/// Returns the pressures of the grains, in which pressures whose sign is not significant are set to zero: those of
+/// rattlers, whose forces are rounding, and those up to zero_force/a^(Dim-1) in magnitude, with a the largest diameter.
 /// @param pressure    pressure of each grain (stress)
 /// @param zero_force  largest force that counts as zero (force)
 template <int Dim>

@@ -17,8 +17,8 @@ int sign_of(double p) {
   return (p > 0.0 ? 1 : 0) - (p < 0.0 ? 1 : 0);
 }
 
-/// Connected parts of the phase of grains with positive, or with negative, pressure. A grain without a
-/// neighbour in its phase is a part of one grain.
+/// Connected parts of one phase: the grains with positive, or those with negative, pressure. A grain without a
+/// neighbour in its phase is a part by itself.
 template <int Dim>
 struct PhaseParts {
   std::vector<int> sizes;
@@ -56,9 +56,8 @@ void describe(const PhaseParts<Dim>& parts, const Cell<Dim>& cell, PhaseGeometry
   }
 }
 
-/// Returns the number of bonds between two grains with nonzero pressure, and how many of these join grains with
-/// pressures of equal sign. Bonds between a grain and its own image are left out, because their signs are
-/// always equal.
+/// Returns the number of bonds between two grains with nonzero pressure, and the number of these bonds that join
+/// pressures of equal sign. Bonds between a grain and its own image are left out, because their signs are always equal.
 template <int Dim>
 std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::vector<int>& sign) {
   int n = 0, like = 0;
@@ -70,8 +69,8 @@ std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::ve
   return {n, like};
 }
 
-/// Returns the mean |p| of the grains of one phase in bins of the share of their neighbours that are in this
-/// phase. Neighbours of zero pressure do not count.
+/// Returns the mean magnitude of the pressure of the grains of one phase, in bins of the share of their neighbours that
+/// are in this phase. Neighbours of zero pressure do not count.
 template <int Dim>
 std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const Adjacency& of,
                                        const std::vector<int>& sign, const std::vector<double>& pressure,
@@ -91,7 +90,7 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
       like += sign[other] == phase;
     }
     if (n == 0) continue;
-    // With integer arithmetic, a share of neighbours on the border between two bins is in the upper bin.
+    // Integer arithmetic puts a share of neighbours on the border between two bins exactly into the upper bin.
     const int b = std::min(n_bins - 1, n_bins * like / n);
     ++bins[b].n_grains;
     bins[b].mean_size += std::abs(pressure[i]);

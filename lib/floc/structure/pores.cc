@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Edge of the network, between the centre of grain i and the centre of an image of grain j.
+/// Edge of the network of interactions, between the centre of grain i and the centre of a periodic image of grain j.
 struct Edge {
   int i, j;
   Vec<2, int> image;
@@ -26,7 +26,7 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
     const bool again =
         previous != nullptr && previous->i == c.i && previous->j == c.j && previous->image == c.image;
     previous = &c;
-    if (again) continue;  // another contact of these two grains
+    if (again) continue;  // the edge exists: c is another contact of these two grains
     edges.push_back({c.i, c.j, c.image, branch(packing, c)});
     sets.join(c.i, c.j);
   }
@@ -56,7 +56,7 @@ void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& ed
   }
 }
 
-/// Integrals of 1, x and x.x over a region, with x measured from a fixed origin.
+/// Integrals of 1, x and x.x over a region, with x the vector from a fixed origin.
 struct AreaMoments {
   double area = 0.0;
   Vec<2> first = Vec<2>::Zero();
@@ -88,7 +88,7 @@ struct AreaMoments {
   }
 };
 
-/// One face of the network without the area of its disks.
+/// One face of the network of interactions, less the area that disks cover.
 struct Face {
   AreaMoments moments;   // moments of area about `origin`
   double polygon = 0.0;  // signed area of the polygon of centres
@@ -97,8 +97,8 @@ struct Face {
   bool winds = false;  // whether the face winds around the periodic cell
 };
 
-/// Finds the faces of a network in the periodic cell by walking around each. Half edge 2e runs from i to j of
-/// edge e, half edge 2e + 1 from j to i.
+/// Finds the faces of a network of edges in the periodic cell by walking around each face. Half edge 2e runs from i to
+/// j of edge e, half edge 2e + 1 from j to i.
 class FaceWalk {
  public:
   FaceWalk(const Packing<2>& packing, const std::vector<Edge>& edges)
@@ -165,8 +165,9 @@ class FaceWalk {
   std::vector<int> next_;
 };
 
-/// Removes the faces that are not bounded: faces that wind around the cell, or the outside of a network that
-/// does not span the cell. Euler's formula decides which of the two is present, and whether edges cross.
+/// Removes the faces that are not bounded, and sets `unbounded` if there are any: faces that wind around the cell, or
+/// the outside of a network that does not span the cell. Euler's formula tells which of the two kinds is present, and
+/// whether edges cross.
 /// @return false if the edges cross
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;
@@ -212,7 +213,8 @@ Pores find_pores(const Packing<2>& packing) {
   }
   std::vector<Face> faces = FaceWalk(packing, edges).faces();
   if (!remove_unbounded(packing.cell.volume(), n, static_cast<int>(edges.size()), faces, out.unbounded)) {
-    out.failure_reason = "lines of contacts cross each other, so that no pores can be identified";
+    out.failure_reason =
+        "lines between the centres of touching grains cross each other, so that no pores can be identified";
     return out;
   }
   for (Face& face : faces) {

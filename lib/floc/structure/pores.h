@@ -12,8 +12,8 @@ struct Pore {
   double area = 0.0;  ///< area of the pore (length^2)
   /// Root mean square distance of the points of the pore from its centre of mass (length).
   double gyration_radius = 0.0;
-  Vec<2> centre = Vec<2>::Zero();  ///< centre of mass, inside the cell
-  /// Grains around the pore, counter-clockwise; a grain that it touches twice is listed twice.
+  Vec<2> centre = Vec<2>::Zero();  ///< centre of mass of the pore, inside the cell (length)
+  /// Indices of the grains around the pore, counter-clockwise; a grain that the pore touches twice is listed twice.
   std::vector<int> grains;
 };
 
@@ -23,19 +23,20 @@ struct Pore {
 /// fraction Phi.
 struct Pores {
   std::vector<Pore> pores;  ///< pores that do not wind around the periodic cell
-  bool unbounded = false;   ///< whether another pore winds around the cell, and therefore has no size
-  double total_area = 0.0;  ///< area of all bounded pores
+  /// Whether there is also a pore that winds around the cell, and therefore has no size.
+  bool unbounded = false;
+  double total_area = 0.0;  ///< sum of the areas of `pores` (length^2)
   /// Size xi' of the pores: root of the mean squared radius of gyration, weighted by area (length); 0 without
   /// pores.
   double size = 0.0;
   double mean_area = 0.0;  ///< mean area of the pores (length^2)
-  /// Reason why the pores cannot be identified: lines of contacts cross each other, which happens with large
-  /// overlaps. Empty if they can.
+  /// Reason why the pores cannot be identified; empty if they can. With large overlaps, lines between the centres of
+  /// touching grains may cross each other.
   std::string failure_reason;
 };
 
-/// Finds the pores of a packing. Separate parts of the network and single grains inside a pore are joined to
-/// their nearest neighbour by edges without width, which do not change the pore.
+/// Finds the pores of a packing. Separate parts of the network of interactions, and single grains inside a pore, are
+/// joined to their nearest neighbour by edges without width, which do not change the pore.
 Pores find_pores(const Packing<2>& packing);
 
 }  // namespace floc

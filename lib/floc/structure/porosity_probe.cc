@@ -18,9 +18,10 @@ Vec<Dim> centre_of(const Packing<Dim>& packing) {
   return centre;
 }
 
-/// Calls visit(place, radius) for every periodic image of a grain that may reach into a box about the centre of
-/// the cell. @param half_width  half the sides of the box   @param visit  takes the place from the centre of the
-/// cell
+/// Calls visit(place, radius) for every periodic image of a grain that may reach into a box about the centre of the
+/// cell.
+/// @param half_width  half the sides of the box (length)
+/// @param visit       function of the vector from the centre of the cell to the centre of the grain, and of the radius
 template <int Dim, class Visit>
 void for_images(const Packing<Dim>& packing, const Vec<Dim>& half_width, const Visit& visit) {
   const Mat<Dim> to_reduced = packing.cell.matrix.transpose().inverse();

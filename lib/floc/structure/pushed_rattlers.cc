@@ -40,8 +40,8 @@ bool next_choice(std::array<int, Dim>& choice, int n) {
   return false;
 }
 
-/// Returns the corner of the intersection of half spaces that lies furthest along a direction. All corners are
-/// tried, because there are few. @pre The intersection is bounded and contains the origin.
+/// Returns that corner of the intersection of half spaces which lies furthest along a direction. All corners are tried,
+/// because there are few. @pre The intersection is bounded and contains the origin.
 template <int Dim>
 Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Dim>& direction, double length) {
   const auto n = static_cast<int>(spaces.size());

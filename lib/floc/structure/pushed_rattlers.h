@@ -6,15 +6,14 @@
 
 namespace floc {
 
-/// Returns a packing with its rattlers pushed against other grains, so that numbers of neighbours at small gaps
-/// do not depend on the places of rattlers in their cages [AR2007]. Each rattler is pushed towards the grain
-/// nearest to it, and half as much towards the second nearest, and slides along the grains that it meets until
-/// Dim grains stop it. Only grains that are not rattlers are obstacles, so that the result depends neither on
-/// the numbering of the grains nor on the borders of the periodic cell. A rattler that meets no grain within
-/// two largest diameters stays at its place. The contacts are copied from the given packing, and have no
-/// meaning for rattlers.
+/// Returns a packing with its rattlers pushed against other grains, so that numbers of neighbours at small gaps do not
+/// depend on where rattlers lie between the grains around them [AR2007]. Each rattler is pushed towards the grain
+/// nearest to it, and half as much towards the second nearest, and slides along the grains that it meets until Dim
+/// grains stop it. Only grains that are not rattlers are obstacles, so that the result depends neither on the numbering
+/// of the grains nor on the borders of the periodic cell. A rattler that meets no grain within two largest diameters
+/// stays at its place. The contacts are copied from the given packing, and are wrong for the rattlers that have moved.
 ///
-/// @param rattler  whether each grain is a rattler
+/// @param rattler  whether each grain is a rattler (a grain that carries no force)
 template <int Dim>
 Packing<Dim> with_pushed_rattlers(const Packing<Dim>& packing, const std::vector<bool>& rattler);
 

@@ -28,19 +28,19 @@ struct ScatteringOptions {
   /// Largest wave number k, in units of 2 pi over the largest diameter. Above 1 the intensity shows the shape
   /// of grains and their contacts, below 1 aggregates.
   double largest = 2.0;
-  /// Number of mesh cells per wavelength of the largest k. The values on the mesh are averages over its cells,
-  /// for which the result is corrected. With 8 cells, aliasing from shorter waves is below 1 % of I, and falls
-  /// as k^5 towards smaller k.
+  /// For disks, number of mesh cells per wavelength of the largest k. The values on the mesh are averages over its
+  /// cells, and the intensity is corrected for this averaging. With 8 cells, aliasing from shorter waves is below 1 %
+  /// of I, and falls as k^5 towards smaller k.
   double cells_per_wave = 8.0;
   /// Ratio of the upper to the lower edge of a bin of k. A bin is at least 2 pi/V^(1/Dim) wide.
   double bin_growth = 1.05;
-  /// For spheres, a bin with more wave vectors than this is averaged over a random sample of this many. The
-  /// relative error of I is then 1/sqrt(n), 6 % for n = 300, no more than in bins of small k.
+  /// For spheres, a bin with more than `most_vectors` wave vectors is averaged over a random sample of this number of
+  /// them. The relative error of I is then 1/sqrt(n), 6 % for n = 300, no more than in bins of small k.
   int most_vectors = 300;
-  /// Largest total number of wave vectors from which the samples are drawn; the largest k is lowered to stay
-  /// within it.
+  /// For spheres, largest total number of wave vectors from which the random samples are drawn; the largest k is
+  /// lowered to stay within this number.
   std::int64_t most_waves = std::int64_t{1} << 24;
-  /// Largest number of mesh cells; the largest k is lowered to stay within it.
+  /// For disks, largest number of mesh cells; the largest k is lowered to stay within this number.
   std::int64_t most_cells = std::int64_t{1} << 26;
 
   static constexpr NumberRange kLargest{.least = 0.0, .most = 1e6, .without_least = true};
@@ -49,17 +49,17 @@ struct ScatteringOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Returns the edges of the bins of the wave number k (1/length). The first edge is `unit`/2, with `unit` the
-/// smallest k of the cell. Each further edge is `growth` times the edge before it, but at least `unit` larger.
+/// Returns the edges of the bins of the wave number k (1/length). The first edge is `unit`/2, with `unit` the smallest
+/// k of the cell. Each next edge is `growth` times the edge before it, but at least `unit` larger, up to `largest`.
 std::vector<double> scattering_bins(double largest, double unit, double growth);
 
 /// Bins of the wave number k, and the mesh that resolves the largest k.
 struct ScatteringMesh {
   std::vector<double> edges;  ///< edges of the bins of the wave number, ascending (1/length)
-  double spacing = 0.0;       ///< largest spacing of the mesh (length)
+  double spacing = 0.0;       ///< largest side of a mesh cell (length)
 
-  /// Returns the number of mesh cells along each lattice vector of a cell; its prime factors are 2, 3, 5 and 7
-  /// only.
+  /// Returns the number of mesh cells along each lattice vector of a cell; each number has only the prime factors 2, 3,
+  /// 5 and 7.
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
@@ -68,8 +68,8 @@ struct ScatteringMesh {
 /// A cell that is already the shortest is left unchanged.
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
-/// Chooses the bins of the wave number and the mesh. They depend only on the area of the cell and the largest
-/// diameter.
+/// Chooses the bins of the wave number and the mesh for a packing of disks. Both depend only on the options, the area
+/// of the cell and the largest diameter.
 /// @pre the packing has grains   @throws InputError with the faults of the options if they are not valid
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options);
 
@@ -83,11 +83,11 @@ class ScatteringAverage {
   /// @param edges  edges of the bins of the wave number k, ascending (1/length)
   explicit ScatteringAverage(std::vector<double> edges);
 
-  /// Adds a field, given by its averages over mesh cells, such as a map of the solid fraction.
+  /// Adds a field, such as a map of the solid fraction, given by its averages over the mesh cells of a periodic cell.
   void add(const Cell<2>& cell, const CoverageMap& field);
   /// Adds a packing of spheres by the sum of their Fourier transforms, without a mesh; overlaps count twice.
-  /// @param most_vectors  largest number of wave vectors per bin, >= 1; if there are more, a sample with a fixed
-  /// seed
+  /// @param most_vectors  largest number of wave vectors per bin, >= 1; a bin with more is averaged over a random
+  /// sample, with a fixed seed
   void add(const Packing<3>& packing, int most_vectors);
 
   /// Returns the average intensity. Bins without wave vectors are left out.

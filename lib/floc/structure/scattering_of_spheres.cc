@@ -23,11 +23,11 @@ bool in_half_space(const Wave& n) {
   return n[0] > 0 || (n[0] == 0 && (n[1] > 0 || (n[1] == 0 && n[2] > 0)));
 }
 
-/// Returns, for each bin of the wave number, the integer vectors n of all waves k = 2 pi M^-1 n in it; the rows
-/// of M are the lattice vectors.
+/// Returns, for each bin of the wave number, the integer vectors n of all wave vectors k = 2 pi M^-1 n in this bin; the
+/// rows of M are the lattice vectors.
 std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const Cell<3>& cell) {
   const Mat<3> reciprocal = kTwoPi * cell.matrix.inverse();
-  // Largest component n_a = k . a_a/(2 pi) along each lattice vector a_a.
+  // Largest component n_a = k . a_a/(2 pi) of an integer vector n, for each lattice vector a_a.
   Wave reach;
   for (int a = 0; a < 3; ++a) reach[a] = static_cast<int>(edges.back() * cell.matrix.row(a).norm() / kTwoPi);
   std::vector<std::vector<Wave>> bins(edges.size() - 1);
@@ -43,7 +43,7 @@ std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const 
   return bins;
 }
 
-/// Replaces the waves by a random sample of `most` of them, if there are more.
+/// Replaces the waves by a random sample of `most` of them, if there are more than `most`.
 void draw(std::size_t most, RandomStream& random, std::vector<Wave>& waves) {
   if (waves.size() <= most) return;
   for (std::size_t k = 0; k < most; ++k) std::swap(waves[k], waves[k + random.below(waves.size() - k)]);
@@ -71,7 +71,7 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
 
 double ball_transform(double k, double R) {
   const double x = k * R;
-  // Below this value of kR the series is used, because the difference in the formula loses digits.
+  // Below this value of kR a series is used, because the difference sin kR - kR cos kR loses digits.
   constexpr double kSmall = 0.02;
   const double over_volume = x < kSmall ? 1.0 - x * x / 10.0 + x * x * x * x / 280.0
                                         : 3.0 * (std::sin(x) - x * std::cos(x)) / (x * x * x);

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// A periodic cell in the form that Voro++ requires: rotated so that its lattice vectors are (bx, 0, 0), (bxy,
-/// by, 0), (bxz, byz, bz), and measured in a unit of the order of the distance between neighbours, which the
-/// absolute tolerances of Voro++ assume.
+/// A periodic cell in the form that Voro++ requires: rotated so that its lattice vectors are (bx, 0, 0), (bxy, by, 0),
+/// (bxz, byz, bz). Lengths are divided by a unit of the order of the distance between neighbours, which the absolute
+/// tolerances of Voro++ assume.
 struct TurnedCell {
   Mat<3> turn = Mat<3>::Identity();  ///< rotation (or reflection): place in Voro++ = turn * place/unit
   /// Rotated lattice vectors, one per row (lower triangular, with positive diagonal).

@@ -14,8 +14,8 @@
 namespace floc {
 namespace {
 
-/// Distance below which vertices of the tessellation are merged (in largest diameters). It is above rounding
-/// and below the accuracy of packings.
+/// Distance below which vertices of the tessellation are merged (in largest diameters). It is larger than rounding
+/// errors, but smaller than the accuracy of the positions in packings.
 constexpr double kSameVertex = 1e-6;
 
 /// A vertex of the Voronoi cell of one grain.
@@ -54,8 +54,8 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
   return corners;
 }
 
-/// Merges the vertices at one place. Returns a ball about each, which extends to the nearest of the grains
-/// whose cells meet there.
+/// Merges vertices at the same place. Returns a ball about each merged vertex, which extends to the nearest of the
+/// grains whose Voronoi cells meet at this vertex.
 std::vector<VoidBall> merged(const Packing<3>& packing, const std::vector<Corner>& corners) {
   Grains<3> points = Grains<3>::with_size(static_cast<int>(corners.size()));
   for (std::size_t k = 0; k < corners.size(); ++k) points.position[k] = corners[k].at;
@@ -80,8 +80,8 @@ bool equal_sizes(const Grains<3>& grains) {
   return *least == *most;
 }
 
-/// Shrinks each ball to the nearest surface of any grain. For unequal spheres this may be a grain whose cell
-/// does not meet the centre of the ball.
+/// Shrinks each ball to the nearest surface of any grain. For unequal spheres this may be the surface of a grain whose
+/// Voronoi cell does not reach the centre of the ball.
 void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) {
   Grains<3> all = packing.grains;
   all.position_low.clear();

@@ -12,20 +12,21 @@ struct VoidBall {
   double radius = 0.0;             ///< radius of the ball (length), > 0
 };
 
-/// Radical Voronoi tessellation of a packing of spheres (docs/physics.md, "Structure"). The cell of a sphere
-/// contains the points whose tangent to this sphere is shorter than the tangents to all other spheres.
+/// Radical Voronoi tessellation of a packing of spheres (docs/physics.md, "Structure"). The Voronoi cell of a sphere
+/// contains the points whose tangent to this sphere is shorter than their tangents to all other spheres.
 struct VoronoiTessellation {
-  std::vector<double> volume;  ///< volume of the Voronoi cell of each grain; 0 if it has no cell
-  /// Volume of each grain over the volume of its cell; 0 if it has no cell.
+  /// Volume of the Voronoi cell of each grain (length^3); 0 if the grain has no cell.
+  std::vector<double> volume;
+  /// Volume of each grain over the volume of its Voronoi cell; 0 if the grain has no cell.
   std::vector<double> solid_fraction;
   /// Balls about the vertices of the tessellation that extend to the nearest surface; vertices inside a grain
   /// have no ball. For equal spheres these are the balls that four spheres touch.
   std::vector<VoidBall> voids;
 };
 
-/// Computes the radical Voronoi tessellation. Its volumes add up to the volume of the periodic cell. Vertices
-/// closer than 1e-6 largest diameters are merged, which is needed for crystals, where more than four cells meet
-/// at a vertex.
+/// Computes the radical Voronoi tessellation. The volumes of the Voronoi cells add up to the volume of the periodic
+/// cell. Vertices closer than 1e-6 largest diameters are merged, which is needed for crystals, where more than four
+/// cells meet at a vertex.
 /// @pre the packing has grains and no walls
 VoronoiTessellation voronoi_tessellation(const Packing<3>& packing);
 

@@ -118,7 +118,8 @@ std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim
                         rows, remarks);
   add_modes(file, packing.grains, soft, rows);
   if (!soft.complete)
-    remarks.warn(file, "some modes of multiple eigenvalues are missing from the list of modes");
+    remarks.warn(
+        file, "the list of modes may lack some modes of repeated eigenvalues; another --count may find them");
   return words_on(network, moduli, soft);
 }
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kQuantile = 0.95;
 constexpr double kConfidence = 0.95;
-/// Largest multiple of dP/B (change of pressure over bulk modulus) by which the logarithm of the solid fraction may
-/// change in an elastic step.
+/// A step counts as elastic if the logarithm of the solid fraction changes by at most this multiple of dP/B, the change
+/// of pressure over the bulk modulus.
 constexpr double kElastic = 3.0;
-/// Change of the logarithm of the solid fraction that Newton refinement alone may cause.
+/// Change of the logarithm of the solid fraction that counts as none, because Newton steps alone may cause it.
 constexpr double kStill = 1e-5;
 
-/// Returns the probability that at most k of n independent errors lie below their 95 % quantile.
+/// Returns the probability that at most k of n independent errors lie below the 95 % quantile of their distribution.
 double at_most(int k, int n) {
   double sum = 0.0;
   for (int j = 0; j <= k; ++j)
@@ -35,7 +35,7 @@ double relative_difference(int k, const Observation& x, const Observation& refer
   return difference == 0.0 ? 0.0 : difference / size;
 }
 
-/// Whether the solid fraction changes between two states only as much as elasticity explains.
+/// Whether the solid fraction changes from one state to the next only as much as elasticity explains.
 bool is_elastic(const ObservedState& from, const ObservedState& to) {
   const double change = std::abs(std::log(to.observation[kPhi] / from.observation[kPhi]));
   const double step = std::abs(to.state.target_stress.mean() - from.state.target_stress.mean());
@@ -43,7 +43,8 @@ bool is_elastic(const ObservedState& from, const ObservedState& to) {
   return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
 }
 
-/// Returns the mean of the finite values value(k) over all k from 0 to n - 1 for which counts(k) is true.
+/// Returns the mean of value(k) over all k from 0 to n - 1 for which counts(k) is true; values that are not finite are
+/// left out.
 double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
                  const std::function<double(std::size_t)>& value) {
   double sum = 0.0;
@@ -55,12 +56,12 @@ double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
     sum += at;
     ++used;
   }
-  return sum / used;  // NaN if there are no values
+  return sum / used;  // NaN if there is no finite value
 }
 
-/// Returns the mean relative difference of observable number k between a path and its reference path (run with the
-/// strictest settings).
-/// @param counts  function that selects the states, by their indices
+/// Returns the relative difference of observable number k between a path and its reference path (the run with the
+/// strictest settings from the same seed), averaged over states.
+/// @param counts  function that returns whether the state with a given index counts in the mean
 double mean_difference(int k, const SamplePath& reference, const SamplePath& path,
                        const std::function<bool(std::size_t)>& counts) {
   return mean_over(path.states.size(), counts, [&](std::size_t i) {
@@ -171,7 +172,7 @@ ObservableErrors sampling_errors(const std::vector<const SamplePath*>& reference
   ObservableErrors out;
   const std::size_t n_states = references.front()->states.size();
   for (std::size_t k = 0; k < kObservables; ++k) {
-    // Mean over all samples, separately for each state. Each sample is compared with it.
+    // mean[i] is the mean over all samples in their state i, with which each sample is compared.
     std::vector<double> mean(n_states);
     for (std::size_t i = 0; i < n_states; ++i)
       mean[i] = mean_over(

@@ -9,80 +9,91 @@
 
 namespace floc {
 
-/// Distribution of the relative errors of an observable in single states.
+/// Summary of the relative errors that an observable (such as the solid fraction) has in single states.
 struct Spread {
-  double error = 0.0;  ///< 95 % quantile of the relative errors
-  /// Upper 95 % confidence limit of this quantile, by order statistics. It needs at least 59 errors; with fewer it is
-  /// the largest error.
+  double error = 0.0;  ///< 95 % quantile of the relative errors: 95 % of them are at most this large
+  /// Upper 95 % confidence limit of the 95 % quantile, by order statistics (the limit is one of the sorted errors).
+  /// This takes at least 59 errors; with fewer, it is the largest error.
   double high = 0.0;
-  int n = 0;  ///< number of errors; 0 if nothing was compared
+  int n = 0;  ///< number of relative errors; 0 if no states were compared
 };
 
-/// Returns the distribution of relative errors.
+/// Returns the 95 % quantile of relative errors, with its confidence limit.
 /// @param errors  relative errors >= 0; values that are not finite are left out
 Spread spread_of(std::vector<double> errors);
 
-/// Mean over samples of relative differences between two runs from the same seed, with its standard error. The standard
-/// error and `error95` are NaN for a single sample; all members are zero if there is no sample.
+/// Relative difference between two runs from equal seeds, averaged over samples, with its standard error. For a single
+/// sample the standard error and `error95` are NaN; without samples all members are zero.
 struct MeanDifference {
   double difference = 0.0;
   double standard_error = 0.0;
-  double error95 = 0.0;  ///< half width of the 95 % interval (Student's t)
+  double error95 = 0.0;  ///< half width of the 95 % confidence interval of `difference` (Student's t)
   int n = 0;             ///< number of samples
 };
 
-/// Returns the mean of relative differences.
-/// @param differences  one difference for each sample; values that are not finite are left out
+/// Returns the mean of relative differences and its standard error.
+/// @param differences  relative difference of each sample; values that are not finite are left out
 MeanDifference mean_of(const std::vector<double>& differences);
 
-/// Errors of one observable at a setting, relative to the reference path (the run with the strictest settings).
+/// Errors that one observable has with one numerical setting, compared with the reference: the run with the strictest
+/// settings.
 struct ObservableError {
-  /// errors of states before the first collapse of a stage, each compared with the same state of the reference path
+  /// Errors of the states of each stage before its first collapse (a sudden rearrangement of grains, see
+  /// before_collapse()). Each state is compared with the state of the reference at the same step.
   Spread before;
-  /// errors of the assembled states and of states after the first collapse of a stage, each compared with the strict
-  /// equilibrium to which it relaxes
+  /// Errors of all other states: of the assembly, and of each stage from its first collapse on. Each state is compared
+  /// with the strict equilibrium to which it relaxes.
   Spread after;
-  /// difference of the mean over the states in `after` from the mean of the reference path
+  /// difference of the observable from the reference, averaged over the states that `after` counts
   MeanDifference mean;
 };
 
-/// Errors of the observables of a state, in the order of `Observable`, followed by those of the quantities fitted to
-/// the whole path, for which only `mean` is known.
+/// Errors with one numerical setting: first those of the observables of a state, in the order of `Observable`; then
+/// those of the quantities fitted to a whole path (kFittedNames), of which only the member `mean` is known.
 using ObservableErrors = std::array<ObservableError, kObservables + kFittedNames.size()>;
 
-/// Lowest and highest pressure P* of the states to which a law is fitted.
+/// Lowest and highest reduced pressure P* (pressure over F0/a, with the pull-off force F0 and the largest diameter a)
+/// of the states to which the consolidation law is fitted.
 using PressureWindow = std::pair<double, double>;
 
-/// Returns for each state of a path whether it can be compared with the same state of the reference path (the run with
-/// the strictest settings), because neither path has collapsed since the stage began: both paths have moved only as far
-/// as elasticity explains (3 dP/B), and the same pairs of grains touch in both. A contact that opens or closes in only
-/// one of the paths separates them like a collapse does. The result is false for states of the assembly.
+/// Returns for each state of a path whether it can be compared with the state of the reference path (the run with the
+/// strictest settings) at the same step. It can if no collapse has separated the two paths since the stage began:
+/// 1. on both paths the solid fraction has changed only as much as elasticity explains, at most 3 dP/B per step
+/// (pressure step dP, bulk modulus B);
+/// 2. the same pairs of grains touch in both states. A contact that opens or closes on only one path separates the
+/// paths like a collapse.
+///
+/// The result is false for states of the assembly.
 std::vector<bool> before_collapse(const SamplePath& reference, const SamplePath& path);
 
-/// Returns the errors of samples, each of which is compared with the reference path of the same seed.
-/// @param references  paths of the runs with the strictest settings
-/// @param paths  samples; as many as references, each with as many states
-/// @param window  pressures for the fits to a path; if absent, these fits are left out
+/// Returns the errors of samples. Each sample is compared with the reference path from the same seed.
+/// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
+/// @param paths  samples: as many as `references`, each with as many states as its reference path
+/// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted
 ObservableErrors compare(const std::vector<const SamplePath*>& references,
                          const std::vector<const SamplePath*>& paths,
                          const std::optional<PressureWindow>& window);
 
-/// Returns the errors of samples with another number of grains. Only the means over all states and samples are
-/// compared.
+/// Returns the errors of samples that have another number of grains than the reference paths. Their states cannot be
+/// compared one by one; only means over all states and samples are compared.
+/// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
+/// @param paths  samples: as many as `references`, each with as many states as its reference path
+/// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted
 ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window);
 
-/// Returns the errors of moduli that were computed by another method or with another tolerance for the states of the
+/// Returns the errors of elastic moduli that another method, or another tolerance, gives for the states of the
 /// reference paths.
-/// @param references  paths of the runs with the strictest settings
-/// @param observations  observables of each state of each reference path
+/// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
+/// @param observations  for each reference path, the observables of each of its states with these moduli
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
                                 const std::vector<std::vector<Observation>>& observations);
 
-/// Returns the sampling error of the mean over n samples like the reference paths. `mean` has the difference 0 and this
-/// standard error.
-/// @param references  paths of the runs with the strictest settings
+/// Returns the error that random sampling alone causes in a mean over n samples, from the scatter between the reference
+/// paths. In each member `mean` the difference is 0, and the standard error is the result.
+/// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
+/// @param n  number of samples
 ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n);
 
 }  // namespace floc

@@ -14,8 +14,8 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMinSamples = 3;
 using Fitted = std::array<double, kFittedNames.size()>;
 
-/// Returns the indices of the states of the first loading: the last assembled state, then the states of the first
-/// stage, if the pressure increases in it.
+/// Returns the indices of the states of the first loading: of the last assembled state, then of the states of the first
+/// stage. The result is empty if the pressure does not increase in this stage.
 std::vector<std::size_t> first_loading(const SamplePath& path) {
   std::vector<std::size_t> at;
   for (std::size_t k = 0; k < path.states.size() && path.states[k].stage <= 0; ++k) {
@@ -27,8 +27,9 @@ std::vector<std::size_t> first_loading(const SamplePath& path) {
   return at;
 }
 
-/// Returns the curve of 1/Phi against pressure, averaged over all samples but one.
-/// @param left_out  index of the sample that is left out; absent if none is
+/// Returns 1/Phi (inverse solid fraction) against reduced pressure in the first loading, with its mean over the
+/// samples.
+/// @param left_out  index of the sample that the curve leaves out; absent if it contains all samples
 ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
                                  std::optional<std::size_t> left_out) {
   ConsolidationCurve curve;
@@ -48,8 +49,8 @@ ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
   return curve;
 }
 
-/// Returns the parameters lambda, alpha and Phi_max of the full consolidation law, fitted to the states in a range of
-/// pressures; NaN if the fit is not possible.
+/// Returns the parameters lambda, alpha and Phi_max of the full consolidation law. It is fitted to the states in a
+/// range of reduced pressures. The values are NaN if the fit is not possible.
 Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
   std::vector<double> log_P, y;
   for (std::size_t k = 0; k < curve.P_star.size(); ++k)
@@ -95,8 +96,8 @@ std::array<MeanDifference, kFittedNames.size()> compare_fits(const std::vector<c
     for (const Fitted& f : without) values.push_back(f[p]);
     const MeanDifference spread = mean_of(values);
     if (!std::isfinite(all[p]) || spread.n < static_cast<int>(n)) continue;
-    // Leaving out one of n samples changes the mean by 1/(n - 1) of the deviation of this sample from it, so the
-    // scatter is multiplied by n - 1.
+    // Jackknife: a mean over n samples changes by 1/(n - 1) of the deviation of a sample if this sample is left out.
+    // The scatter of the fits with one sample left out is therefore multiplied by n - 1.
     const auto scale = static_cast<double>(n - 1);
     out[p] = {all[p], scale * spread.standard_error, scale * spread.error95, spread.n};
   }

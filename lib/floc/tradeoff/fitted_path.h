@@ -8,16 +8,21 @@
 
 namespace floc {
 
-/// Returns the range of pressures P* in which the full consolidation law is fitted; it is the range that the fit to all
-/// reference paths chooses. Returns std::nullopt if the path has no first loading, if there are fewer than three
-/// samples, or if the curve does not detectably bend towards Phi_max.
-/// @param references  paths of the runs with the strictest settings
+/// Returns the range of reduced pressures P* in which the full consolidation law (solid fraction against pressure) is
+/// fitted to each path. The fit to the mean of all reference paths chooses this range. Returns std::nullopt if the
+/// first stage does not increase the pressure, if there are fewer than three reference paths, or if the solid fraction
+/// does not detectably bend towards its maximum Phi_max.
+/// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references);
 
-/// Returns the relative differences of lambda, alpha and Phi_max between paths and reference paths (runs with the
-/// strictest settings), all fitted to the mean curve of the first loading. Standard errors are estimated by leaving out
-/// one pair of samples after another (jackknife). `n` is 0 for a parameter that could not be fitted.
-/// @param window  pressures P* in which the law is fitted
+/// Returns the relative differences of the parameters lambda, alpha and Phi_max of the consolidation law between
+/// samples and reference paths. The law is fitted to the first loading, once as the mean over the samples and once as
+/// the mean over the reference paths. Standard errors are estimated by the jackknife: the fits are repeated with each
+/// pair of a sample and its reference path left out in turn. For a parameter that could not be fitted,
+/// MeanDifference::n is 0.
+/// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
+/// @param paths  samples from the same seeds as the reference paths
+/// @param window  range of reduced pressures P* in which the law is fitted
 std::array<MeanDifference, kFittedNames.size()> compare_fits(const std::vector<const SamplePath*>& references,
                                                              const std::vector<const SamplePath*>& paths,
                                                              const PressureWindow& window);

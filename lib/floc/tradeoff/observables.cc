@@ -11,16 +11,16 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the decay force of the exponential tail in the distribution of the normal forces of one sign, beyond their
-/// mean (force).
-/// @param sign  1 for compressive forces, -1 for tensile ones
+/// Returns the decay force of the exponential tail that the distribution of contact forces has beyond the mean force
+/// (force); NaN if it cannot be fitted.
+/// @param sign  1 for compressive normal forces, -1 for tensile ones
 double tail_of(const Packing<2>& packing, double sign) {
   std::vector<double> sizes;
   for (const Contact<2>& c : packing.contacts)
     if (sign * c.normal_force > 0.0) sizes.push_back(sign * c.normal_force);
   if (sizes.empty()) return kNoValue;
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
-  // the p-value is not used, so one random draw is enough
+  // The p-value of the fit is not used, so one random draw for it is enough.
   const ForceFit fit = fit_exponential_tail("", sizes, mean, {.n_draws = 1});
   return fit.found() ? fit.parameters.front().value.value_or(kNoValue) : kNoValue;
 }
@@ -39,7 +39,8 @@ Observation observe_moduli(const State<2>& state, ModuliSequence<2>& sequence, c
 Observation observe(const State<2>& state, ModuliSequence<2>& moduli) {
   Observation x;
   const double force = force_scale(state.packing, state.target_stress).force;
-  // The largest force that counts as zero is equal for all settings, because it is not part of their accuracy.
+  // The largest contact force that counts as zero does not depend on the tolerance of the run: otherwise coordination
+  // numbers would differ between settings although the packings are equal.
   const Coordination c = coordination(state.packing, EquilibriumTolerance{}.force * force);
   x[kPhi] = solid_fraction(state.packing);
   x[kZPlus] = c.z_plus;

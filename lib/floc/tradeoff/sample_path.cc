@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// Runs up to the equilibrium before number `end`, and adds the equilibria to `path`.
+/// Continues the run until equilibrium number end - 1 is reached, and adds its equilibria to `path`. Stops earlier if
+/// an equilibrium is not reached or the deadline has passed.
 void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path) {
   while (run.point().step < end && path.whole()) {
     switch (run.advance()) {
@@ -29,7 +30,7 @@ void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path)
 }
 
 /// Multiplies the caps on the strain rate of the cell by `factor`.
-/// @param capped  object with the caps: a CellResponse or RelaxationOptions
+/// @param capped  a CellResponse or RelaxationOptions, which contains the caps
 template <class Capped>
 void scale_caps(double factor, Capped& capped) {
   if (capped.strain_rate_cap) *capped.strain_rate_cap *= factor;
@@ -87,7 +88,7 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
 
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path) {
   RelaxationOptions options = strict;
-  // Most states are so close to a strict equilibrium that no motion is needed.
+  // Most states are so close to an equilibrium with the strictest settings that Newton steps reach it without motion.
   options.finish = Finish::statics;
   for (ObservedState& s : path.states) {
     s.settled = s.observation;

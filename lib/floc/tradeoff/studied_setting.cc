@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Builds the list of settings that a study compares.
+/// Builds the list of variants of a scene that a study compares.
 class SettingList {
  public:
   explicit SettingList(const Scene& scene) { base_.numerical = NumericalSettings::of(scene.relaxation); }
@@ -70,8 +70,8 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene) {
   using Setting = StudiedSetting;
   list.add("finish", "dynamic", [](Setting& s) { s.numerical.finish = Finish::dynamic; });
   list.add("finish", "static", [](Setting& s) { s.numerical.finish = Finish::statics; });
-  // The tolerance is varied with finish = "dynamic" (motion alone), because Newton steps reach a residual of 1e-8 for
-  // every tolerance.
+  // The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. Newton steps
+  // would reach a residual of 1e-8 with every tolerance.
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
     list.add("tolerance", fmt::format("{:.0e} dynamic", tolerance), [&](Setting& s) {
       s.numerical.tolerance = tolerance;

@@ -15,18 +15,18 @@
 namespace floc {
 namespace {
 
-/// Number of grains of the small sample that measures the speed of the machine. It is also the smallest number of
-/// grains of a study.
+/// Number of grains of the small sample whose run measures the speed of this machine. A study uses at least as many
+/// grains.
 constexpr int kMinGrains = 40;
-/// Number of samples of every setting that must fit into the budget; otherwise the number of grains is reduced. Errors
-/// of means need two samples.
+/// Number of samples that must fit into the budget with every setting; if they do not, the number of grains is reduced.
+/// The error of a mean cannot be estimated from fewer than two samples.
 constexpr double kSamplesWanted = 2.0;
-/// Assumed processor time of the run with the strictest settings over that of the settings of the scene, before it is
-/// measured. The strictest settings have shorter time steps, and wait longer before motion counts as stopped.
+/// Processor time of a run with the strictest settings over that with the settings of the scene, assumed before it is
+/// measured. The strictest settings have shorter time steps, and wait longer before a packing counts as at rest.
 constexpr double kReferenceCost = 4.0;
-/// Share of the budget that runs may take; the rest is for comparing and fitting.
+/// Share of the processor time of the study that runs may take; comparing and fitting takes the rest.
 constexpr double kShareOfRuns = 0.97;
-/// Factor by which the processor time of a run may exceed the expected one.
+/// Safety factor on the expected processor time of a run, when it is checked whether the run fits into the budget.
 constexpr double kMargin = 1.3;
 
 class Study {
@@ -53,14 +53,17 @@ class Study {
   struct Sample {
     int index;
     SamplePath path;
-    // Observables of the states of the reference path, if the setting changes only the computation of the moduli.
+    // Observables of the states of the reference path with the elastic moduli of this setting, if the setting changes
+    // only the computation of the moduli.
     std::vector<Observation> levels;
-    double base_seconds = 0.0;  // processor time of the path to which the time of the moduli is added (s)
+    // Processor time of the run to which the time of the moduli is added (s), if the setting changes only their
+    // computation.
+    double base_seconds = 0.0;
   };
 
-  /// Returns the expected processor time (s) of one sample of every setting.
+  /// Returns the expected processor time of one sample with every setting together (s).
   /// @param n_grains  number of grains of the sample
-  /// @param speed  measured time over the time of expected_cost()
+  /// @param speed  processor time measured on this machine over the time that expected_cost() predicts
   double sample_cost(int n_grains, double speed) const {
     Scene sized = scene_;
     sized.grains.count = n_grains;
@@ -72,8 +75,8 @@ class Study {
     return units * expected_cost(sized) * speed;
   }
 
-  /// Runs a small sample to measure the speed of this machine, then reduces the number of grains until the study fits
-  /// into the budget.
+  /// Runs a small sample to measure the speed of this machine. Then reduces the number of grains until the study fits
+  /// into its budget.
   void fit_size_to_budget() {
     Scene small = scene_;
     small.grains.count = std::min(scene_.grains.count, kMinGrains);
@@ -90,8 +93,8 @@ class Study {
       scene_.grains.count = std::max(kMinGrains, static_cast<int>(0.9 * scene_.grains.count));
     if (scene_.grains.count < wanted)
       left_out_.push_back(
-          fmt::format("part of the grains: the samples have {} grains in place of {}, because the budget does "
-                      "not allow more",
+          fmt::format("some of the grains: the samples have {} grains in place of {}, because more do not fit "
+                      "into the budget",
                       scene_.grains.count, wanted));
   }
 
@@ -99,10 +102,10 @@ class Study {
     if (k == 0) return true;
     if (!last_seed_whole_) return false;
     if (kMargin * last_seed_seconds_ < deadline_.left()) return true;
-    left_out_.push_back(
-        fmt::format("all samples beyond {} of {}, because the next one would take {:.0f} s, but only {:.0f} s "
-                    "are left of the budget",
-                    k, options_.max_samples, last_seed_seconds_, deadline_.left()));
+    left_out_.push_back(fmt::format(
+        "all samples beyond {} of {}, because the next sample would take {:.0f} s, but only {:.0f} s "
+        "of the budget are left",
+        k, options_.max_samples, last_seed_seconds_, deadline_.left()));
     return false;
   }
 
@@ -140,13 +143,15 @@ class Study {
     SamplePath path = make_sample(run_options(scene_, setting, seed), setting.moduli, reference, deadline_);
     RelaxationOptions strict = run_options(scene_, settings_[0], seed).relaxation;
     if (path.whole()) settle(strict, deadline_, path);
-    options_.progress(fmt::format("seed {}, setting {} {}: {:.2f} s", seed, setting.parameter, setting.value,
-                                  path.core_seconds));
+    options_.progress(fmt::format("seed {}, setting {} {}: this sample took {:.2f} s", seed, setting.parameter,
+                                  setting.value, path.core_seconds));
     return path;
   }
 
-  /// Returns whether a setting still fits into the budget. A setting that does not fit in the first sample is left out
-  /// of the whole study.
+  /// Returns whether one more sample with a setting fits into the budget. If not even its first sample fits, the
+  /// setting is left out of the whole study.
+  /// @param i  index of the setting
+  /// @param reference  path with the strictest settings from the same seed
   bool affordable(std::size_t i, const SamplePath& reference) {
     const double share = scene_.relaxation.time_step / settings_[i].numerical.time_step / kReferenceCost;
     const double expected =
@@ -154,9 +159,9 @@ class Study {
     if (kMargin * expected < deadline_.left()) return true;
     if (samples_[i].empty()) {
       skipped_.insert(i);
-      left_out_.push_back(
-          fmt::format("{} {}: this setting would take {:.0f} s, but only {:.0f} s are left of the budget",
-                      settings_[i].parameter, settings_[i].value, expected, std::max(0.0, deadline_.left())));
+      left_out_.push_back(fmt::format(
+          "{} {}: a sample with this setting would take {:.0f} s, but only {:.0f} s of the budget are left",
+          settings_[i].parameter, settings_[i].value, expected, std::max(0.0, deadline_.left())));
     }
     return false;
   }
@@ -166,7 +171,7 @@ class Study {
         fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
                     path.out_of_time ? "the run was stopped because the budget was used up" : path.failure));
     if (path.out_of_time) return;
-    skipped_.insert(i);  // the setting is left out of later samples, which may fail as well
+    skipped_.insert(i);  // later samples leave this setting out, because it may fail in them as well
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,
@@ -222,8 +227,8 @@ class Study {
             {}};
   }
 
-  /// Adds settings of the parameter "samples" to the results. Their error is the scatter of the mean over 1, 2, 4, ...
-  /// samples made with the strictest settings.
+  /// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. It is the
+  /// scatter between samples with the strictest settings.
   void add_sample_numbers(Tradeoff& out) const {
     std::vector<const SamplePath*> references;
     for (const Sample& s : samples_[0]) references.push_back(&s.path);
@@ -246,7 +251,7 @@ class Study {
   const TradeoffOptions& options_;
   Deadline deadline_;
   std::vector<StudiedSetting> settings_;
-  std::vector<std::vector<Sample>> samples_;  // samples of each setting
+  std::vector<std::vector<Sample>> samples_;  // for each setting, its samples
   std::set<std::size_t> skipped_;
   std::vector<std::string> left_out_;
   double last_seed_seconds_ = 0.0;
@@ -259,9 +264,10 @@ Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
   require_in_range("budget", options.budget, kPositiveNumber);
   require_in_range("samples", options.max_samples, TradeoffOptions::kSamples);
   if (scene.starts_from_state())
-    throw InputError("assembly.protocol = \"state\"",
-                     "a study needs samples made from a gas, whose number of grains it can choose: expected "
-                     "\"direct\" or \"aggregation\"");
+    throw InputError(
+        "assembly.protocol = \"state\"",
+        "the study makes samples with different numbers of grains, which requires a gas in place of a saved "
+        "state: expected \"direct\" or \"aggregation\"");
   return Study(std::move(scene), options).run();
 }
 

@@ -11,52 +11,61 @@ namespace floc {
 
 struct TradeoffOptions {
   double budget = 600.0;  ///< processor time that the study may take (s)
-  int max_samples = 8;    ///< largest number of samples, whose seeds begin with that of the scene
+  /// largest number of samples; the seeds of the samples count up from that of the scene
+  int max_samples = 8;
   static constexpr WholeRange kSamples{.least = 1, .most = 10000};
-  /// Function that is called with a description of the work that has just been done.
+  /// Function that is called after each part of the work, with a description of it.
   std::function<void(const std::string&)> progress = [](const std::string&) {};
 };
 
-/// One setting with its measured cost and errors.
+/// One variant of the scene (StudiedSetting) with its measured cost and errors.
 struct MeasuredSetting {
   StudiedSetting setting;
   int n_grains = 0;
   int n_samples = 0;  ///< number of samples (seeds) that were compared
-  /// mean processor time of a sample (s); for the parameter "samples", the sum over all samples
+  /// mean processor time of a sample (s); for the parameter "samples", the time of all samples together
   double core_seconds = 0.0;
-  double moduli_seconds = 0.0;  ///< part of core_seconds that the moduli took (s)
-  double cost_ratio = 0.0;      ///< processor time over that of the strictest settings with the same seeds
+  /// mean processor time of computing the elastic moduli of a sample (s); core_seconds includes it
+  double moduli_seconds = 0.0;
+  /// processor time over that of the runs with the strictest settings from the same seeds
+  double cost_ratio = 0.0;
   ObservableErrors errors;
 };
 
-/// Results of a study: the measured settings, and a list of those that were left out.
+/// Results of a study: the variants of the scene that were measured, and a list of those that were left out.
 struct Tradeoff {
-  int n_grains = 0;  ///< number of grains of the samples
+  int n_grains = 0;  ///< number of grains of a sample with the strictest settings
   std::vector<MeasuredSetting> settings;
-  /// Descriptions of settings, samples or grains that the budget did not allow, and of runs that failed.
+  /// Descriptions of variants, samples or grains that did not fit into the budget, and of runs that failed.
   std::vector<std::string> left_out;
 };
 
-/// Studies how numerical settings trade processor time for accuracy. Runs a scene with its strictest settings (the
-/// reference) and with several values of each parameter, all from the same seeds, and compares the observables that are
-/// usually reported.
+/// Studies how much accuracy a run loses if numerical settings save processor time. Runs a scene with its strictest
+/// settings (the reference) and with several values of each parameter, all from the same seeds, and compares the
+/// observables that are usually reported.
 ///
-/// The reference assembles and loads a sample. For every other setting a sample is assembled with this setting; then
-/// each stage of the load path starts from the state of the reference, so that states can be compared one by one until
-/// the first collapse. To keep the budget, the cost is measured on a small sample, and the number of grains is reduced
-/// until two samples of every setting are expected to fit. Then samples are added until the next one would not fit.
-/// Settings that are too expensive for the first sample are left out. A run that reaches the deadline is stopped.
+/// With every setting, a packing is assembled and taken through the load path. Unless the number of grains differs,
+/// each stage starts from the state from which the reference starts it, so that states can be compared one by one until
+/// the first collapse of the stage.
+///
+/// The study keeps its budget as follows:
+/// 1. The cost is measured on a small sample. The number of grains is reduced until two samples with every setting are
+/// expected to fit.
+/// 2. Samples are added until the next one would not fit. A setting that is too expensive in the first sample is left
+/// out of the study.
+/// 3. A run that reaches the deadline is stopped.
 /// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if the scene
-/// starts from a saved state, because samples are made from a gas
+/// starts from a saved state: samples are made from a gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
-/// Returns for each setting whether it is Pareto-optimal: no other setting has both a smaller processor time and a
-/// smaller error of an observable (see single_state_error()).
+/// Returns for each setting of a study whether it is Pareto-optimal for an observable: no other setting is at least as
+/// cheap and at least as accurate, and cheaper or more accurate. The error of the observable is that of
+/// single_state_error().
 /// @param observable  index of the observable in ObservableErrors
 std::vector<bool> pareto_front(const Tradeoff& tradeoff, std::size_t observable);
 
-/// Returns the error of an observable in single states: the larger of the upper confidence limits before and after the
-/// first collapse; NaN if nothing was compared.
+/// Returns the error of an observable in single states: the larger of two upper confidence limits, of the errors before
+/// and after the first collapse of a stage; NaN if no states were compared.
 double single_state_error(const ObservableError& error);
 
 }  // namespace floc

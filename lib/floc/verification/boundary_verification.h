@@ -6,9 +6,10 @@
 namespace floc {
 
 /// Checks the kinetic energy of the boundary of a packing, which the kinetic energy of the grains does not include.
-/// With walls, it is the energy of the walls that move under their forces. In a periodic cell, it is the energy that
-/// the grains would have if they followed the deformation of the cell about its centre. This energy per grain must be
-/// below the tolerance of the kinetic energy of a grain. Walls that are fixed must have no velocity.
+/// With walls, it is the energy of the walls that can move under the forces of the grains. In a periodic cell, it is
+/// the energy that the grains would have if they followed the deformation of the cell about its centre. This energy,
+/// divided by the number of grains, must be below the tolerance of the kinetic energy per grain. Fixed walls must have
+/// no velocity.
 template <int Dim>
 Criterion verify_boundary_motion(const State<Dim>& state);
 

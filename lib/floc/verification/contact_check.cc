@@ -14,11 +14,10 @@
 namespace floc {
 namespace {
 
-/// Relative excess of a tangential force over its limit above which it counts as too large. Files may give only six
-/// digits, and the small component of a nearly tangential force along the line between the centres is counted as normal
-/// force.
+/// A tangential force (or moment) counts as too large if it exceeds its limit by more than this fraction of the limit.
+/// The fraction allows for files with only six digits, in which forces and contact normals are rounded.
 constexpr double kCapTolerance = 1e-4;
-/// Largest tensile force that counts as a rounding error and not as tension, relative to the largest normal force.
+/// Largest tensile normal force that counts as a rounding error, relative to the largest normal force of the packing.
 constexpr double kNoForce = 1e-9;
 
 template <int Dim>
@@ -27,7 +26,8 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
 }
 
 /// Returns the normal force that the contact law gives at the present gap of a contact, with the stiffness of this
-/// contact. A linear spring that is marked as touching pulls if there is a gap between its surfaces.
+/// contact. If a contact with a linear spring is marked as touching although there is a gap between its surfaces, its
+/// spring pulls.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Law& law = law_of(packing, c);

@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Compares the stored masses of the grains with their radii and the density of the scene. The value of the criterion
-/// is the largest relative difference.
+/// Compares the masses of the grains with the masses that follow from their radii and the density of the scene. The
+/// value of the criterion is the largest relative difference of the two.
 template <int Dim>
 Criterion check_mass(const std::string& file, const State<Dim>& state) {
   constexpr double kRelative = 1e-12;
@@ -40,8 +40,9 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
   return result;
 }
 
-/// Reads the scene that is stored in a state. Returns std::nullopt if the state has no scene, or if the scene cannot be
-/// read, for example because the state from which it starts is missing.
+/// Reads the scene (the description of the simulation) that is stored in a state. Returns std::nullopt if the state has
+/// no scene, or if the scene cannot be read, for example because the saved state from which the scene starts is
+/// missing.
 /// @param file  name of the state file
 /// @param text  text of the scene
 /// @param why_not  set to the reason if the scene cannot be read
@@ -55,12 +56,14 @@ std::optional<Scene> scene_of(const std::string& file, const std::string& text, 
   }
 }
 
-/// Largest accepted tolerance of a state without a scene, in units of the typical force F1 and of the largest diameter.
-/// A packing whose forces are out of balance by this much is not near an equilibrium.
+/// Largest accepted tolerance of a state without a scene. Like all tolerances, it is relative to the typical force F1
+/// of the packing and to the largest diameter. A packing whose forces are out of balance by so much is not near an
+/// equilibrium.
 constexpr double kLargestTolerance = 10.0;
 
-/// Checks the tolerances recorded in a state.
-/// @param expected  tolerances of the scene; absent if there is no scene
+/// Checks the tolerances of the equilibrium that are recorded in a state.
+/// @param t  recorded tolerances
+/// @param expected  tolerances of the scene; absent if the state has no scene
 Criterion check_tolerances(const EquilibriumTolerance& t, const std::optional<EquilibriumTolerance>& expected) {
   struct Named {
     const char* name;
@@ -92,7 +95,8 @@ class Differences {
     if (recorded != of_scene)
       add(fmt::format("{} is recorded as {}, but the scene has {}", name, recorded, of_scene));
   }
-  /// Compares two numbers, which another compiler may have rounded differently.
+  /// Compares a recorded number with the number in the scene. Rounding errors are accepted, because another compiler
+  /// may have computed the recorded number.
   void compare_number(const std::string& name, double recorded, double of_scene) {
     constexpr double kRelative = 1e-12;
     if (std::abs(recorded - of_scene) > kRelative * std::abs(of_scene))
@@ -137,13 +141,13 @@ void compare_walls(const Packing<Dim>& packing, const PlannedEquilibrium& planne
     return found.add("only one of the scene and the state has walls");
   if (!box) return;
   if (packing.wall_law != wall_law(planned.law, *box))
-    found.add("the contact law of the walls (wall_law) differs from that of the scene");
+    found.add("the contact law of the walls (wall_law) differs from the contact law of the walls in the scene");
   for (std::size_t w = 0; w < packing.walls.size(); ++w) {
     const Wall<Dim>& wall = packing.walls[w];
     const bool follows = box->boundary[wall.axis] == BoxSide::walls;
     if (box->boundary[wall.axis] == BoxSide::periodic || follows != follows_forces(wall))
-      found.add(
-          fmt::format("wall {} differs from the scene, which has another kind of boundary along this axis", w));
+      found.add(fmt::format(
+          "wall {} contradicts the scene, which has another kind of boundary along the axis of this wall", w));
     else if (follows)
       found.compare_number(fmt::format("walls/mass of wall {}", w), wall.mass,
                            box->mass * largest_mass(packing.grains));
@@ -163,7 +167,7 @@ Criterion check_scene(const State<Dim>& state, const Scene& scene) {
   const PlannedEquilibrium& planned = plan[static_cast<std::size_t>(state.path.step)];
   found.compare("path/branch", state.path.branch, planned.branch);
   if (state.packing.law != planned.law)
-    found.add("the contact law (law) differs from that of the scene at this step");
+    found.add("the contact law (law) differs from the contact law of the scene at this step");
   compare_load(state, planned, found);
   compare_walls(state.packing, planned, scene, found);
   return found.criterion();

@@ -22,7 +22,7 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair of grains: their numbers and the periodic image. It does not depend on the order of the two
+/// Identity of a pair of grains: their indices and the periodic image. It depends neither on the order of the two
 /// grains nor on the choice between opposite images.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
@@ -103,7 +103,7 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// Checks the liquid of a state. The total volume of its bridges must be the volume that the contact law gives, and
+/// Checks the liquid bridges of a state. Their total volume must be the volume that the contact law gives, and
 /// distributing the liquid once more must change only as many bridges as the state records.
 template <int Dim>
 Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
@@ -126,7 +126,7 @@ Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) 
   return {"liquid", static_cast<double>(n_changed), static_cast<double>(recorded), where.empty(), where};
 }
 
-/// Returns the uncertainty of a contact force (force) that results from rounding of the positions.
+/// Returns a bound on the error of a contact force (force) that results from rounding of the positions.
 template <int Dim>
 double force_error(const Packing<Dim>& packing) {
   double largest = 0.0;
@@ -138,11 +138,13 @@ double force_error(const Packing<Dim>& packing) {
   return stiffest * distance_error(packing) + 1e-12 * largest;
 }
 
-/// Returns the largest accepted relative difference of a stored stiffness from the contact law. Surfaces that touch
-/// have a constant stiffness, or a stiffness that follows from the elastic force by a root. Its rounding error is about
-/// 1e-15, even after a change of units. The stiffness of an attraction across a gap depends on the gap: kn over the
-/// force is the relative rate at which the force decreases with the gap, and kn itself decreases at up to three times
-/// this rate.
+/// Returns the largest accepted relative difference between a stored stiffness and the stiffness that the contact law
+/// gives.
+///   - Surfaces that touch have a constant stiffness, or a stiffness that is computed from the elastic force by a root.
+///     The rounding error is about 1e-15, even after a change of units.
+///   - The stiffness of an attraction across a gap depends on the gap, and therefore has an error if the gap has one.
+///     The ratio of kn to the force is the relative rate at which the force decreases with the gap; kn decreases at up
+///     to three times this rate.
 template <int Dim>
 double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   constexpr double kRelative = 1e-12;
@@ -151,8 +153,8 @@ double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return kRelative + kSteepest * std::abs(c.kn / c.normal_force) * distance_error(packing);
 }
 
-/// Returns a description of the first stored stiffness of a contact that differs from the contact law; an empty text if
-/// all agree.
+/// Describes the first stored stiffness of a contact that differs from the contact law. Returns an empty text if all
+/// stiffnesses agree.
 template <int Dim>
 std::string wrong_stiffness(const Packing<Dim>& packing, const Contact<Dim>& stored, double tolerance) {
   const Stiffnesses found = stiffnesses(stored), by_law = law_stiffnesses(packing, stored);
@@ -179,8 +181,8 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
     std::string state = wrong_stiffness(recomputed, c, stiffness_tolerance(recomputed, r));
     if (!state.empty()) state = "the stiffness " + state;
     if (c.distant != r.distant)
-      state = fmt::format("being stored as {} although its gap is {:.2g}", c.distant ? "distant" : "touching",
-                          r.gap);
+      state = fmt::format("the contact being stored as {} although its gap is {:.2g}",
+                          c.distant ? "distant" : "touching", r.gap);
     if (!(error <= result.limit))
       violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
     else if (!state.empty())
@@ -192,8 +194,9 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
   return result;
 }
 
-/// Returns a list of the grains whose net force or moment is not below `limit`, in words.
-/// @param unit  function that returns the unit of the force or moment of a grain
+/// Lists, in words, the grains whose net force or moment is not below `limit`.
+/// @param net  net force or moment of each grain
+/// @param unit  function that returns the unit in which the force or moment of a grain is expressed
 /// @param limit  largest accepted force or moment, in this unit
 template <int Dim, class Vector, class Unit>
 std::string unbalanced(const Grains<Dim>& grains, const std::vector<Vector>& net, const Unit& unit,
@@ -236,8 +239,8 @@ void check_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, co
   add("energy", r.energy, t.energy, "the grains are still moving");
 }
 
-/// Compares the offset of a sheared lattice vector with the offset imposed by a simple shear. The difference is
-/// relative to the length of the axis.
+/// Compares the offset (component along the first axis) of a sheared lattice vector with the offset imposed by a simple
+/// shear, and adds the difference to `result`. The difference is relative to the length of the axis.
 template <int Dim>
 void check_offset(const State<Dim>& state, double limit, Criterion& result) {
   if (!state.target_offset) return;
@@ -250,8 +253,8 @@ void check_offset(const State<Dim>& state, double limit, Criterion& result) {
                                 result.where.empty() ? "" : ", ", axis + 1, lattice(axis, 0), imposed);
 }
 
-/// Compares the lengths of axes, and the offset of a sheared lattice vector, with the imposed values. The motion of the
-/// cell reaches these values except for rounding errors.
+/// Compares the lengths of the axes of the cell, and the offset of a sheared lattice vector, with the imposed values.
+/// Only rounding errors are accepted, because the motion of the cell ends exactly at these values.
 template <int Dim>
 void check_lengths(const State<Dim>& state, std::vector<Criterion>& criteria) {
   if (state.target_side.isZero(0.0)) return;
@@ -281,8 +284,7 @@ std::string components(const Mat<Dim>& stress) {
   return text;
 }
 
-/// Compares the recorded stress with the stress of the recomputed forces. The difference is in units of the mean
-/// stress.
+/// Compares the recorded stress with the stress of the recomputed forces. The difference is divided by the mean stress.
 template <int Dim>
 Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& recomputed,
                                 const Mat<Dim>& stress) {
@@ -295,8 +297,8 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
     magnitude += std::abs(c.normal_force) * length;
   }
   const double volume = recomputed.cell.volume();
-  // At zero pressure tension and compression cancel, so the rounding error must be compared with the size of the terms,
-  // not with their sum.
+  // At zero pressure, tensile and compressive contributions to the stress cancel. The error is then compared with the
+  // size of the contributions instead of their sum.
   const double scale = std::max(std::abs(stress.trace() / Dim), 1e-5 * magnitude / (Dim * volume));
   const double error = (state.stress - stress).cwiseAbs().maxCoeff();
   // The normal and the tangential force may each have the error that the criterion "law" accepts.
@@ -309,9 +311,9 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
                               components<Dim>(state.stress), components(stress))};
 }
 
-/// Compares the stress that the forces across the faces of the cell give with the stress of all contacts. Part of the
-/// difference results from net forces on grains (see boundary_stress()). Each grain contributes only up to the
-/// tolerance of forces, because a larger net force is no equilibrium.
+/// Compares the stress that the forces across the faces of the cell give with the stress of all contacts. Net forces on
+/// grains cause a part of the difference (see boundary_stress()). The net force of each grain is accepted as a cause
+/// only up to the tolerance of forces, because a larger net force is no equilibrium.
 template <int Dim>
 Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress) {
   const Grains<Dim>& g = recomputed.grains;
@@ -341,12 +343,12 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
                       components(across), components(stress))};
 }
 
-/// Comparison of quantities recorded in a state, other than forces, with the values that follow from the recomputed
+/// Comparison of recorded quantities of a state, other than forces, with the values that follow from the recomputed
 /// forces. It counts the differences and describes the first of them.
 class Record {
  public:
-  /// Compares one quantity.
-  /// @param rounding  uncertainty of the value that results from rounding of the positions
+  /// Compares the recorded value of one quantity with the value `found`, which follows from the recomputed forces.
+  /// @param rounding  bound on the error of `found` that results from rounding of the positions
   void compare(const char* name, double recorded, double found, double rounding) {
     constexpr double kRelative = 1e-6;  // sums computed by another compiler are rounded differently
     const double size = std::max(std::abs(recorded), std::abs(found));
@@ -362,10 +364,11 @@ class Record {
   int n_ = 0;
 };
 
-/// Largest relative distance of a force from its limit at which the contact may be flagged as mobilised (sliding or
-/// yielding). Files of other programs print at least six digits.
+/// Largest distance of a force from its limit, relative to the limit, at which a contact may be flagged as mobilised
+/// (sliding or yielding). Files of other programs print at least six digits.
 constexpr double kFlagTolerance = 1e-5;
-/// Relative distance of a force from its limit below which the contact must be flagged as mobilised.
+/// A contact must be flagged as mobilised (sliding or yielding) if the distance of its force from the limit, relative
+/// to the limit, is smaller than this.
 constexpr double kAtCap = 1e-13;
 
 template <int Dim>
@@ -386,7 +389,7 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
 
 /// Compares the residuals of the grains that are recorded as the worst ones with the largest residuals of all grains.
 /// @param found  largest residuals of the recomputed packing
-/// @param rounding  rounding error of a residual
+/// @param rounding  bound on the rounding error of a residual
 template <int Dim>
 void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recomputed, const Residuals& found,
                           double rounding, Record& record) {
@@ -405,8 +408,8 @@ void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recompute
           [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
 }
 
-/// Compares the recorded forces on walls with the forces of the contacts on them, and the recorded rates of the sides
-/// of a box with the velocities of its walls.
+/// Compares the recorded forces on walls with the contact forces on these walls, and the recorded rates at which the
+/// sides of a box change with the velocities of its walls.
 template <int Dim>
 void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
   const std::vector<double> found = wall_forces(recomputed);
@@ -424,7 +427,8 @@ void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Reco
 
 template <int Dim>
 void compare_orientations(const Grains<Dim>& grains, Record& record) {
-  constexpr double kRounding = 1e-9;  // rounding error after the motion of many time steps
+  // Rounding in many time steps may change the norm of a unit quaternion by this much.
+  constexpr double kRounding = 1e-9;
   if constexpr (Dim == 3)
     for (int i = 0; i < grains.size(); ++i)
       if (!(std::abs(grains.orientation[i].norm() - 1.0) <= kRounding))
@@ -435,14 +439,14 @@ void compare_orientations(const Grains<Dim>& grains, Record& record) {
 }
 
 /// Compares the recorded residuals, number of negative eigenvalues, worst grains, flags, wall forces and orientations
-/// with the values found.
+/// with the values that follow from the recomputed forces.
 template <int Dim>
 Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
                        const Stability& tested) {
   Record record;
   const Residuals found = residuals(recomputed, state.target_stress, stress);
   const ForceScale scale = force_scale(recomputed, state.target_stress);
-  constexpr double kContacts = 8.0;  // number of contacts of a grain, whose rounding errors add up
+  constexpr double kContacts = 8.0;  // assumed number of contacts of a grain, whose errors add up
   const double open = scale.force > 0.0 ? kContacts * force_error(recomputed) / scale.force : 0.0;
   record.compare("residuals.force", state.residuals.force, found.force, open);
   record.compare("residuals.moment", state.residuals.moment, found.moment, open);

@@ -39,7 +39,7 @@ TEST(ReadText, NamesOtherEncodings) {
 TEST(ReadText, RefusesLinesThatEndInCarriageReturnsAlone) {
   for (const std::string_view text : {"x,y\r1,2\r"sv, "x,y\r\r1,2\n"sv})
     EXPECT_THAT([text] { require_text("t.txt", text); },
-                ThrowsMessage<InputError>(HasSubstr("end in carriage returns alone")));
+                ThrowsMessage<InputError>(HasSubstr("the lines of this file end in carriage returns alone")));
   for (const std::string_view text : {""sv, "x"sv, "\n"sv, "x,y\n1\r2\n"sv, "x\r\n1\r\n"sv, "x\r\r\n1\r\r\n"sv,
                                       "x\r"sv, "\x1f\x8b\x08\0\r1"sv})
     EXPECT_NO_THROW(require_text("t.txt", text)) << text;

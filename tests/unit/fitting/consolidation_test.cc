@@ -77,10 +77,9 @@ TEST(Consolidation, WarnsOfAPlateauThatFallsAndNamesWhereTheLinesMeet) {
     }
     return fit_consolidation(curve, {}).warnings;
   };
-  EXPECT_THAT(
-      warnings_with(0.035),
-      Contains(HasSubstr("1/Phi falls by 0.035 for each unit of ln P* there, 16 % of lambda; the lines of "
-                         "the two regimes meet at P* = 170")));
+  EXPECT_THAT(warnings_with(0.035),
+              Contains(HasSubstr("1/Phi falls by 0.035 for each unit of ln P* there, which is 16 % of lambda; "
+                                 "lines through the plateau and through regime II meet at P* = 170")));
   EXPECT_THAT(warnings_with(0.01), Not(Contains(HasSubstr("not level"))));
 }
 

@@ -217,7 +217,7 @@ TEST_F(Contradictions, OfFilesWithFixedColumnsAreRefused) {
       fault_of("extended-xyz",
                "2\nLattice=\"4 0 0 0 4 0 0 0 4\" Lattice=\"5 0 0 0 5 0 0 0 5\" Properties=pos:R:3:radius:R:1\n"
                "1 1 1 0.5\n1.999 1 1 0.5\n"),
-      HasSubstr("Lattice is given twice"));
+      HasSubstr("Lattice: this key is given twice"));
   refused(fault_of("yade", "# cell 4 0 0 0 4 0 0 0 4\n# cell 5 0 0 0 5 0 0 0 5\n# x y z r\n1 1 1 0.5\n"),
           HasSubstr("the cell is given twice"));
   std::string dump = atoms_text(kGrains);
@@ -272,7 +272,8 @@ TEST_F(Contradictions, OfContactsAreRefusedInEveryFormat) {
         return columns;
       };
       accepted(fault(also(1)));
-      refused(fault(also(2.0)), AllOf(HasSubstr("normal_force = 1"), HasSubstr("leave one of them out")));
+      refused(fault(also(2.0)),
+              AllOf(HasSubstr("normal_force = 1"), HasSubstr("leave out one of these two forces")));
     }
   }
   fmt::print("{} formats of contacts: {} files refused, {} accepted\n", std::size(kContactFormats), n_refused_,

@@ -140,10 +140,11 @@ TEST_F(CsvPacking, NamesWhatIsMissingOrMalformed) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("vector 2 has 3 components, expected 2")));
   options_ = good;
   options_.columns = {{"r", "radius"}};
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("\"r\" is not a column of a grain")));
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("\"r\" is not the name of a grain column that floc reads")));
   options_ = good;
   options_.index = 1;
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("holds one packing")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("holds only one packing")));
   options_ = good;
   grains("x,y,radius\n1,1,0\n");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("g.csv:2: radius = 0, must be positive")));

@@ -200,7 +200,7 @@ TEST_F(VtuEncodings, AllGiveTheSameGrains) {
 
 TEST_F(VtuEncodings, NameWhatIsWrong) {
   expect_refusal(file(ascii_points_, "format=\"ascii\">0.5 0"),
-                 "array PointData/radius, point 1: the value is 0, must be positive");
+                 "array PointData/radius, point 1: this entry of the array is 0, must be positive");
   expect_refusal(file(ascii_points_, "format=\"ascii\">0.5 nan"), "\"nan\", expected a finite number");
   expect_refusal(file(ascii_points_, "format=\"ascii\">0.5"),
                  "has 1 numbers, expected one for each of 2 points");
@@ -211,7 +211,7 @@ TEST_F(VtuEncodings, NameWhatIsWrong) {
                  "the array is damaged: it has 9 bytes, but its header says 16");
   const std::string radii = "format=\"ascii\">0.5 1</DataArray><DataArray type=\"Float64\" Name=\"id\" ";
   expect_refusal(file(ascii_points_, radii + "format=\"ascii\">1 2.5"),
-                 "array PointData/id, point 1: the value is 2.5, expected a whole number");
+                 "array PointData/id, point 1: this entry of the array is 2.5, expected a whole number");
   std::string nameless = file(ascii_points_, "format=\"ascii\">0.5 1");
   nameless.replace(nameless.find("\"radius\""), 8, "\"colour\"");
   expect_refusal(nameless, "no point array radius or diameter; its point arrays are colour");

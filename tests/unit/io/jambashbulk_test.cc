@@ -82,7 +82,7 @@ TEST(Jambashbulk, NamesFileAndLineOfWhatIsMalformed) {
     return [path = spoiled(scratch, piece, by)] { read(path); };
   };
   EXPECT_THAT(refusal("7.2547583839685033783", "seven"),
-              ThrowsMessage<InputError>(HasSubstr("p.txt:7: the text is \"seven\"")));
+              ThrowsMessage<InputError>(HasSubstr("p.txt:7: the line contains \"seven\"")));
   EXPECT_THAT(refusal("7.2547583839685033783 ,", ""),
               ThrowsMessage<InputError>(HasSubstr("p.txt:7: the line has 2 numbers")));
   EXPECT_THAT(refusal("7.2547583839685033783", "nan"), ThrowsMessage<InputError>(HasSubstr("\"nan\"")));
@@ -92,12 +92,13 @@ TEST(Jambashbulk, NamesFileAndLineOfWhatIsMalformed) {
               ThrowsMessage<InputError>(HasSubstr("has 16 grains, but its header says N = 17")));
   EXPECT_THAT(refusal("N = 16", "N = 1.5"), ThrowsMessage<InputError>(HasSubstr("p.txt:5: N = 1.5")));
   EXPECT_THAT(refusal("P0=", "Q0="), ThrowsMessage<InputError>(HasSubstr("P0 is missing")));
-  EXPECT_THAT(refusal("9.5693366275464142399 }", "}"),
-              ThrowsMessage<InputError>(HasSubstr("L2 has 1 numbers, expected 2")));
+  EXPECT_THAT(
+      refusal("9.5693366275464142399 }", "}"),
+      ThrowsMessage<InputError>(HasSubstr("L2 in the header of the packing has 1 numbers, expected 2")));
   EXPECT_THAT(refusal("9.5693366275464142399", "0"), ThrowsMessage<InputError>(HasSubstr("span no area")));
   EXPECT_THAT(refusal("8.8767069662298361795", "1e11"),
               ThrowsMessage<InputError>(HasSubstr(
-                  "p.txt:7: a grain at (100000000000, 7.254758383968503) lies more than 1e9 cells away")));
+                  "p.txt:7: the grain at (100000000000, 7.254758383968503) lies more than 1e9 cells away")));
   EXPECT_THAT(refusal("L1=", "L3="), ThrowsMessage<InputError>(HasSubstr("no packing of jamBashbulk")));
 }
 

@@ -135,7 +135,8 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsGrains) {
   EXPECT_THAT(refusal(),
               ThrowsMessage<InputError>(HasSubstr("g.dump:5: the cell is degenerate: its side along x is 0")));
   grains(frame(10, "id x y z radius", kRows, "ITEM: BOX BOUNDS pp ff pp\n1 5\n2 5\n-0.5 0.5\n"));
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("not periodic (its boundary is \"pp ff pp\"")));
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("not periodic (the boundary of the box is \"pp ff pp\"")));
   options_.cell = {{9, 0}, {0, 9}};
   EXPECT_EQ(packing<2>().cell.matrix(0, 0), 9.0);
   options_.cell.clear();
@@ -156,8 +157,10 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
                              HasSubstr("c.dump:11: the contact of grains 7 and 3 is listed twice, first at")));
   contacts("3 7 -1 0 0 0 0\n", 20);
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr(
-                             "has no frame of time step 10, that of the grains; its time steps are 20")));
+  EXPECT_THAT(
+      refusal(),
+      ThrowsMessage<InputError>(HasSubstr(
+          "has no frame with time step 10, the time step of the grains; the time steps in the dump are 20")));
   contacts("3 7 -1 0 0 0 0\n");
   options_.contact_columns.clear();
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("has no column \"id1\"")));

@@ -74,7 +74,8 @@ TEST_F(YadeText, NamesWhatIsWrong) {
   EXPECT_THAT(refusal(),
               ThrowsMessage<InputError>(HasSubstr("i.txt:2: fnz = \"inf\", expected a finite number")));
   write(kSpheres, kNames + "4 9 -1 0 0 -1.8 0 0.6 0 0.5 0 1000 400 0.6\n4 9 0 0 0 1 0 0 0 0 0 1 1 0.5\n");
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("i.txt:3: tan_phi = 0.5, but 0.6 above")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(
+                             HasSubstr("i.txt:3: tan_phi = 0.5, but tan_phi = 0.6 in the first interaction")));
   write(kSpheres + "9 1 1 1 1\n");
   options_.law = parse_law("", "normal.stiffness=10");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("s.txt:5: id = 9 is given twice")));

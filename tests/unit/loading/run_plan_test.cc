@@ -96,8 +96,7 @@ TEST(PlanRun, TakesAsManyAxesAsTheSceneHasAndRefusesOthers) {
   LoadStage across = oedometric(2);
   across.axis = 2;
   EXPECT_THAT([&] { (void)plan_run(direct, law, {across}, 2); },
-              testing::ThrowsMessage<InputError>(
-                  HasSubstr("drives axis 3: expected the number of an axis from 1 to 2")));
+              testing::ThrowsMessage<InputError>(HasSubstr("drives axis 3: expected an axis from 1 to 2")));
 }
 
 TEST(PlanRun, RefusesEquilibriumWithoutPressureAndAdhesion) {

@@ -335,9 +335,8 @@ TEST(Walls, AreRefusedWhereNothingKnowsThem) {
 TEST(FindContacts, RefusesAGrainBeyondAWall) {
   Packing<2> box = box_around_one_disk(cohesive_law());
   box.grains.position[0][0] = 4.49;
-  EXPECT_THAT(
-      [&] { find_contacts(box); },
-      testing::ThrowsMessage<InputError>(testing::HasSubstr("grain 0: has its centre on or beyond a wall")));
+  EXPECT_THAT([&] { find_contacts(box); }, testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                                               "grain 0: the grain has its centre on or beyond a wall")));
 }
 
 }  // namespace

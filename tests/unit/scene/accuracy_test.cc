@@ -120,7 +120,8 @@ TEST(Accuracy, WhatWasNotMeasuredIsNotGuaranteed) {
 TEST(Accuracy, TheReasonNamesSettingsCostAndErrors) {
   EXPECT_EQ(
       choice({{"phi", 5e-2}}).reason,
-      "finish static, time step 0.36, tolerance 0.01, patience 0.2: this takes 0.10 of the time of the "
+      "finish static, time step 0.36, tolerance 0.01, patience 0.2: this takes 0.10 of the processor time of "
+      "the "
       "strictest "
       "settings. "
       "Measured errors: phi 5.0e-02 in 95 % of the states, +3.0e-02 +- 2.0e-02 in means over samples after a "

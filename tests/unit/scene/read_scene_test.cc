@@ -435,7 +435,7 @@ TEST(ReadScene, FaultyDistributionsAreNamedWithTheirLine) {
   EXPECT_THAT(refused("{distribution = \"lognormal\", median = 0.4, sigma = 0, min = 0.1, max = 1}"),
               HasSubstr("grains.diameter.sigma = 0"));
   EXPECT_THAT(refused("{distribution = \"lognormal\", median = 100, sigma = 0.1, min = 0.1, max = 1}"),
-              HasSubstr("grains.diameter.median = 100: only the share 0 of this distribution lies between"));
+              HasSubstr("grains.diameter.median = 100: only the fraction 0 of this distribution lies between"));
 }
 
 TEST(ReadScene, AListOfDiametersIsReadBesideTheSceneAndKeptInItsText) {

@@ -138,11 +138,12 @@ TEST(ContactChanges, SeeThroughAnotherChoiceOfLatticeVectors) {
 
 TEST(ContactChanges, AreRefusedBetweenDifferentGrains) {
   const Packing<2> before = block(3, 2);
-  EXPECT_THAT(incomparable(before, block(2, 2)), HasSubstr("6 grains in one state, 4 in the other"));
+  EXPECT_THAT(incomparable(before, block(2, 2)),
+              HasSubstr("there are 6 grains in one state, but 4 in the other"));
   Packing<2> after = before;
   after.grains.radius[4] *= 1.001;
   EXPECT_THAT(incomparable(before, after),
-              HasSubstr("grain 4 has radius 0.51 in one state, 0.51051 in the other"));
+              HasSubstr("grain 4 has radius 0.51 in one state, but 0.51051 in the other"));
   after = before;
   after.cell.matrix *= 3.0;
   EXPECT_THAT(incomparable(before, after), HasSubstr("lattice"));

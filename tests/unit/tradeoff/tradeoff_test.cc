@@ -38,7 +38,7 @@ TEST(Tradeoff, SettingsThatDoNotFitAreLeftOutByName) {
   const Tradeoff tradeoff = study_tradeoff(small_scene(400), options);
   EXPECT_EQ(tradeoff.n_grains, 40);
   EXPECT_THAT(tradeoff.left_out.front(),
-              HasSubstr("the samples have 40 grains in place of 400, because the budget does not allow more"));
+              HasSubstr("the samples have 40 grains in place of 400, because more do not fit into the budget"));
 }
 
 TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {

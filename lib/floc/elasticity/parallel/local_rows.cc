@@ -7,10 +7,12 @@
 namespace floc {
 namespace {
 
-/// Relative rounding error of the stretch of a spring per unit of an unknown, see condense().
+/// Bound on the relative rounding error of an entry of the matrices A and B of a SpringSystem: the change of a spring's
+/// length per unit of an unknown.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Shift added to the diagonal, whose entries are of order one: below the softest motions that matter, above rounding.
+/// Shift added to the diagonal of the stiffness matrix, whose entries are of order one: below the stiffness of the
+/// softest motions that matter, above rounding errors.
 constexpr double kShift = 1e-11;
 
 template <int Dim>
@@ -20,7 +22,9 @@ bool is_semidefinite(const ContactNetwork<Dim>& network, bool prestress) {
   });
 }
 
-/// Returns the displacement of a point by a rotation of everything about an axis through the origin.
+/// Returns the displacement of a point in a rigid rotation about the origin.
+/// @param axis   axis of the rotation times its angle (radians)
+/// @param place  position of the point
 Vec<2> turned(const RotationVector<2>& axis, const Vec<2>& place) {
   return axis[0] * Vec<2>(-place[1], place[0]);
 }
@@ -45,7 +49,7 @@ LocalRows<Dim>::LocalRows(const ContactNetwork<Dim>& network, const std::vector<
   gather(process);
 }
 
-/// Finds the contacts of the grains of this process, and the grains of other processes in these contacts.
+/// Finds the contacts of the grains of this process, and the grains of other processes that these contacts touch.
 template <int Dim>
 void LocalRows<Dim>::gather(int process) {
   at_hand_.assign(shares_.grain.begin() + first_, shares_.grain.begin() + shares_.first[process + 1]);
@@ -56,9 +60,9 @@ void LocalRows<Dim>::gather(int process) {
     return block >= first_ && block < first_ + n_grains_;
   };
   of_start_.assign(n_grains_ + 1, 0);
-  // Grains of other processes that touch a grain of this process are appended after the grains of this process, so that
-  // the rows of this process come first. Contacts are then sorted by grain of this process (counting sort); a contact
-  // between two such grains is listed at both.
+  // First come the grains of this process, in the order of their rows, then the grains of other processes that they
+  // touch. The contacts of each grain of this process are then listed by a counting sort; a contact between two grains
+  // of this process is listed at both.
   for (int k = 0; k < static_cast<int>(network_.contacts.size()); ++k) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     if (!is_own(c.i) && !is_own(c.j)) continue;
@@ -99,8 +103,8 @@ std::vector<int> LocalRows<Dim>::columns_of(int place) const {
   return columns;
 }
 
-/// Returns the factors between the unknowns of the stiffness matrix and the unknowns that are solved for; 0 for an
-/// unknown that is not solved for.
+/// Returns, for each unknown of a grain in the stiffness matrix, the unknown divided by the value that is solved for; 0
+/// if the unknown is not solved for.
 template <int Dim>
 typename LocalRows<Dim>::Unknowns LocalRows<Dim>::scale_of(int grain) const {
   Unknowns scale;
@@ -114,8 +118,9 @@ typename LocalRows<Dim>::Unknowns LocalRows<Dim>::motion_of(int grain, const Eig
   return scale_of(grain).cwiseProduct(u.template segment<kDofs<Dim>>(kDofs<Dim> * place_[grain]));
 }
 
-/// Calls visit(rows, stiffness, boundary) for the springs of a contact: its ContactRows, their stiffnesses divided by
-/// the unit, and its rows on the boundary unknowns.
+/// Calls visit(rows, stiffness, boundary) for the springs of a contact. `rows` are its ContactRows, `stiffness` the
+/// stiffnesses of its springs divided by `unit_`, and `boundary` the changes of their lengths per unit of each boundary
+/// unknown.
 template <int Dim>
 template <class Visit>
 void LocalRows<Dim>::for_each_spring(const NetworkContact<Dim>& c, const Visit& visit) const {
@@ -141,8 +146,9 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
   for (const int k : contacts_of(place)) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     for_each_spring(c, [&](const ContactRows<Dim>& rows, const RowStiffness<Dim>& stiffness, const auto&) {
-      // The contact adds G^T k G. Only the rows of this grain are kept; those of the other grain are assembled by the
-      // process of that grain. A contact with a wall or with the grain's own image has no second grain: i = j.
+      // The contact adds G^T k G to the stiffness matrix, with the rigidity matrix G and the stiffnesses k. Here only
+      // the rows of `grain` are added; those of the other grain are added in the call for that grain, perhaps in
+      // another process. A contact with a wall or with the grain's own image has i = j and no second grain.
       const bool is_i = c.i == grain;
       const Block mine = (is_i ? rows.on_i : rows.on_j) * scale.asDiagonal();
       const Block forces = stiffness.asDiagonal() * mine;
@@ -164,8 +170,8 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
   return own.diagonal().maxCoeff();
 }
 
-/// Returns the rigid motions of all grains as columns: translations, then rotations about their common middle, divided
-/// by half the extent of the packing.
+/// Returns the rigid motions of all grains together, one per column: the translations, then the rotations about the
+/// middle of the packing, divided by half the extent of the packing.
 template <int Dim>
 std::vector<double> LocalRows<Dim>::rigid_motions(const std::vector<Vec<Dim>>& centres) const {
   constexpr int kMotions = Dim + kRotations<Dim>;

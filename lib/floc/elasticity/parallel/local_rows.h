@@ -9,48 +9,52 @@
 
 namespace floc {
 
-/// Rows of the stiffness matrix K that belong to the grains of one process, and the contacts of these grains. The rows
-/// are divided by `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). Unknowns that are not
-/// solved for have a one on the diagonal and zeros elsewhere, so that all blocks have the same size. If K cannot have
-/// negative eigenvalues, its diagonal is shifted by far less than any stiffness that resists a strain. The shift
-/// regularises mechanisms, which carry no load; refinement by balance() removes its effect.
+/// Rows of the stiffness matrix K that belong to the grains of one process, and the contacts of these grains. K is
+/// divided by `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). The rows of unknowns that
+/// are not solved for have a one on the diagonal and zeros elsewhere, so that all blocks have the same size.
+///
+/// If K cannot have negative eigenvalues, a shift is added to its diagonal, so that mechanisms, which carry no load, do
+/// not make it singular. The shift is far below any stiffness that resists a strain; refinement by balance() removes
+/// its effect.
 template <int Dim>
 class LocalRows {
  public:
   /// @param network  network without dead ends; it and the other references must outlive this object
-  /// @param kept     one entry per unknown of K: whether to solve for it, see FreeMotions
+  /// @param kept     for each unknown of K, whether it is solved for, see FreeMotions
   /// @param unit     stiffness by which K is divided (force/length)
   LocalRows(const ContactNetwork<Dim>& network, const std::vector<bool>& kept, const GrainShares& shares,
             int process, double unit, const ResponseOptions& options);
 
-  /// Passes the rows to the solver, with the rigid motions of the grains, which its coarse grids have to represent.
+  /// Passes these rows of K to the solver, and the rigid motions of the grains, which the coarse grids of the solver
+  /// have to represent.
   /// @param centres  centres of all grains (length)
   /// @return largest diagonal entry of these rows
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// Return the number of unknowns of this process's grains, and the number that also includes the grains of other
-  /// processes that they touch (the size of u below).
+  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also includes those of the grains of
+  /// other processes that they touch; it is the size of u in balance() and energies().
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 
   struct Balance {
-    Eigen::VectorXd net;  ///< net forces -(K u + load of the boundary) on the unknowns of this process
-    double energy =
-        0.0;  ///< energy (A u + B)^T k (A u + B) of the contacts that this process counts, see SpringSystem
+    Eigen::VectorXd net;  ///< net force -(K u + load of the boundary) on each unknown of this process
+    /// energy (A u + B)^T k (A u + B) of the contacts that this process counts, see SpringSystem
+    double energy = 0.0;
   };
-  /// Computes the net forces on the grains for given motions and a unit of one boundary unknown.
-  /// @param u         motions of n_at_hand() unknowns
+  /// Computes the net forces on the grains for given motions of the grains, while one boundary unknown is displaced by
+  /// 1.
+  /// @param u         motions of the grains, n_at_hand() unknowns
   /// @param boundary  number of the boundary unknown
   Balance balance(const Eigen::VectorXd& u, int boundary) const;
 
   struct Energies {
-    /// energies (A u_b + B_b)^T k (A u_c + B_c) of pairs of responses b, c, see SpringSystem
+    /// for each pair of boundary unknowns b and c, the energy (A u_b + B_b)^T k (A u_c + B_c), see SpringSystem
     Eigen::MatrixXd stiffness;
-    Eigen::MatrixXd
-        rounding;  ///< bound on the error of `stiffness` from the rounding of the contacts' geometry
+    /// bound on the error of `stiffness` that results from rounding in the geometry of the contacts
+    Eigen::MatrixXd rounding;
   };
   /// Sums the energies over the contacts that this process counts; each contact is counted by exactly one process.
-  /// @param u  responses of the grains to a unit of each boundary unknown
+  /// @param u  for each boundary unknown, the response of the grains to its displacement by 1
   Energies energies(const std::vector<Eigen::VectorXd>& u) const;
 
  private:
@@ -73,15 +77,16 @@ class LocalRows {
   double unit_;
   StrainSet strains_;
   bool prestress_;
-  double shift_;      // value added to the diagonal
+  double shift_;      // value added to the diagonal of K
   int first_ = 0;     // first block of this process
   int n_grains_ = 0;  // number of grains of this process
-  // grains: first those of this process in the order of their rows, then their neighbours in other processes
+  // grains of this process in the order of their rows, then the grains of other processes that they touch
   std::vector<int> at_hand_;
-  std::vector<int> place_;     // index of each grain in `at_hand_`; -1 if it is not there
+  std::vector<int> place_;     // for each grain, its index in `at_hand_`; -1 if it is not there
   std::vector<int> contacts_;  // contacts of the grains of this process
   std::vector<int> of_start_,
-      of_;  // start of the list of contacts of each of these grains in `of_`, and these lists
+      // contacts of each grain of this process: `of_` contains all their lists, `of_start_` where each begins
+      of_;
 };
 
 }  // namespace floc

@@ -13,24 +13,26 @@
 namespace floc {
 namespace {
 
-/// Required reduction of the residual forces in the first solution, which leaves about its square of the energy; and
-/// the strongest reduction required in a later solution, as far as rounding allows.
+/// kFirstReduction is the reduction of the residual forces that the first solution has to reach; the energy is then
+/// reduced by about its square. kLeastReduction is the strongest reduction that a later solution has to reach, because
+/// rounding prevents more.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
-/// Largest number of successive solutions, each for the residual forces of the previous one; and the share to which a
-/// solution has to reduce the remaining energy for another solution to follow.
+/// Solutions follow each other, each for the residual forces that the previous one has left: at most kMostRounds, and
+/// only as long as each reduces the remaining energy to less than the share kGain.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
-/// Assumed smallest eigenvalue of the preconditioned stiffness matrix, as a share of the smallest Ritz value.
+/// The smallest Ritz value times this factor is taken as the smallest eigenvalue of the preconditioned stiffness
+/// matrix.
 constexpr double kShareOfRitz = 0.1;
-/// Relative rounding error of a stiffness, and the stiffness that cannot be distinguished from zero; both as shares of
-/// the affine stiffness.
+/// kRounding is the rounding error of a stiffness after relaxation of the grains, and kNothing the largest one that
+/// cannot be told from zero; both as shares of the stiffness of affine motion.
 constexpr double kRounding = 1e-14;
 constexpr double kNothing = 1e-11;
-/// Relative error of a condensed stiffness above which the solution counts as failed.
+/// Relative error of a stiffness after relaxation of the grains above which the solution counts as failed.
 constexpr double kUseful = 1e-6;
 
-/// Returns which grains have a contact.
+/// Returns, for each grain, whether it has a contact.
 template <int Dim>
 std::vector<bool> in_contact(const ContactNetwork<Dim>& network) {
   std::vector<bool> taken(network.n_grains, false);
@@ -38,13 +40,15 @@ std::vector<bool> in_contact(const ContactNetwork<Dim>& network) {
   return taken;
 }
 
-/// Condensation of the stiffness matrix: relaxes the grains under a unit of each boundary unknown in turn.
+/// Static condensation of the stiffness matrix: relaxes the grains while each boundary unknown in turn is displaced by
+/// 1.
 template <int Dim>
 class ParallelCondensation {
  public:
   ParallelCondensation(const LocalRows<Dim>& rows, double norm, double tolerance, ParallelSolver& solver)
       : rows_(rows), norm_(norm), tolerance_(tolerance), solver_(solver) {}
 
+  /// Relaxes the grains and computes `stiffness` and `error`.
   /// @return reason why the relaxation failed, as a sentence; empty if all solutions converged
   std::string relax(int n_boundary) {
     for (int b = 0; b < n_boundary; ++b)
@@ -64,8 +68,9 @@ class ParallelCondensation {
  private:
   using Balance = typename LocalRows<Dim>::Balance;
 
-  /// Solves repeatedly for the remaining net forces, until the energy that they could still release is within the
-  /// tolerance.
+  /// Relaxes the grains for boundary unknown b: solves repeatedly for the net forces that are left, until the energy
+  /// that further relaxation would release is within the tolerance. @return reason for a failure, as a sentence, or
+  /// empty
   std::string relax_one(int b) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(rows_.n_at_hand());
     Balance now = balance(u, b);
@@ -89,7 +94,8 @@ class ParallelCondensation {
     }
     if (!(excess <= std::max(kUseful * std::abs(now.energy), kNothing * affine)))
       return fmt::format(
-          "rounding leaves an error of {:.1e} in a relaxed stiffness of {:.1e} (affine stiffness: {:.1e})",
+          "rounding leaves an error of {:.1e} in a stiffness of {:.1e} of the relaxed network (before "
+          "relaxation: {:.1e})",
           excess, now.energy, affine);
     steps = std::max(steps, n_steps);
     const double scale = norm_ * largest(u) + load;
@@ -99,7 +105,8 @@ class ParallelCondensation {
     return {};
   }
 
-  /// Returns the energy that may remain unreleased within the tolerance.
+  /// Returns the tolerance on twice the energy that further relaxation would release.
+  /// @param affine  twice the energy before relaxation
   double wanted(const Balance& now, double affine) const {
     return std::max(tolerance_ * std::abs(now.energy), kRounding * affine);
   }
@@ -118,7 +125,7 @@ class ParallelCondensation {
     return {u.data(), static_cast<std::size_t>(rows_.n_own())};
   }
 
-  /// Obtains the values of the unknowns of grains of other processes.
+  /// Fetches, from other processes, the motions of their grains that touch grains of this process.
   void fetch(Eigen::VectorXd& u) {
     const auto n = static_cast<std::size_t>(rows_.n_own());
     solver_.exchange(own_part(u), {u.data() + n, static_cast<std::size_t>(u.size()) - n});
@@ -142,10 +149,11 @@ class ParallelCondensation {
   double norm_;
   double tolerance_;
   ParallelSolver& solver_;
-  double ratio_ =
-      1.0;  // smallest eigenvalue of the preconditioned stiffness matrix found so far, or a lower bound
-  std::vector<Eigen::VectorXd> u_;   // response of the grains to each boundary unknown
-  std::vector<double> excess_root_;  // square root of the energy that could still be released
+  // lower bound on the eigenvalues of the preconditioned stiffness matrix, from the Ritz values found so far
+  double ratio_ = 1.0;
+  std::vector<Eigen::VectorXd> u_;  // response of the grains to each boundary unknown
+  // for each boundary unknown, root of twice the energy that further relaxation would release
+  std::vector<double> excess_root_;
 };
 
 }  // namespace

@@ -7,16 +7,17 @@
 
 namespace floc {
 
-/// Passes over the grains of a block. Like all kernel code it is a template on the instruction set, and it calls no
-/// inline function that is not such a template.
+/// Loops over the grains of a block. Like all kernel code, this class is a template on the instruction set, and it
+/// calls no inline function that is not such a template.
 template <class Isa, int Dim, LatticeShape kShape, RowKind kRows>
 struct GrainKernels {
   using Layout = RowLayout<Dim, kRows>;
   static constexpr bool kRotates = kRows != RowKind::forces;
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
-  /// Number of vector registers that hold the sum over the rows (forces and moments) of a grain: one for forces and, in
-  /// 3D, one for moments. Other numbers that happen to lie in these registers are summed, too, but not used.
+  /// Number of vector registers that hold the sum of the rows (forces and moments) of all pairs of a grain: one for
+  /// forces and, in 3D, one for moments. Other numbers of a row that are loaded into these registers are summed, too,
+  /// but not used.
   static constexpr int kParts = Dim == 3 && kRotates ? 2 : 1;
   using Part = typename VectorOf<row_sum_size<Dim>(kRows) / kParts>::Type;
   struct Sum {
@@ -58,8 +59,8 @@ struct GrainKernels {
                                             const Kick<Dim>& kick, Rotation to, BlockSums<Dim>& sums) {
     alignas(64) Torques torque;
     sum_forces(grains, plan, begin, torque);
-    // The sum over pairs of force times branch equals the sum over grains of net force times position, plus a
-    // contribution of the pairs joined across the periodic boundary.
+    // For the virial, the sum over pairs of force times branch vector equals the sum over grains of net force times
+    // position, plus a contribution of the pairs whose grains are joined across the periodic boundary.
     crossing_virial(pairs, plan, cell, sums.virial);
     for (int a = 0; a < Dim; ++a)
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b)
@@ -86,8 +87,9 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
-  /// Returns the entries of the block that begins at grain `begin`, in an array of which GrainView::own_masses masks
-  /// the indices.
+  /// Returns the address of the numbers of the block that begins at grain `begin`.
+  /// @param of_grains  array of masses, moments of inertia or their inverses; if all grains are equal, every block uses
+  /// the numbers of the first block (GrainView::own_masses)
   static const double* masses(const GrainView<Dim>& grains, const double* of_grains, int begin) {
     return of_grains + (begin & grains.own_masses);
   }
@@ -131,7 +133,8 @@ struct GrainKernels {
     }
   }
 
-  /// Adds the square of the displacement of each grain along axis a since the neighbour lists were built.
+  /// Adds to `moved_squared` the square of the displacement of each grain along axis a since the neighbour lists were
+  /// built.
   static void add_displacement(const GrainView<Dim>& grains, int begin, const double (&list_stretch)[Dim][Dim],
                                int a, double (&moved_squared)[kGrainBlock]) {
     const double* const x = grains.x[a] + begin;
@@ -158,9 +161,9 @@ struct GrainKernels {
     }
   }
 
-  /// Returns an upper bound of the squared speed of any grain of a block after its next kick, with speeds in skins of
-  /// the grain (BlockSums::next_speed_squared). The bound is (p + q)^2 <= 1.2 p^2 + 6 q^2, where p is the speed of a
-  /// grain and q its change by the kick, which is usually small compared with the speed.
+  /// Returns an upper bound of the squared speed of any grain of a block after its next kick, where each speed is
+  /// divided by the skin of the grain (BlockSums::next_speed_squared). The bound is (p + q)^2 <= 1.2 p^2 + 6 q^2, where
+  /// p is the speed of a grain and q its change by the kick, which is usually small compared with the speed.
   static double next_speed_squared(const GrainView<Dim>& grains, int begin, double half_step) {
     const double* const inverse_mass = masses(grains, grains.inverse_mass, begin);
     P largest(0.0);
@@ -190,8 +193,8 @@ struct GrainKernels {
     return largest;
   }
 
-  /// Computes the contribution to the virial of the pairs joined across the periodic boundary: force on grain j times
-  /// the displacement of its periodic image.
+  /// Computes the contribution to the virial of the pairs whose grains are joined across the periodic boundary: the
+  /// force on the second grain j times the displacement of its periodic image.
   static void crossing_virial(const PairView<Dim>& pairs, const BlockSumsPlan& plan, const PairCell<Dim>& cell,
                               double (&virial)[Dim][Dim]) {
     double sum[Dim][Dim] = {};
@@ -209,7 +212,8 @@ struct GrainKernels {
       for (int b = a; b < (kTriangular ? Dim : a + 1); ++b) virial[a][b] = sum[a][b];
   }
 
-  /// Kicks the spins of a block about axis a, `kHalves` times over half a step, with unchanged torques.
+  /// Kicks the spins of the grains of a block about axis a, `kHalves` times over half a time step, with unchanged
+  /// torques.
   template <int kHalves>
   static void kick_rotation(const GrainView<Dim>& grains, int begin, double half_step, int a,
                             const double* torque) {
@@ -223,7 +227,8 @@ struct GrainKernels {
     }
   }
 
-  /// Sets the sum of I w^2 over the block and stores its torques, which the first half kick of the next step reads.
+  /// Sets the sum of I w^2 over the grains of the block, with moment of inertia I and spin w, and stores their torques,
+  /// which the first half kick of the next step reads.
   static void end_rotation(const GrainView<Dim>& grains, int begin, const Torques& torque,
                            BlockSums<Dim>& sums) {
     sums.rotation = 0.0;
@@ -234,9 +239,9 @@ struct GrainKernels {
     }
   }
 
-  /// Rotates the grains of a block by their spins over a whole step. No force depends on the orientations. In 3D, q <-
-  /// (1, spin dt/2) q, where the real part 1 is reduced so that the length of q does not grow; the rotation is accurate
-  /// to second order.
+  /// Rotates the grains of a block by their spins over a whole time step dt. No force depends on the orientations. In
+  /// 3D the quaternion q of the orientation becomes (1, spin dt/2) q, where the real part 1 is reduced so that the
+  /// length of q does not grow; the rotation is accurate to second order.
   static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
     if constexpr (Dim == 2) {
       const double time_step = 2.0 * half_step;
@@ -262,9 +267,10 @@ struct GrainKernels {
     }
   }
 
-  /// Returns the sum of p q over a block, computed as eight interleaved partial sums. This order of additions does not
-  /// depend on the width of the registers and avoids a long chain of dependent additions.
-  /// @param weight  factor of each term; null stands for 1
+  /// Returns the sum of the products p[k] q[k] over the grains k of a block, computed as eight interleaved partial
+  /// sums. This order of additions does not depend on the width of the registers and avoids a long chain of dependent
+  /// additions.
+  /// @param weight  factors of the products; null stands for factors of 1
   static double block_sum(const double* p, const double* q, const double* weight) {
     P part[8 / P::kWidth];
     for (P& pack : part) pack = P(0.0);
@@ -294,8 +300,9 @@ struct GrainKernels {
     }
   }
 
-  /// Sums the rows (forces and moments) of each grain of the block. The rows of pairs that do not interact are zero and
-  /// do not change a sum, so that the result does not depend on which of these pairs are listed.
+  /// Sums the rows (forces and moments) of the pairs of each grain of the block. The rows of pairs that do not interact
+  /// are zero and do not change a sum, so that the result does not depend on how many such pairs are listed.
+  /// @param first  address from which the places of rows are counted
   template <Side side>
   static void sum_rows(const double* first, const SideSumsPlan& plan, Sum (&total)[kGrainBlock]) {
     const int* row = plan.row;

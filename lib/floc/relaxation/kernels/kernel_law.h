@@ -9,27 +9,31 @@
 #include "floc/contact/neutral.h"
 #include "floc/relaxation/partner.h"
 
-/// Kernel laws: the contact laws for which kernels of the force loop over pairs are compiled. A kernel takes long to
-/// compile, so not every combination of contact models has its own. A law without its own kernel is completed to a
-/// *kernel law*: models without effect take the place of absent models, and the results are identical to those that a
-/// kernel of its own would give. KernelLawOf chooses the kernel law by these rules:
-///   - Kernels have damping. For a law without damping, the damping coefficients are zero and no dashpot forces are
-/// stored.
+/// Kernel laws: the contact laws for which kernels (compiled loops over pairs that compute forces) exist. A kernel
+/// takes long to compile, so not every combination of contact models has its own kernel. A law without its own kernel
+/// is completed to a *kernel law*: models without effect take the place of absent models, and the results are identical
+/// to those that a kernel of its own would give. KernelLawOf chooses the kernel law by these rules:
+///   - All kernels have damping, with the exception below. For a law without damping, the damping coefficients are zero
+///     and no dashpot forces are stored.
 ///   - Constant adhesion, adhesion with a tail and no adhesion are represented by one model, DryAttraction.
 ///   - For laws without adhesion, the kernels for pairs of grains have no adhesion, because computing an attraction of
-/// zero would take up to a tenth of the time of the pass over pairs. If the law has no friction and no damping either,
-/// these kernels also have no damping, because a dashpot would take half of that time.
+///     zero would take up to a tenth of the time of the loop over pairs. If the law has no friction and no damping
+///     either, these kernels also have no damping, because computing dashpot forces of zero would take half of the time
+///     of the loop.
 ///   - For pairs of grains there are kernels without friction, with friction, and with friction, rolling and twisting
-/// resistance.
-///   - Contacts with walls are dry. Their kernels have damping and DryAttraction. These rules apply to laws of the
-/// normal force with special kernels (kHasSpecialKernels). Every other law of the normal force has only general
-/// kernels, which contain all models that can be combined with that law and serve lattices of any shape. A new law of
-/// the normal force thus adds few kernels; special kernels can be added if its speed matters. History variables that
-/// the kernel law has, but the law of the scene has not, are not stored (PairKernel).
+///     resistance.
+///   - Contacts with walls are dry. Their kernels have damping and DryAttraction.
+///
+/// These rules apply to laws of the normal force with special kernels (kHasSpecialKernels). Every other law of the
+/// normal force has only general kernels, which contain all models that can be combined with that law and serve
+/// lattices of any shape. A new law of the normal force thus adds few kernels; special kernels can be added if its
+/// speed matters. If the kernel law has history variables that the contact law of the scene lacks, these variables are
+/// not stored (PairKernel).
 namespace floc {
 
-/// Whether a law of the normal force has special kernels in addition to its general ones. Special kernels are faster,
-/// because they leave out absent models or are restricted to rectangular lattices.
+/// Whether a law of the normal force has special kernels in addition to its general kernels. Special kernels are
+/// faster, because they leave out contact models that the law of the scene lacks, or are restricted to rectangular
+/// lattices.
 template <class Normal>
 inline constexpr bool kHasSpecialKernels = false;
 template <>
@@ -37,12 +41,12 @@ inline constexpr bool kHasSpecialKernels<LinearRepulsion> = true;
 template <>
 inline constexpr bool kHasSpecialKernels<HertzRepulsion> = true;
 
-/// Adhesion that depends only on the gap, or no adhesion. The force is -F0 in contact; with a tail, it falls linearly
-/// to zero as the gap grows from 0 to D0.
+/// Adhesion whose force depends only on the gap, or no adhesion. In contact the force is -F0, with F0 the pull-off
+/// force. With a tail of range D0, the attraction falls linearly to zero as the gap grows from 0 to D0.
 struct DryAttraction {
-  double in_contact = 0.0;  ///< F0, pull-off force in contact (force)
-  double slope = 0.0;       ///< F0/D0, slope of the tail (force/length); 0 without a tail
-  double at_touch = 0.0;    ///< F0 with a tail, 0 without one (force)
+  double in_contact = 0.0;  ///< F0, pull-off force (force)
+  double slope = 0.0;       ///< F0/D0, slope of the tail, with D0 its range (force/length); 0 without a tail
+  double at_touch = 0.0;    ///< attraction at a gap of zero: F0 with a tail, 0 without a tail (force)
 
   DryAttraction() = default;
   explicit DryAttraction(const NoAdhesion&) {}
@@ -102,7 +106,8 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
   using Type = std::conditional_t<kHasSpecialKernels<Normal>, Special, General>;
 };
 
-/// The variant type `List` with one more law as its last alternative, or `List` itself if it already contains the law.
+/// Variant type `List` of contact laws with `Law` appended as its last alternative, or `List` itself if it already
+/// contains `Law`.
 template <class List, class Law>
 struct With;
 template <class... Laws, class Law>
@@ -111,8 +116,8 @@ struct With<std::variant<Laws...>, Law> {
       std::conditional_t<(std::is_same_v<Laws, Law> || ...), std::variant<Laws...>, std::variant<Laws..., Law>>;
 };
 
-/// Variant type of the kernel laws to which all given contact laws that exist in this dimension are completed. Each
-/// kernel law is listed once.
+/// Variant type `List`, extended by the kernel laws to which those of the contact laws `Laws` are completed that exist
+/// in this dimension. Each kernel law is listed once.
 template <int Dim, class List, class... Laws>
 struct KernelLaws {
   using Type = List;
@@ -151,7 +156,8 @@ inline constexpr bool kServesWalls = std::is_same_v<KernelLaw, KernelLawOf<Kerne
 template <int Dim>
 AnyKernelLaw<Dim> kernel_law(const AnyContactLaw& law, Partner partner);
 
-/// Returns the address of the law that a variant of laws holds. Kernels receive their law by this address.
+/// Returns the address of the contact law that a variant of contact laws holds. Kernels receive their law by this
+/// address.
 template <class AnyLaw>
 const void* address_of_alternative(const AnyLaw& any_law) {
   return std::visit([](const auto& law) { return static_cast<const void*>(&law); }, any_law);

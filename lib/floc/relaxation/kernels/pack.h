@@ -13,9 +13,9 @@
 
 namespace floc {
 
-/// Tags of the instruction sets. They are template arguments of all code that is compiled for one instruction set, so
-/// that two translation units with different compiler flags share no symbol, and no processor runs code with
-/// instructions that it lacks.
+/// Tags of the instruction sets, which are template arguments of all code that is compiled for one instruction set.
+/// They ensure that two translation units with different compiler flags share no symbol, and no processor runs code
+/// with instructions that it lacks.
 struct Portable {
   static constexpr int kWidth = 2;
 };
@@ -26,7 +26,8 @@ struct Avx512 {
   static constexpr int kWidth = 8;
 };
 
-/// Compiler's vector type of N doubles, and its vector type of N integers of the same size, which comparisons return.
+/// Vector types of the compiler: `Type` of N doubles, and `Bits` of N 64-bit integers, which comparisons of such
+/// vectors return.
 template <int N>
 struct VectorOf;
 template <>
@@ -62,8 +63,8 @@ auto widened(const Numbers& numbers) {
     return __builtin_convertvector(numbers, Wide);
 }
 
-/// Number type for which contact laws are evaluated in kernels: as many doubles as a register of the instruction set
-/// holds. Operations and comparisons act lane by lane.
+/// Number type for which kernels (compiled loops over grains or pairs) evaluate contact laws: as many doubles as a
+/// register of the instruction set holds. Operations and comparisons act lane by lane.
 template <class Isa>
 struct Pack {
   static constexpr int kWidth = Isa::kWidth;
@@ -77,8 +78,8 @@ struct Pack {
   Vector v;
 
   Pack() = default;
-  /// Sets every lane to one number. The conversion is implicit, because contact laws combine their parameters with
-  /// packs.
+  /// Sets every lane to `value`. The conversion is implicit, because contact laws combine their parameters, which are
+  /// doubles, with packs.
   Pack(double value) : v(value - Vector{}) {}  // NOLINT(google-explicit-constructor)
   explicit Pack(const Vector& vector) : v(vector) {}
 
@@ -121,7 +122,7 @@ struct Pack {
 
 /// Functions that read numbers from scattered places of an array, and that write records (the consecutive doubles of
 /// one pair). They are always inlined, not only into flattened kernels, so that GCC's use of registers does not depend
-/// on the number of laws that it compiles. This makes time steps of spheres 3 to 6 % faster.
+/// on the number of contact laws that it compiles. This makes time steps of spheres 3 to 6 % faster.
 template <class Isa>
 struct Records {
   using P = Pack<Isa>;
@@ -130,9 +131,9 @@ struct Records {
   [[gnu::always_inline]] static P gather(const double* base, const int* place) {
     P out;
 #if defined(__x86_64__)
-    // The lanes are loaded one by one and merged by broadcasts with masks. In all, time steps took a fifth less time
-    // with single loads joined by shuffles than with the gather instruction (Xeon of 2023), and another 4 % less with
-    // broadcasts (EPYC of 2023).
+    // The lanes are loaded one by one and merged by broadcasts with masks. Compared with the gather instruction, whole
+    // time steps took a fifth less time with single loads that were joined by shuffles (Xeon of 2023), and another 4 %
+    // less with broadcasts (EPYC of 2023).
     if constexpr (P::kWidth == 8) {
       const auto four = [&](int l) {
         __m256d lanes = _mm256_castpd128_pd256(_mm_load_sd(base + place[l]));
@@ -148,10 +149,10 @@ struct Records {
     return out;
   }
 
-  /// Returns base[place[l]] in lane l of a pack, for ascending places of which the last exceeds the first by less than
-  /// kWindow. It uses one load and a shuffle instead of one load per lane.
+  /// Returns base[place[l]] in lane l of a pack, like gather(), but with one load and a shuffle instead of one load per
+  /// lane. @pre the places ascend, and the last place exceeds the first by less than kWindow
   [[gnu::always_inline]] static P gather_window(const double* base, const int* place) {
-#if !defined(__clang__)  // Clang has no shuffle whose places are known only at run time.
+#if !defined(__clang__)  // Clang has no shuffle whose indices are known only at run time.
     if constexpr (P::kWidth == kWindow) {
       typedef int Ints __attribute__((vector_size(4 * P::kWidth)));
       Ints places;
@@ -162,8 +163,8 @@ struct Records {
     return gather(base, place);
   }
 
-  /// Writes the record of each lane, one after another: row[0][l], row[1][l], ... go to base[size * l] and the
-  /// following places.
+  /// Writes the records of all lanes one after another: the record of lane l, row[0][l], row[1][l], ..., is written to
+  /// base[size * l] and the following places.
   template <std::size_t size>
   [[gnu::always_inline]] static void store_rows(double* base, const P (&row)[size]) {
     static_assert(size % 2 == 0);
@@ -172,7 +173,7 @@ struct Records {
     for (std::size_t k = 8 * kEights; k < size; k += 2) store_two(base + k, size, row[k], row[k + 1]);
   }
 
-  /// Calls take(l, column l of a) for each column of a matrix of 8 rows a(0), a(1), ... with 8 numbers each. Pairs of
+  /// Calls take(l, column) for each column l of the matrix whose rows are a(0) to a(7), with 8 numbers each. Two
   /// neighbouring numbers are moved together, since this costs as much as moving one number.
   template <class Rows, class Take>
   [[gnu::always_inline]] static void transpose([[maybe_unused]] Rows a, [[maybe_unused]] Take take) {

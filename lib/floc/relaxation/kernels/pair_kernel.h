@@ -13,8 +13,8 @@
 
 namespace floc {
 
-/// Types by which a kernel is compiled for the second body of its pairs: a grain, in a rectangular or a triangular
-/// lattice, or a wall.
+/// Template arguments that tell a kernel the kind of the second body of its pairs: a grain, in a rectangular or a
+/// triangular lattice, or a wall.
 struct GrainsInRectangularLattice {
   static constexpr bool kWall = false, kTriangular = false;
 };
@@ -25,9 +25,9 @@ struct Walls {
   static constexpr bool kWall = true, kTriangular = false;
 };
 
-/// Pass over the pairs of a block of grains, which computes their forces, for one kernel law, a contact law for which
-/// kernels are compiled (kernel_law.h). Like all kernel code it is a template on the instruction set, and it calls no
-/// inline function that is not such a template.
+/// Loop over pairs that computes their forces, for one kernel law (contact law for which kernels are compiled,
+/// kernel_law.h). Like all kernel code, this class is a template on the instruction set, and it calls no inline
+/// function that is not such a template.
 template <class Isa, int Dim, class Second, class Law>
 struct PairKernel {
   static constexpr bool kRotates = Law::kHasFriction;
@@ -61,23 +61,26 @@ struct PairKernel {
   struct NoTurn {};
   using Turn = std::conditional_t<kTurns, FrameTurn<P>, NoTurn>;
 
-  /// Whether the contact law of a scene may lack some history variables of `Law`, the law for which this kernel is
-  /// compiled (dashpot forces not counted).
+  /// Whether the contact law of a scene may lack some of the history variables that `Law` has, the law for which this
+  /// kernel is compiled. Dashpot forces are not counted as history variables here.
   static constexpr bool kMayLackHistory = !kHasSpecialKernels<typename Law::NormalModel>;
   static constexpr int kHistorySize = Law::template kHistorySize<Dim>;
 
-  /// Memory for the history variables of one pack of pairs that the law of this kernel has and the contact law of the
-  /// scene lacks. They are zero, and the models without effect that use them keep them zero.
+  /// Memory for those history variables that the law of this kernel has and the contact law of the scene lacks, for one
+  /// pack of pairs (as many as fit a vector register). The variables are zero, and the models without effect that use
+  /// them keep them zero.
   struct WithoutHistory {
     alignas(64) double viscous[P::kWidth] = {};
     alignas(64) double history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1][P::kWidth] = {};
   };
 
-  /// Integer type of the bit masks applied to indices of pairs. With the other integer type, disks with friction and
-  /// elastic spheres take a tenth longer, because GCC 12 orders the instructions differently.
+  /// Integer type of the bit masks that are applied to indices of pairs. With the other of the two types, time steps of
+  /// disks with friction and of elastic spheres take a tenth longer, because GCC 12 orders the instructions
+  /// differently.
   using Own = std::conditional_t<Dim == 2, std::ptrdiff_t, int>;
 
-  /// Arrays of the pairs, with memory for every history variable of the law for which this kernel is compiled.
+  /// Arrays of the pairs. This kernel is compiled for a law that may have more history variables than the law of the
+  /// scene: there is memory for each of them.
   struct Pairs : PairView<Dim> {
     /// Bit masks applied to the index of a pair before a history variable is read: -1 if every pair has its own value;
     /// 0 if all packs of pairs share one pack of values.
@@ -106,7 +109,8 @@ struct PairKernel {
     }
   };
 
-  /// Geometry and relative motion of the two bodies, for one pack of pairs (as many as fit a vector register).
+  /// Geometry and relative motion of the two bodies of each pair, for one pack of pairs (as many as fit a vector
+  /// register).
   struct PairKinematics {
     V n;
     P arm_i, arm_j;
@@ -139,8 +143,8 @@ struct PairKernel {
                   std::make_integer_sequence<int, kRotations<Dim>>());
     return gathered;
   }
-  /// Gathers the components of a vector for the grains of a pack. The loop over axes is unrolled, because in a loop the
-  /// gathered numbers would be stored in memory and not kept in registers.
+  /// Gathers the components of a vector, such as the velocity, for the grains of a pack of pairs. The loop over axes is
+  /// unrolled, because in a loop the gathered numbers would be stored in memory and not kept in registers.
   template <class Arrays, class Gather, class Vectors, int... axis>
   static void gather_axes(const Arrays& from, const int* grain, Gather gather, Vectors& to,
                           std::integer_sequence<int, axis...>) {
@@ -165,7 +169,7 @@ struct PairKernel {
     const P squared = r.squaredNorm();
     const P distance = sqrt(squared);
     // In 3D the square root and the division are independent and can overlap. In 2D the division follows the root: this
-    // order gives the results of earlier versions, bit for bit.
+    // order gives the results of earlier versions of floc, bit for bit.
     const P inverse = Dim == 3 ? distance * (P(1.0) / squared) : P(1.0) / distance;
     const V n = r * inverse;
     const V centres = (j.v - i.v) + affine;
@@ -176,7 +180,8 @@ struct PairKernel {
       const P time(cell.slip_time), per_length = time * inverse;
       const P along = per_length * a.motion.gap_rate;
       a.turn = {n, along, V(per_length * centres - along * n), RotationVector<Dim, P>(i.spin + j.spin), time};
-      // The length of the branch in the middle of the step, when the grains have these velocities, times the time step.
+      // `middle` is the length of the branch vector in the middle of the step, when the grains have these velocities,
+      // times the time step.
       const P middle = distance * (time - P(0.5 * cell.slip_time) * along);
       const P arm_i = number(pairs.share_i, pairs, p) * middle;
       a.motion.slip = a.turn.slip(distance, RotationVector<Dim, P>(arm_i * i.spin + (middle - arm_i) * j.spin));
@@ -191,8 +196,8 @@ struct PairKernel {
   }
 
   /// Computes the kinematics of pairs of a grain and a wall. The point of the wall nearest to the centre of the grain
-  /// moves with the wall along the normal. In the plane of the wall its peculiar velocity is zero, which is the mean of
-  /// the peculiar velocities of the grains around it.
+  /// moves with the wall along the normal. In the plane of the wall the peculiar velocity of this point is zero, which
+  /// is the mean of the peculiar velocities of the grains around it.
   static PairKinematics wall_kinematics(const GrainView<Dim>& grains, const PairView<Dim>& pairs, int p,
                                         const PairCell<Dim>& cell) {
     const GrainKinematics i = gather_grains(grains, pairs.i + p, Records<Isa>::gather);
@@ -214,12 +219,13 @@ struct PairKernel {
     return a;
   }
 
-  /// Returns the numbers of a pack of pairs (as many as fit a vector register) from an array of which
-  /// PairView::own_numbers masks the indices.
+  /// Returns the entries of the array `numbers` for the pack of pairs (as many as fit a vector register) that begins at
+  /// pair p. If all pairs are equal, the array has entries for one pack only (PairView::own_numbers).
   static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
     return P::load(numbers + (p & pairs.own_numbers));
   }
 
+  /// Sets the normal, the gap and its rate, and the reduced radius and mass of a pack of pairs.
   /// @param velocity  velocity of the centre of grain j (or of the nearest point of the wall) relative to the centre of
   /// grain i
   static PairKinematics normal_kinematics(const V& n, const P& distance, const V& velocity,
@@ -234,16 +240,20 @@ struct PairKernel {
     return a;
   }
 
-  /// Sets the slip of the surfaces where it does not depend on the rotation of the normal: in 2D and at walls.
-  /// @param surfaces  sum over both bodies of lever arm times spin; it gives the relative velocity of the surfaces due
-  /// to rotation
+  /// Sets the slip of the two surfaces in this time step in the cases in which it does not depend on the rotation of
+  /// the normal: in 2D and at walls.
+  /// @param velocity  velocity of the centre of grain j (or of the nearest point of the wall) relative to the centre of
+  /// grain i
+  /// @param surfaces  sum over both bodies of lever arm times spin, from which the relative velocity of the surfaces
+  /// due to rotation follows
   static void add_slip(PairKinematics& a, const V& velocity, const RotationVector<Dim, P>& surfaces,
                        const PairCell<Dim>& cell) {
     a.motion.slip = P(cell.slip_time) * to_shear<P>(a.n, V(velocity - cross<P>(surfaces, a.n)));
   }
 
-  /// Sets the rolling and twisting rotations of the step. In 3D they are the components of the relative rotation normal
-  /// to, and along, the contact normal in the middle of the step, which makes them accurate to second order.
+  /// Sets the rolling and twisting rotations of the two bodies in this time step. In 3D they are the components of the
+  /// relative rotation perpendicular to the contact normal, and along it. The normal in the middle of the step is used,
+  /// which makes them accurate to second order.
   static void add_rotation(PairKinematics& a, const RotationVector<Dim, P>& rotation,
                            const PairCell<Dim>& cell) {
     if constexpr (kTurns) {
@@ -269,8 +279,8 @@ struct PairKernel {
     store(history, pairs, p, std::make_integer_sequence<int, kHistorySize>());
 
     V on_j = f.normal.force() * a.n;
-    // For a law without damping, the dashpot force added here is zero. The addition may change the sign of a component
-    // that is zero, which has no effect on the sums of the forces.
+    // If the contact law of the scene has no damping, the dashpot force added here is zero. The addition may change the
+    // sign of a component that is zero, which has no effect on the sums of the forces.
     if constexpr (Law::kHasDamping) on_j += viscous(f.viscous, pairs.viscous_of(p)) * a.n;
     Moments moments;
     if constexpr (kRotates) {
@@ -280,7 +290,8 @@ struct PairKernel {
       moments.of_springs = f.rolling;
       if constexpr (Law::kHasTwisting) moments.of_springs += f.twisting * a.n;
     }
-    // Pairs with walls write rows of the same kind (forces and moments) as pairs of grains.
+    // Pairs with walls write rows (forces and moments) of the kind that pairs of grains write, since all rows are
+    // summed together.
     if constexpr (Second::kWall && kTurns) {
       if (pairs.rows == RowKind::levers)
         store_row<RowKind::levers>(a, on_j, moments, pairs, p);
@@ -304,7 +315,7 @@ struct PairKernel {
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
     if constexpr (kKind == RowKind::levers && Second::kWall) {
       // The moment on the wall is not used. The whole moment on grain i is therefore stored in place of the moment of a
-      // unit arm, with an arm of 1.
+      // unit lever arm, with a lever arm of 1.
       row[Layout::kArmI] = P(1.0);
       for (int b = 0; b < kRotations<Dim>; ++b)
         row[Layout::kUnitMoment + b] = a.arm_i * moments.of_unit_arm[b] - moments.of_springs[b];
@@ -346,9 +357,9 @@ struct PairKernel {
     (history.value[k].store(pairs.template history_of<k>(p)), ...);
   }
 
-  /// Returns the dashpot forces that act in this step: the weighted mean (kDashpotShare) of their present values and
-  /// those of the previous step, which are then replaced by the present ones. If either of the two is zero, because the
-  /// surfaces do not touch or the contact is new, the present value is returned.
+  /// Returns the dashpot forces that act in this time step: the weighted mean (kDashpotShare) of the present dashpot
+  /// forces `now` and those of the previous step, `last`, which are then replaced by the present ones. If either of the
+  /// two is zero, because the surfaces do not touch or the contact is new, the present force is returned.
   static P viscous(const P& now, double* last) {
     const P before = P::load(last);
     now.store(last);

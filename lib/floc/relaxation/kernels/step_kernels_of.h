@@ -18,7 +18,7 @@ struct StepKernelTable<Isa, Dim, kShape, std::variant<Law...>> {
   template <class L>
   static constexpr StepKernels<Dim> kernels_of() {
     // A law of the normal force without special kernels has only the kernel for triangular lattices, which also serves
-    // rectangular ones.
+    // rectangular lattices.
     using Grains = std::conditional_t<kTriangular || !kHasSpecialKernels<typename L::NormalModel>,
                                       GrainsInTriangularLattice, GrainsInRectangularLattice>;
     // The drift of the grains depends on whether they rotate, but not on the layout of the moments in the rows of

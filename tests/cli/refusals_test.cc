@@ -346,7 +346,8 @@ const Refusal kOfCommands[] = {
        "[scene]\ndimension = 2\n[contact]\nnormal = {law = \"linear\", stiffness = 1e5}\nrolling = "
        "{coefficient = 0.005, stiffness = 10.0}\n"}},
      {"scene check s.toml"},
-     "contact.rolling: rolling resistance needs contact.friction; grains that slide freely need not roll"},
+     "contact.rolling: rolling resistance needs friction, because grains without friction do not rotate; give "
+     "contact.friction or leave out contact.rolling"},
     {"aggregation_without_inertia",
      {{"s.toml",
        "[scene]\ndimension = 2\nunits = \"reduced\"\n[grains]\ncount = 40\ndiameter = {distribution = "

@@ -183,7 +183,7 @@ class Refusals(unittest.TestCase):
             floc.moduli(other)
         force = -contacts["normal_force"][:, None] * packing.contacts["normal"]
         floc.Packing.from_arrays(position, radius, cell, LAW, contacts={**contacts, "force": force})
-        self.refused("normal_force = .*, but the force listed for the same contact has the normal component",
+        self.refused("normal_force = .*, but the total force listed for the same contact has the normal component",
                      contacts={**contacts, "force": 2 * force})
 
 

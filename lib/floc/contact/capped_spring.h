@@ -7,10 +7,10 @@
 
 namespace floc {
 
-/// Shortens a spring to a length of at most `limit` >= 0 and keeps its direction. The history of a contact
-/// stores the elongation of the spring and not its force: when the limit drops, the spring is shortened and
-/// does not recover. A spring with one component is clamped; the components of a vector are scaled together
-/// (circular Coulomb cone).
+/// Returns the elongation of a contact spring, shortened to a length of at most `limit` >= 0 without a change of
+/// direction. An elongation with one component is clamped; the components of a vector are scaled together (circular
+/// Coulomb cone). The history of a contact stores the elongation and not the force: a spring that is shortened because
+/// the limit drops does not recover when the limit rises again.
 template <class V, class T>
 inline V capped(const V& spring, const T& limit) {
   if constexpr (V::RowsAtCompileTime == 1) {
@@ -24,11 +24,12 @@ inline V capped(const V& spring, const T& limit) {
   }
 }
 
-/// Updates an incremental spring whose force is capped at `coefficient` times the elastic part FNe of the
-/// normal force. Friction and the resistances to rolling and twisting share this rule.
-/// @param elastic  FNe (force)
+/// Adds `increment` to the elongation of a contact spring, and then shortens the spring so that its force is at most
+/// `coefficient` times the elastic part FNe of the normal force. Friction, rolling resistance and twisting resistance
+/// share this rule.
+/// @param elastic  elastic part FNe of the normal force (force)
 /// @param history  elongation of the spring, updated
-/// @return force of the spring
+/// @return force of the spring after the update
 template <class V, class T>
 inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment,
                         T* history) {
@@ -37,8 +38,8 @@ inline V respond_capped(double coefficient, double stiffness, const T& elastic, 
   return T(stiffness) * spring;
 }
 
-/// Returns whether the force of a spring has reached its cap (respond_capped()), to a relative tolerance. The
-/// spring then slides as soon as the displacement grows.
+/// Returns whether the force of a contact spring has reached its cap, `coefficient` times the elastic normal force, to
+/// within a relative tolerance. Such a spring slides as soon as the displacement of the contact grows.
 template <class V>
 inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* history,
                                 double tolerance) {

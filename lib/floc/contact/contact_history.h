@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Returns the count of numbers that a model of a contact law stores per contact, in `dim` dimensions.
+/// Returns how many numbers a model of a contact law stores per contact, in `dim` dimensions.
 template <class Model>
 constexpr int history_size(int dim) {
   int n = 0;
@@ -13,8 +13,8 @@ constexpr int history_size(int dim) {
   return n;
 }
 
-/// History of a contact under one contact law: the numbers stored by the models of the law, packed without
-/// gaps.
+/// History of a contact: the numbers that the models of its contact law store for it, such as the elongations of its
+/// springs, packed without gaps.
 template <int Size, class T = double>
 struct PackedHistory {
   T value[Size];

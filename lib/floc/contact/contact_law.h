@@ -17,29 +17,29 @@
 
 namespace floc {
 
-/// Relative motion of the two surfaces of a contact.
+/// Relative motion of the surfaces of the grains i and j of a contact.
 template <int Dim, class T = double>
 struct ContactMotion {
   PairGeometry<T> pair;  ///< geometry of the pair at the end of the motion
   T gap_rate;            ///< rate of change dh/dt of the gap (length/time)
-  T damping;             ///< damping coefficient of the pair, from damping_coefficient()
-  /// Tangential displacement of grain j relative to grain i since the history was last updated (length).
+  T damping;             ///< damping coefficient of the pair, from ContactLaw::damping_coefficient()
+  /// Tangential displacement of grain j relative to grain i since the history of the contact was last updated (length).
   Shear<Dim, T> slip;
-  /// Rolling rotation of grain i relative to grain j since the history was last updated (radians), see
-  /// rolling_part().
+  /// Rotation of grain i relative to grain j since the history of the contact was last updated (radians); for spheres
+  /// without the rotation about the normal (rolling_part()).
   RotationVector<Dim, T> relative_rotation;
-  /// For spheres, rotation of grain i relative to grain j about the normal since the history was last updated
-  /// (radians).
+  /// For spheres, rotation of grain i relative to grain j about the normal since the history of the contact was last
+  /// updated (radians).
   T twist = T(0);
 };
 
-/// Forces and moments of a contact on its grains i and j. The forces on j are +normal along the normal n and
-/// -shear; the forces on i are opposite. In addition to the moments of the shear force, the contact exerts the
-/// moments -rolling and -twisting n on i, and +rolling and +twisting n on j.
+/// Forces and moments that a contact exerts on its grains i and j. The force on j is `normal` along the unit normal n
+/// plus -`shear` in the tangent plane; the force on i is opposite. In addition to the moments of these forces, the
+/// contact exerts the moments `rolling` and `twisting` n on j, and the opposite moments on i.
 template <int Dim, class T = double>
 struct ContactForces {
-  NormalResponse<T> normal;  ///< static normal force, its two parts and its stiffnesses
-  /// Force of the dashpot (force), positive in compression; it is not part of the static force.
+  NormalResponse<T> normal;  ///< static normal force, its elastic and adhesive parts and its stiffnesses
+  /// Viscous normal force of the dashpot (force), positive if it pushes the grains apart; not part of the static force.
   T viscous;
   Shear<Dim, T> shear;             ///< tangential force on grain i, in the frame of the contact (force)
   RotationVector<Dim, T> rolling;  ///< rolling moment on grain j (force * length)
@@ -56,7 +56,8 @@ struct ContactStiffness {
   double twisting = 0.0;  ///< twisting stiffness K_tw (force * length), 0 when the surfaces do not touch
 };
 
-/// Empty parameters of a pair of grains, for contact laws that need nothing but the geometry of the pair.
+/// Empty type that contains no parameters of a pair of grains, for contact laws that need only the geometry of the
+/// pair.
 struct NoPairParameters {};
 
 namespace detail {
@@ -70,9 +71,10 @@ requires(requires { typename Adhesion::template PairParameters<T>; }) struct Pai
 };
 }  // namespace detail
 
-/// Contact law composed of one model per slot: normal repulsion, adhesion, damping, friction, rolling and
-/// twisting resistance. An absent model (contact/absent.h) has no member, no branch and no history. Every
-/// function that the dynamics calls is a template on its number type and does not branch on values.
+/// Contact law composed of one model per slot: normal repulsion, adhesion, damping, friction, rolling and twisting
+/// resistance. An empty slot (contact/absent.h) adds no data, no branch and no history. Every function that the
+/// dynamics calls is a template on its number type and does not branch on values, so that it can also evaluate a SIMD
+/// vector of contacts.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 struct ContactLaw {
   static constexpr bool kHasAdhesion = !kIsAbsent<Adhesion>;
@@ -81,27 +83,28 @@ struct ContactLaw {
   static constexpr bool kHasRolling = !kIsAbsent<Rolling>;
   static constexpr bool kHasTwisting = !kIsAbsent<Twisting>;
   static constexpr bool kHoldsLiquid = floc::kHoldsLiquid<Adhesion>;
-  /// Whether the damping coefficient has to be multiplied by the square root of the normal stiffness.
+  /// Whether the coefficient that damping_coefficient() returns has to be multiplied by the square root of the normal
+  /// stiffness.
   static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
   /// Space dimension (2 or 3) for which the law is made; 0 if it is valid in both.
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
-  /// Whether the law depends on the reduced radius or (next constant) on the reduced mass of a pair of grains.
-  /// These numbers are loaded only for laws that depend on them.
+  /// Whether the law depends on the reduced radius of a pair of grains; the next constant tells this for the reduced
+  /// mass. The dynamics loads either number only for laws that depend on it.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
   || requires { requires Adhesion::kNeedsReducedRadius; };
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
-  /// Parameters of a pair of grains that follow from its radii and its history, for example the parameters of a
-  /// liquid bridge. Most laws have none. pair_parameters() computes them once, not at every evaluation of the
-  /// force.
+  /// Parameters of a pair of grains that follow from the radii of the grains and the history of their contact, for
+  /// example the parameters of a liquid bridge. Most laws have no such parameters. pair_parameters() computes them
+  /// once, not at every evaluation of the force.
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
-  /// Count of numbers in the history of a contact. The history consists of the numbers of the normal,
-  /// tangential, rolling, twisting and adhesion models, in this order.
+  /// How many numbers the history of a contact contains: those of the normal, tangential, rolling, twisting and
+  /// adhesion models, in this order.
   template <int Dim>
   static constexpr int kHistorySize =
       history_size<Normal>(Dim) + history_size<Tangential>(Dim) + history_size<Rolling>(Dim) +
@@ -125,8 +128,8 @@ struct ContactLaw {
     if constexpr (kHasAdhesion) return adhesion.range();
     return 0.0;
   }
-  /// Returns the largest gap (length) at which surfaces that have touched before may still stick together: 0
-  /// unless the normal law holds them together across a gap.
+  /// Returns the largest gap (length) at which surfaces that have touched before may still stick together. It is 0
+  /// unless the normal law holds surfaces together across a gap.
   double holding_range([[maybe_unused]] double reduced_radius) const {
     if constexpr (requires { repulsion.holding_range(reduced_radius); })
       return repulsion.holding_range(reduced_radius);
@@ -142,7 +145,8 @@ struct ContactLaw {
     return pair.gap < 0.0 || pair.gap < range() || touches<Dim>(pair, history);
   }
 
-  /// Returns the parameters of a pair of grains with these radii (length) and this history.
+  /// Returns the parameters of a pair of grains with these radii (length) and this history: those of its liquid bridge,
+  /// or none if the law has no liquid.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
                                    [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -151,9 +155,8 @@ struct ContactLaw {
     else
       return {};
   }
-  /// Returns the parameters of a pair of grains at the present history. They differ from `parameters` only if a
-  /// liquid bridge has broken: its strength is then zero. The pair must not have moved since its history was
-  /// updated.
+  /// Returns the parameters with which a pair of grains acts at its present history: `parameters`, but with zero
+  /// strength if the liquid bridge of the pair has broken. The pair must not have moved since its history was updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
                           [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -169,9 +172,9 @@ struct ContactLaw {
     return in_touch(pair, normal_history(history));
   }
 
-  /// Returns the static normal force of a pair, its elastic and adhesive parts and its stiffnesses.
-  /// @param history  history of the normal model; null for a new contact
-  /// @param parameters  parameters of the pair that are in effect, see acting()
+  /// Returns the static normal force of a pair of grains, its elastic and adhesive parts and its stiffnesses.
+  /// @param history  history of the normal model of the law; null for a new contact
+  /// @param parameters  parameters with which the pair acts now, see acting()
   template <class T>
   NormalResponse<T> normal(const PairGeometry<T>& pair, const T* history = nullptr,
                            [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
@@ -225,8 +228,8 @@ struct ContactLaw {
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// Returns the energy of the elastic part of the normal force of a contact with this history, see
-  /// elastic_energy(). The next function returns the energy of its attraction, see attraction_energy().
+  /// Returns the energy stored by the elastic normal force of a contact with this history (elastic_energy()). The next
+  /// function returns the energy of the attraction of the contact (attraction_energy()).
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
                            const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -237,8 +240,8 @@ struct ContactLaw {
                               const PairParameters<>& parameters) const {
     return attraction_energy(pair, normal_history(history), parameters);
   }
-  /// Returns the energy of the attraction between two grains, which is zero where the attraction ends.
-  /// @param parameters  parameters of the pair that are in effect, see acting()
+  /// Returns the energy of the attraction between two grains. It is zero at gaps at which the attraction has ended.
+  /// @param parameters  parameters with which the pair acts now, see acting()
   template <class T>
   T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* history = nullptr,
                       [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
@@ -251,8 +254,8 @@ struct ContactLaw {
       return adhesion.energy(pair);
     return T(0);
   }
-  /// Returns the elastic and adhesive energy of a contact along its normal. The contact is new if no history is
-  /// given.
+  /// Returns the energy of the normal force of a contact, the sum of its elastic and adhesive energy. Without
+  /// `history`, the contact counts as new.
   template <class T>
   T energy(const PairGeometry<T>& pair, const T* history = nullptr,
            const PairParameters<T>& parameters = {}) const {
@@ -265,15 +268,16 @@ struct ContactLaw {
     return elastic_energy(pair, response.elastic, k_n, history) + attraction_energy(pair, history, parameters);
   }
 
-  /// Returns the damping coefficient of a pair of grains (force * time/length), divided by the square root of
-  /// the normal stiffness if damping follows this stiffness; 0 without damping.
+  /// Returns the damping coefficient of a pair of grains (force * time/length); 0 without damping. If the damping
+  /// follows the present normal stiffness (kDampingFollowsStiffness), the coefficient is divided by the square root of
+  /// this stiffness.
   double damping_coefficient([[maybe_unused]] const CollisionMass& mass) const {
     if constexpr (kHasDamping) return damping.coefficient(mass, repulsion);
     return 0.0;
   }
 
-  /// Updates the history of a contact by one motion and returns its forces. Springs are shortened so that their
-  /// forces do not exceed their caps, and vanish when the surfaces part.
+  /// Updates the history of a contact by one motion and returns the forces of the contact. Springs are shortened so
+  /// that their forces do not exceed their caps. When the surfaces part, the elongations of the springs become zero.
   template <int Dim, class T>
   ContactForces<Dim, T> respond(const ContactMotion<Dim, T>& motion,
                                 PackedHistory<kHistorySize<Dim>, T>& history,
@@ -287,8 +291,8 @@ struct ContactLaw {
     if constexpr (kHasDamping)
       forces.viscous = lanes::select(forces.normal.touches,
                                      T(damping.force(motion.damping, forces.normal, motion.gap_rate)), T(0));
-    // The caps of the forces of the springs are proportional to the elastic force, which is zero between
-    // surfaces that do not touch. The springs of such surfaces therefore vanish.
+    // The cap of the force of each spring is proportional to the elastic normal force, which is zero between surfaces
+    // that do not touch. The springs of such surfaces are therefore shortened to zero.
     if constexpr (kHasFriction)
       forces.shear = friction.respond(pair, forces.normal, motion.slip, history.value + kTangentialBegin<Dim>);
     if constexpr (kHasRolling)
@@ -299,8 +303,8 @@ struct ContactLaw {
     return forces;
   }
 
-  /// Returns the stiffnesses of a contact in the elastic network of contacts, where the force of no spring
-  /// counts as being at its cap.
+  /// Returns the stiffnesses of a contact in the elastic network of contacts. Every spring counts as elastic, even if
+  /// its force is at its cap.
   template <int Dim>
   ContactStiffness stiffness(const PairGeometry<>& pair, const PackedHistory<kHistorySize<Dim>>& history,
                              const PairParameters<>& parameters = {}) const {
@@ -309,19 +313,19 @@ struct ContactLaw {
     return response.touches ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
-  /// Returns the stiffnesses of a touching contact if only its elastic force is known.
+  /// Returns the stiffnesses of a touching contact of which only the elastic normal force is known.
   ContactStiffness stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// Returns upper bounds of the stiffnesses of a contact of this pair under this load.
+  /// Returns upper bounds on the stiffnesses that a contact of this pair can have under this load.
   ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }
 
-  /// Returns which springs of a touching contact have forces at their caps. All code of the program uses this
-  /// criterion of sliding.
-  /// @param tolerance  relative distance below the cap that still counts as being at the cap
+  /// Returns which springs of a touching contact have forces at their caps. This is the only criterion of sliding in
+  /// the program.
+  /// @param tolerance  fraction of the cap by which a force may lie below the cap and still count as being at the cap
   template <int Dim>
   Mobilised mobilised(double elastic, const PackedHistory<kHistorySize<Dim>>& history, double tolerance) const {
     Mobilised m;
@@ -336,7 +340,7 @@ struct ContactLaw {
     return m;
   }
 
-  /// Sets the history of the normal law so that a contact has this elastic force at its gap.
+  /// Sets the history of the normal model so that a contact has this elastic normal force at its gap.
   template <int Dim>
   void set_elastic_force([[maybe_unused]] const PairGeometry<>& pair, [[maybe_unused]] double elastic,
                          [[maybe_unused]] PackedHistory<kHistorySize<Dim>>& history) const {
@@ -380,8 +384,8 @@ struct ContactLaw {
     response.elastic_stiffness += of_adhesion;
   }
 
-  /// Returns whether the surfaces touch. They touch if they overlap, unless the normal law defines a criterion
-  /// of its own, for surfaces that stick together across a gap or part while they still overlap.
+  /// Returns whether the surfaces of a contact touch. They touch if they overlap, unless the normal law defines its own
+  /// criterion, for surfaces that stick together across a gap or that part while they still overlap.
   template <class T>
   typename NormalResponse<T>::Mask in_touch(const PairGeometry<T>& pair,
                                             [[maybe_unused]] const T* history) const {
@@ -391,8 +395,8 @@ struct ContactLaw {
       return pair.gap < T(0);
   }
 
-  /// Returns the normal response of a touching contact if only its elastic force and its normal stiffness K_N
-  /// are known.
+  /// Returns the NormalResponse of a touching contact of which only the elastic force and the normal stiffness K_N are
+  /// known.
   NormalResponse<double> of_stiffness(double elastic, double k_n) const {
     NormalResponse<double> response{elastic, 0.0, k_n, k_n};
     if constexpr (requires { repulsion.shear_ratio(); })

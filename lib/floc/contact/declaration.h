@@ -2,10 +2,10 @@
 
 #include <type_traits>
 
-/// Declarations of a model of a contact law: its keyword, its parameters (numbers and choices among keywords),
-/// and the history that it stores per contact. Each model is declared once. Validation, scenes, changes along a
-/// load path, texts that describe laws, state files, the computation of forces and dimensionless groups all
-/// iterate over these declarations.
+/// Declarations of a model of a contact law: its keyword, its parameters (numbers and choices among keywords), and the
+/// history that it stores per contact. Each model is declared once. All code that handles parameters and histories
+/// iterates over these declarations: validation, scene files, changes along a load path, texts that describe laws,
+/// state files, the computation of forces and dimensionless groups.
 namespace floc {
 
 /// Unit of a parameter of a contact law.
@@ -49,15 +49,15 @@ constexpr bool holds(Requirement requirement, double x) {
 /// Declaration of one numeric parameter of a model of a contact law.
 template <class Model>
 struct Number {
-  const char* key;  ///< last part of the key of the parameter in a scene, contact.SLOT.KEY
+  const char* key;  ///< last part, KEY, of the key contact.SLOT.KEY in a scene file
   double Model::*member;
   Unit unit;
   const char* symbol;       ///< symbol of the parameter in formulas, such as "K_N"
-  Requirement requirement;  ///< requirement on every value, also on values set along a load path
-  const char* expectation;  ///< value expected in a scene, in words, for messages
+  Requirement requirement;  ///< requirement on every value, also on a value that a load path sets
+  const char* expectation;  ///< value expected in a scene file, in words, for messages
   const char* meaning;      ///< description of the parameter in one line
-  /// Requirement on the value given in a scene. It may be stricter than `requirement`, because a change along
-  /// the load path may set a number to zero to switch off a model.
+  /// Requirement on the value given in a scene file. It may be stricter than `requirement`, because a change along a
+  /// load path may set the parameter to zero in order to switch off its model.
   Requirement at_first = requirement;
 };
 
@@ -68,8 +68,8 @@ struct AtLeast {
   double Model::*smaller;
 };
 
-/// Declaration of one parameter of a model whose value is a keyword. It is optional in a scene; the first
-/// keyword is the default.
+/// Declaration of one parameter of a model of a contact law whose value is a keyword. The parameter is optional in a
+/// scene file; its first keyword is the default.
 template <class Model>
 struct Choice {
   const char* key;
@@ -78,8 +78,9 @@ struct Choice {
   void (*set)(Model&, int);
 };
 
-/// Functions `get` and `set` of a Choice whose value is an enumeration, stored in a member of the model. They
-/// are functions and not lambdas, because a model declares its choices before its own definition is complete.
+/// Return and set the index of the keyword that a model has chosen, if the model stores it as an enumeration in its
+/// member `kMember`. Choice::get and Choice::set point to these functions. They are not lambdas, because a model
+/// declares its choices before its own definition is complete.
 template <class Model, auto kMember>
 int chosen(const Model& model) {
   return static_cast<int>(model.*kMember);
@@ -108,21 +109,21 @@ struct History {
   const char* meaning;  ///< description of the quantity in words
 };
 
-/// Returns whether a quantity of the history is a vector in the tangent plane of the contact and turns with
-/// this plane.
+/// Returns whether a quantity in the history of a contact is a vector in the tangent plane of the contact, so that it
+/// turns with this plane.
 constexpr bool is_tangential(HistoryKind kind) {
   return kind == HistoryKind::tangent || kind == HistoryKind::rotation;
 }
 
-/// Returns the number of components of a quantity of the history. Displacements and rotations in the tangent
-/// plane are one number in 2D and vectors of three components in 3D.
+/// Returns the number of components of a quantity in the history of a contact. Displacements and rotations in the
+/// tangent plane are one number in 2D and vectors of three components in 3D.
 constexpr int n_components(HistoryKind kind, int dim) {
   return is_tangential(kind) && dim == 3 ? 3 : 1;
 }
 
-/// Returns the factor by which each component of a quantity is multiplied when grains i and j are exchanged. It
-/// is 1 for a 2D tangential displacement: the displacement changes sign, but so does the tangent along which it
-/// is measured, because the tangent turns with the normal.
+/// Returns the factor by which each component of a quantity in the history of a contact is multiplied when the grains i
+/// and j of the contact are exchanged. The factor is 1 for a 2D tangential displacement: the displacement changes sign,
+/// but so does the tangent along which it is expressed, because the tangent turns with the normal.
 constexpr double parity(HistoryKind kind, int dim) {
   if (!is_tangential(kind)) return 1.0;
   return kind == HistoryKind::tangent && dim == 2 ? 1.0 : -1.0;

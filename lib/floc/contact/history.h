@@ -8,13 +8,13 @@
 
 namespace floc {
 
-/// Layout of the history of a contact, both in the list of contacts and in the arrays of pairs that the
-/// dynamics uses. Each slot of the contact law (normal, friction, ...) has a fixed place that is large enough
-/// for any model of the slot, so that a change of the law moves no number.
+/// Order of the numbers in the history of a contact, both in the list of contacts and in the arrays of pairs that the
+/// dynamics uses. Each slot of the contact law (normal, friction, ...) has a fixed range of indices that is large
+/// enough for any model of the slot, so that a change of the law moves no number.
 template <int Dim>
 struct HistoryLayout {
-  // Count of numbers reserved for each slot of the contact law: the largest history of all models of the slot.
-  // history_layout.h checks that no model needs more.
+  // How many numbers are reserved for each slot of the contact law: as many as the model of the slot with the largest
+  // history needs. history_layout.h checks that no model needs more.
   static constexpr int kNormalRoom = 2, kFrictionRoom = Dim == 2 ? 2 : 4, kRollingRoom = Dim == 2 ? 1 : 3,
                        kTwistingRoom = Dim == 2 ? 0 : 1, kAdhesionRoom = 1;
 
@@ -26,22 +26,22 @@ struct HistoryLayout {
   static constexpr int kSize = kAdhesion + kAdhesionRoom;
 };
 
-/// History of a contact, arranged as in HistoryLayout. Numbers that the contact law does not use are zero.
+/// History of a contact: numbers in the order of HistoryLayout. Numbers that the contact law does not use are zero.
 template <int Dim>
 using ContactHistory = Eigen::Matrix<double, HistoryLayout<Dim>::kSize, 1>;
 
-/// One quantity in the history of the contacts under a contact law.
+/// One quantity in the history of a contact, such as the elongation of the tangential spring.
 struct HistoryQuantity {
   History declared;
-  int begin;  ///< index of the first number of the quantity in HistoryLayout
-  int size;   ///< count of the numbers of the quantity
+  int begin;  ///< index of the first number of the quantity in a ContactHistory
+  int size;   ///< how many numbers the quantity has
 };
 
-/// Returns the quantities in the history of the contacts under a law, in the order of HistoryLayout.
+/// Returns the quantities that a contact law stores per contact, in the order of HistoryLayout.
 std::vector<HistoryQuantity> history_quantities(const Law& law, int dim);
 
-/// Returns the factor by which each number of the history is multiplied when the two grains of a contact are
-/// exchanged.
+/// Returns the factor (1 or -1) by which each number in the history of a contact is multiplied when the two grains of
+/// the contact are exchanged.
 template <int Dim>
 ContactHistory<Dim> swap_parity(const Law& law);
 

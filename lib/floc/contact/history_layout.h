@@ -9,14 +9,15 @@
 #include "floc/contact/law_parameters.h"
 #include "floc/contact/model_traits.h"
 
-/// Indices of the numbers of a contact law in the history of a contact (HistoryLayout in history.h). The layout
-/// is checked here against all models. A law evaluates, loads and stores only the numbers of its own models.
+/// Conversion between the two forms of the history of a contact. A ContactHistory has room for any model in each slot
+/// of the contact law (HistoryLayout, history.h); a PackedHistory has only the numbers of the models of one law. A
+/// check at compile time ensures that a ContactHistory is large enough for all models.
 namespace floc {
 
 namespace detail {
 
-/// Size of the largest history (count of numbers) among the models in one slot of a contact law (normal,
-/// adhesion, ...) that are valid in a given dimension.
+/// Largest history (number of numbers) among those models of one slot of a contact law (normal, adhesion, ...) that are
+/// valid in a given dimension.
 template <class Slot>
 struct WidestHistory;
 template <class... Models>
@@ -47,8 +48,8 @@ static_assert(
 
 }  // namespace detail
 
-/// Returns the index in HistoryLayout of number k of the packed history of a contact (PackedHistory) under a
-/// law.
+/// Returns the index in a ContactHistory of the number that has index k in the PackedHistory of the contact under
+/// `Law`.
 template <class Law, int Dim>
 constexpr int history_place(int k) {
   constexpr int n_normal = history_size<typename Law::NormalModel>(Dim);
@@ -63,7 +64,7 @@ constexpr int history_place(int k) {
   return HistoryLayout<Dim>::kAdhesion + k - n_normal - n_friction - n_rolling - n_twisting;
 }
 
-/// Returns whether number k of the packed history of a contact (PackedHistory) is the first component of a
+/// Returns whether the number with index k in the PackedHistory of a contact under `Law` is the first component of a
 /// vector in the tangent plane of a 3D contact.
 template <class Law, int Dim>
 constexpr bool begins_tangent(int k) {
@@ -84,8 +85,8 @@ constexpr bool begins_tangent(int k) {
   return Dim == 3 && begins;
 }
 
-/// Calls visit(k, place) for each number k of the packed history of a contact (PackedHistory), where `place` is
-/// its index in HistoryLayout. The loop is unrolled; k and place are integral constants.
+/// Calls visit(k, place) for each number in the history of a contact under `Law`, where k is its index in a
+/// PackedHistory and `place` its index in a ContactHistory. The loop is unrolled; k and place are integral constants.
 template <class Law, int Dim, class Visit>
 [[gnu::always_inline]] inline void for_each_history(const Visit& visit) {
   [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
@@ -94,7 +95,7 @@ template <class Law, int Dim, class Visit>
   (std::make_integer_sequence<int, Law::template kHistorySize<Dim>>{});
 }
 
-/// Packs the history of a contact: copies the numbers that the law uses from their places in HistoryLayout.
+/// Packs the history of a contact: copies the numbers that the models of `Law` use.
 template <class Law, int Dim>
 PackedHistory<Law::template kHistorySize<Dim>> packed_history(const ContactHistory<Dim>& all) {
   PackedHistory<Law::template kHistorySize<Dim>> packed;
@@ -103,8 +104,8 @@ PackedHistory<Law::template kHistorySize<Dim>> packed_history(const ContactHisto
   return packed;
 }
 
-/// Unpacks the history of a contact to the places of HistoryLayout. Places that the law does not use are set to
-/// zero.
+/// Unpacks the history of a contact to the order of HistoryLayout. Numbers that the models of `Law` do not use are set
+/// to zero.
 template <class Law, int Dim>
 ContactHistory<Dim> unpacked_history(const PackedHistory<Law::template kHistorySize<Dim>>& packed) {
   ContactHistory<Dim> all = ContactHistory<Dim>::Zero();

@@ -15,7 +15,7 @@ struct LawParameters;
 /// has, so that only the sources that evaluate, read or write models have to include the models.
 class Law {
  public:
-  /// Creates a linear repulsion of zero stiffness, a placeholder until a law is assigned.
+  /// Creates a law of linear repulsion with zero stiffness, a placeholder until another law is assigned.
   Law();
   Law(const LawParameters& parameters);  // NOLINT(google-explicit-constructor): a law is its parameters
 
@@ -41,32 +41,34 @@ class Law {
   double pull_off_force(const PairGeometry<>& pair) const;
   /// Whether grains attract each other.
   bool adheres() const { return pull_off_force(1.0) > 0.0; }
-  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other; 0 if
-  /// the adhesion has zero force, and for liquid bridges, whose reach depends on their volumes
+  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other. It is 0 if the
+  /// adhesion has zero force, and also for liquid bridges, whose reach depends on their volumes
   /// (packing/liquid/liquid.h).
   double range() const;
-  /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length),
-  /// including surfaces that have touched before and still stick together.
+  /// Returns the largest gap (length) at which the law acts between grains of at most this radius (length). It includes
+  /// gaps at which surfaces that have touched before still stick together.
   double reach(double largest_radius) const;
-  /// Returns the model of liquid bridges; null if the law has no such model or its water content is zero.
+  /// Returns the model of liquid bridges; null if the law has no model of liquid bridges, or if the bridges cannot
+  /// attract (CapillaryAdhesion::acts()).
   const CapillaryAdhesion* liquid() const;
   /// Returns the modulus by which pressures are divided to make them dimensionless if grains do not adhere
-  /// (force/length^(Dim-1)): K_N/a^(Dim-2) for linear contacts of stiffness K_N between grains of diameter a,
-  /// E/(1 - nu^2) for Hertz contacts of Young's modulus E and Poisson's ratio nu.
+  /// (force/length^(Dim-1)). For linear contacts of stiffness K_N between grains of diameter a it is K_N/a^(Dim-2), for
+  /// Hertz contacts with Young's modulus E and Poisson's ratio nu it is E/(1 - nu^2).
   double contact_modulus(int dim, double diameter) const;
 
   /// Whether the normal force depends on the history of the overlap, and so dissipates energy.
   bool keeps_overlap() const;
   /// Whether the normal law itself includes the adhesion.
   bool adheres_by_itself() const;
-  /// Returns the keyword of the normal law in a scene, such as "linear".
+  /// Returns the keyword of the normal law in a scene file, such as "linear".
   const char* normal_keyword() const;
-  /// Returns the exponent of the overlap in the elastic force; 1 for contacts of constant stiffness.
+  /// Returns the exponent of the overlap in the formula for the elastic normal force; 1 for contacts of constant
+  /// stiffness.
   double force_exponent() const;
   /// Whether the normal law holds only for overlaps that are small compared with the grains.
   bool is_for_small_overlaps() const;
 
-  /// Returns the reason why the law cannot be used in this dimension, in words; empty if the law can be used.
+  /// Returns the reason why the law cannot be used in this dimension (2 or 3), in words; empty if the law can be used.
   std::string fault_in_dimension(int dimension) const;
 
   /// Whether friction can carry any force.

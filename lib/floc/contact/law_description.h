@@ -30,9 +30,9 @@ struct DeclaredChoice {
 /// Declaration of a model that a slot of a contact law can hold.
 struct DeclaredModel {
   std::string keyword;
-  bool is_default;  ///< whether this model is chosen if a scene names none
-  /// Whether every state file stores the numbers of this model (kIsInEveryFile). They are zero if the law has
-  /// another model.
+  bool is_default;  ///< whether this model is chosen if a scene file names no model for the slot
+  /// Whether every state file stores the numbers of this model (kIsInEveryFile). If the contact law has another model
+  /// in the slot, these numbers are zero.
   bool is_in_every_file;
   std::vector<DeclaredNumber> numbers;
   std::vector<DeclaredChoice> choices;
@@ -42,13 +42,13 @@ struct DeclaredModel {
   const DeclaredNumber* number(const std::string& number_key) const;
 };
 
-/// Returns whether a model can be combined with the other models of a law, that is, whether it causes no
-/// further fault between models.
+/// Returns whether a model can be put into a contact law without more faults between the models of the law than before.
 bool fits(const DeclaredModel& model, LawParameters law);
 
 /// Declaration of a slot of a contact law (normal, adhesion, damping, ...) and of the models that it can hold.
 struct DeclaredSlot {
-  std::string key;                    ///< key of the table of this slot in a scene, such as "friction"
+  /// Key of the table of this slot in a scene file, such as "friction".
+  std::string key;
   bool optional;                      ///< whether a law may leave this slot empty
   std::vector<DeclaredModel> models;  ///< models that this slot can hold
 
@@ -56,21 +56,21 @@ struct DeclaredSlot {
   int present(const LawParameters& law) const;
 };
 
-/// Returns whether a scene has to name the model of a slot of the contact law, because the slot has no default
+/// Returns whether a scene file has to name the model of this slot of the contact law, because the slot has no default
 /// model.
 bool names_its_model(const DeclaredSlot& slot);
 
-/// Returns the text of the table of a model in a scene, with the keys that the table needs: "{law = "tail",
-/// force, range}".
+/// Returns the table that describes a model in a scene file, with the keys that it needs but without their values, for
+/// messages: `{law = "tail", force, range}`.
 std::string table_text(const DeclaredSlot& slot, const DeclaredModel& model);
 
 /// Returns the declarations of all slots of a contact law (normal, adhesion, ...), in the order of
 /// LawParameters.
 const std::vector<DeclaredSlot>& declared_slots();
 
-/// Numeric parameter of a law, with its key and its declaration.
+/// Numeric parameter of a contact law: its key, its value and its declaration.
 struct LawNumber {
-  std::string key;  ///< key below the table [contact], such as "adhesion.force"
+  std::string key;  ///< key in the table [contact] of a scene file, such as "adhesion.force"
   double* value;
   const DeclaredNumber* declared;
 };
@@ -78,20 +78,20 @@ struct LawNumber {
 /// Returns the numeric parameters of the models of a law, in the order of LawParameters.
 std::vector<LawNumber> numbers_of(LawParameters& law);
 
-/// Parameter of a law whose value is a keyword.
+/// Parameter of a contact law whose value is a keyword.
 struct LawChoice {
-  std::string key;  ///< key below the table [contact], such as "damping.mass"
-  int chosen;       ///< index of the chosen keyword
+  std::string key;  ///< key in the table [contact] of a scene file, such as "damping.mass"
+  int chosen;       ///< index of the chosen keyword in declared->keywords
   const DeclaredChoice* declared;
 };
 
 std::vector<LawChoice> choices_of(const LawParameters& law);
 
-/// Sets the keyword of a parameter of a model of a law.
-/// @param slot  key of the slot of the model, such as "damping"
-/// @param key  key of the parameter
-/// @param chosen  index of the keyword
-/// @pre the model has a choice of this key with more than `chosen` keywords
+/// Chooses the keyword that is the value of a parameter of a contact law.
+/// @param slot  key of the slot whose model has the parameter, such as "damping"
+/// @param key  key of the parameter in the table of the slot, such as "mass"
+/// @param chosen  index of the keyword in the declaration of the parameter (DeclaredChoice)
+/// @pre the model in the slot has a parameter with this key, which allows more than `chosen` keywords
 void choose(LawParameters& law, const std::string& slot, const std::string& key, int chosen);
 
 }  // namespace floc

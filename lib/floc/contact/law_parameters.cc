@@ -32,8 +32,8 @@ const char* requirement_text(Requirement requirement) {
   return "";
 }
 
-/// Returns the text of the table of a model in a scene, such as "contact.friction = {law = \"mindlin\",
-/// coefficient}".
+/// Returns the table that describes a model in a scene file, without values, for messages, such as "contact.friction =
+/// {law = \"mindlin\", coefficient}".
 template <class Model>
 std::string table_of(const std::string& key) {
   const auto slot = std::find_if(declared_slots().begin(), declared_slots().end(),
@@ -43,8 +43,8 @@ std::string table_of(const std::string& key) {
   return fmt::format("contact.{} = {}", key, table_text(*slot, *model));
 }
 
-/// Returns the texts of the tables in a scene of all models of a slot (normal, adhesion, ...) for which `takes`
-/// returns true.
+/// Returns table_of() for those models of a slot of the contact law (normal, adhesion, ...) for which `takes` returns
+/// true.
 template <class... Models, class Takes>
 std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models...>&, const Takes& takes) {
   std::vector<std::string> tables;
@@ -56,8 +56,8 @@ std::vector<std::string> tables_of(const std::string& key, const LawSlot<Models.
   return tables;
 }
 
-/// Returns a message if the family of a model (of adhesion, damping, ...) cannot be combined with the family of
-/// the normal law; otherwise an empty text.
+/// Returns a message if a model (of adhesion, damping, ...) cannot be combined with the normal law (kGoesWith);
+/// otherwise an empty text.
 template <class Normals, class Slot>
 std::string family_fault(const Normals& normals, const std::string& key, const Slot& slot) {
   return normals.visit([&]<class Normal>(const Normal&) {
@@ -130,20 +130,21 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
   const auto refuse = [&](bool fault, const std::string& slot, const char* words) {
     if (fault) faults.push_back({slot, "contact." + slot + words});
   };
-  // Without friction the dynamics does not rotate grains (PairKernel::kRotates), so that springs against
-  // rolling and twisting would never act.
+  // Without friction the dynamics does not rotate grains (PairKernel::kRotates), so that rolling and twisting springs
+  // would never be loaded.
   refuse(rolling && !friction, "rolling",
-         ": rolling resistance needs contact.friction; grains that slide freely need not roll");
+         ": rolling resistance needs friction, because grains without friction do not rotate; give "
+         "contact.friction or leave out contact.rolling");
   refuse(twisting && !friction, "twisting",
-         ": twisting resistance needs contact.friction; grains that slide freely need not turn against each "
-         "other");
+         ": twisting resistance needs friction, because grains without friction do not rotate; give "
+         "contact.friction or leave out contact.twisting");
   for_each_slot(*this, [&](const char* key, const auto& slot) {
     if (std::string words = family_fault(normal, key, slot); !words.empty())
       faults.push_back({key, std::move(words)});
   });
   adhesion.visit([&]<class Adhesion>(const Adhesion&) {
-    // Grains connected by liquid bridges roll freely. A model that is already refused because of its family is
-    // not reported again.
+    // Grains connected by liquid bridges roll freely. A model of rolling or twisting resistance that family_fault() has
+    // already refused is not reported again.
     if constexpr (kRollsFreely<Adhesion>) {
       const auto refuse_resistance = [&](const char* key, const auto& slot) {
         if (!slot || !family_fault(normal, key, slot).empty()) return;
@@ -151,7 +152,7 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
             {key,
              fmt::format(
                  "contact.{} is not allowed here: grains with contact.adhesion.law = \"{}\" roll and twist "
-                 "without resistance",
+                 "without resistance; leave out this table",
                  key, Adhesion::kKeyword)});
       };
       refuse_resistance("rolling", rolling);

@@ -19,18 +19,18 @@
 
 namespace floc {
 
-/// Reason why a contact law cannot be used: its models cannot be combined, a model is made for another
-/// dimension, or two of its numbers contradict each other.
+/// Reason why a contact law cannot be used: its models cannot be combined, a model is made for another space dimension,
+/// or two numbers of a model contradict each other.
 struct LawFault {
   std::string slot;      ///< key of the slot at fault, such as "friction"
-  std::string words;     ///< message: "contact.SLOT...: requirement"
+  std::string words;     ///< message with the key at fault, contact.SLOT..., and what is required of it
   std::string key = {};  ///< key of the number at fault; empty if the fault is not a single number
 };
 
-/// Contact law as a scene or a saved state describes it. Each slot (normal, adhesion, ...) holds a model with
-/// its numbers, or is empty. The types of the slots are the only lists of models in the program. Scenes, texts
-/// that describe laws, state files and the law table (law_table.h), which converts LawParameters into a
-/// composed type, all follow from these lists.
+/// Contact law as a scene file or a saved state describes it. Each slot (normal, adhesion, ...) holds a model with its
+/// numbers, or is empty. The types of the slots are the only lists of models in the program. All code that handles
+/// models follows from these lists: scene files, texts that describe laws, state files and law_table.h, which converts
+/// LawParameters into a composed type.
 struct LawParameters {
   LawSlot<LinearRepulsion, HertzRepulsion> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion, CapillaryAdhesion> adhesion;
@@ -39,8 +39,8 @@ struct LawParameters {
   LawSlot<NoRolling, RollingSpring> rolling;
   LawSlot<NoTwisting, TwistingSpring> twisting;
 
-  /// Calls visit(key, slot) for each slot, in the order below. The key is the name of the table in a scene that
-  /// describes the slot.
+  /// Calls visit(key, slot) for each slot, in the order below. The key is the name of the table that describes the slot
+  /// in a scene file.
   template <class Self, class Visit>
   static void for_each_slot(Self& law, Visit&& visit) {
     visit("normal", law.normal);
@@ -55,11 +55,11 @@ struct LawParameters {
 
   /// Returns every fault of the law as "key = value: requirement"; empty if the law can be used.
   std::vector<std::string> validate() const;
-  /// Returns the faults of models that cannot be combined, independent of their numbers.
+  /// Returns one fault for each model that cannot be combined with the other models, whatever its numbers.
   std::vector<LawFault> faults_between_slots() const;
-  /// Returns the faults of numbers that are valid by themselves but contradict another number (AtLeast).
+  /// Returns one fault for each number that is valid by itself but contradicts another number of its model (AtLeast).
   std::vector<LawFault> faults_between_numbers() const;
-  /// Returns a fault for each model that is made for another dimension.
+  /// Returns one fault for each model that is made for another space dimension.
   std::vector<LawFault> faults_in_dimension(int dimension) const;
 };
 

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Slot of a contact law (normal, adhesion, damping, ...) as a scene or a saved state describes it. It holds
-/// one of its models, with the numbers of the model. The first type of an optional slot stands for an empty
-/// slot (absent.h).
+/// Slot of a contact law (normal, adhesion, damping, ...) as a scene file or a saved state describes it. It holds one
+/// of the types `Models`: a model with its numbers or, as the first type of a slot that may be empty, Absent
+/// (absent.h).
 template <class... Models>
 class LawSlot {
  public:

@@ -14,9 +14,9 @@
 ///      with a closed form.
 namespace floc {
 
-/// Whether the contact law composed of these models is compiled. The models have to be compatible with the
-/// normal law (model_traits.h). Rolling resistance needs friction, and an adhesion under which grains can
-/// resist rolling. Twisting resistance needs a rolling spring, whose coefficient may be zero.
+/// Whether the program contains the contact law composed of these models. It does if three conditions hold: each model
+/// can be combined with the normal law (kGoesWith, model_traits.h); rolling resistance comes with friction and without
+/// liquid bridges (kRollsFreely); twisting resistance comes with a rolling spring, whose coefficient may be zero.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled =
     kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<Normal, Tangential>&&
@@ -40,8 +40,8 @@ struct Joined<LawList<Laws...>> {
 template <class... A, class... B, class... Rest>
 struct Joined<LawList<A...>, LawList<B...>, Rest...> : Joined<LawList<A..., B...>, Rest...> {};
 
-/// List of all compiled contact laws with one model per slot (normal, adhesion, ...). `Models` are the models
-/// chosen so far, `Slots` the slots whose model has not been chosen yet.
+/// List of all compiled contact laws that contain the chosen models `Models` and one model of each of the remaining
+/// slots `Slots`. The recursion chooses the model of one slot (normal, adhesion, ...) after the other.
 template <class Models, class... Slots>
 struct Compositions;
 template <class... M>
@@ -58,26 +58,25 @@ struct Compositions<Chosen<M...>, LawSlot<Models...>, Rest...> {
 
 }  // namespace detail
 
-/// Contact law of any compiled composition of models. The variant is visited once for many contacts, not once
-/// per contact.
+/// Any of the compiled contact laws. For speed, the variant is visited once for many contacts, not once per contact.
 using AnyContactLaw =
     detail::Compositions<detail::Chosen<>, decltype(LawParameters::normal), decltype(LawParameters::adhesion),
                          decltype(LawParameters::damping), decltype(LawParameters::friction),
                          decltype(LawParameters::rolling), decltype(LawParameters::twisting)>::Type::Variant;
 
-/// Composed contact law in a struct that headers can declare without including the models.
+/// Struct that holds a composed contact law. Headers can declare it without including the models.
 struct ComposedLaw {
   AnyContactLaw any;
 };
 
-/// Composes the law of a scene or a saved state. Models without effect are left out: adhesion of zero force,
-/// and friction, rolling or twisting resistance with a coefficient of zero. They carry no force and must not
-/// stiffen the elastic network of contacts.
+/// Composes the contact law of a scene file or a saved state. Models without effect are left out: adhesion of zero
+/// force, and friction, rolling or twisting resistance with a coefficient of zero. Such models carry no force and must
+/// not stiffen the elastic network of contacts.
 /// @pre parameters.validate() is empty.
 AnyContactLaw compose_law(const LawParameters& parameters);
 
-/// Composes a law as compose_law() does, but always with a friction spring. Where the law has no friction, the
-/// coefficient of that spring is zero, so that it carries no force.
+/// Composes a contact law as compose_law() does, but always with a friction spring. If the law has no friction, the
+/// coefficient of this spring is zero, so that the spring carries no force.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);
 
 }  // namespace floc

@@ -2,7 +2,7 @@
 
 namespace floc {
 
-/// Springs of a contact whose forces have reached their caps (mobilised).
+/// Which springs of a contact (tangential, rolling, twisting) are mobilised, that is, have a force at its cap.
 struct Mobilised {
   bool sliding = false;
   bool rolling = false;

@@ -6,7 +6,7 @@
 /// default.
 namespace floc {
 
-/// Dimension that a model is made for, 2 or 3; 0 if it is made for both.
+/// Space dimension for which a model is made, 2 or 3; 0 if the model is made for both.
 template <class Model>
 constexpr int dimension_of() {
   if constexpr (requires { Model::kDimension; }) return Model::kDimension;
@@ -15,8 +15,7 @@ constexpr int dimension_of() {
 template <class Model>
 inline constexpr int kDimensionOf = dimension_of<Model>();
 
-/// Whether this model is chosen if a table of a scene, such as contact.friction, gives numbers but names no
-/// model.
+/// Whether this model is chosen if a table of a scene file, such as contact.friction, gives numbers but names no model.
 template <class Model>
 inline constexpr bool kIsDefault = requires {
   requires Model::kIsDefault;
@@ -36,8 +35,8 @@ constexpr Family family_of() {
   return Family::none;
 }
 
-/// Returns the reason why a model of a contact law cannot be combined with a normal law of another family, to
-/// be put after "because" in a message; empty if no reason is known.
+/// Returns the reason why a model of a contact law cannot be combined with a normal law of another Family, for use
+/// after "because" in a message; empty if no reason is known.
 constexpr std::string_view family_rule(Family of_normal, std::string_view slot) {
   if (of_normal != Family::elastic_spheres) return "";
   if (slot == "adhesion") return "elastic spheres adhere only by liquid bridges";
@@ -78,7 +77,7 @@ inline constexpr bool kIsForSmallOverlaps = requires {
   requires Normal::kIsForSmallOverlaps;
 };
 
-/// Whether the stiffness or the damping of a model follows from the present normal stiffness.
+/// Whether the stiffness or the damping coefficient of a model is computed from the present normal stiffness.
 template <class Model>
 inline constexpr bool kFollowsNormalStiffness = requires {
   requires Model::kFollowsNormalStiffness;

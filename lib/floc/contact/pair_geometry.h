@@ -2,12 +2,13 @@
 
 namespace floc {
 
-/// Returns the reduced radius or mass of two grains: p q/(p + q).
+/// Returns the reduced radius or reduced mass of two grains: p q/(p + q), where p and q are the radii or the masses of
+/// the grains.
 inline double reduced(double p, double q) {
   return p * q / (p + q);
 }
 
-/// Masses of two colliding grains that a damping model may use (DampingMass, viscous_damping.h).
+/// Masses that a damping model may use for two colliding grains (DampingMass, viscous_damping.h).
 struct CollisionMass {
   double effective;  ///< effective mass m_i m_j/(m_i + m_j)
   double grain;      ///< twice the effective mass: the mass of one of two equal grains
@@ -16,14 +17,14 @@ struct CollisionMass {
     const double effective = reduced(mass_i, mass_j);
     return {effective, 2.0 * effective};
   }
-  /// Returns the masses for a collision of a grain with a wall. The mass of the wall counts as infinite, so
-  /// that both are set to the mass of the grain.
+  /// Returns the masses for a collision of a grain with a wall. The mass of the wall counts as infinite, so that both
+  /// members are the mass of the grain.
   static CollisionMass against_wall(double mass) { return {mass, mass}; }
 };
 
-/// Gap, reduced radius and reduced mass of a pair of grains, read by the models of a contact law. The reduced
-/// radius and mass are set only for laws that need them (`kNeedsReducedRadius`, `kNeedsReducedMass` of a model)
-/// and are zero for other laws.
+/// Gap, reduced radius and reduced mass of a pair of grains, for the models of a contact law. The reduced radius and
+/// mass are set only for laws that need them (`kNeedsReducedRadius`, `kNeedsReducedMass` of a model) and are zero for
+/// other laws.
 template <class T = double>
 struct PairGeometry {
   T gap;             ///< gap h between the surfaces (length), negative when the grains overlap
@@ -31,7 +32,7 @@ struct PairGeometry {
   T reduced_mass;    ///< reduced mass mi mj/(mi + mj) (mass)
 
   PairGeometry() = default;
-  /// Converts a gap implicitly, because most contact laws depend on the gap alone.
+  /// A number converts implicitly to a pair with this gap, because most contact laws depend on the gap alone.
   PairGeometry(const T& h, const T& radius = T(0), const T& mass = T(0))  // NOLINT(google-explicit-constructor)
       : gap(h), reduced_radius(radius), reduced_mass(mass) {}
 };

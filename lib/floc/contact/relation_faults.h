@@ -12,8 +12,8 @@
 
 namespace floc {
 
-/// Returns messages about numbers of a model that contradict each other (relations AtLeast of the model).
-/// @param slot  key of the table of the model in a scene, such as "friction"
+/// Returns one fault for each relation between two numbers of a model (Model::kRelations, AtLeast) that does not hold.
+/// @param slot  key of the table that describes the model in a scene file, such as "friction"
 template <class Model>
 std::vector<LawFault> relation_faults(const std::string& slot, const Model& model) {
   std::vector<LawFault> faults;

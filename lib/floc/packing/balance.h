@@ -18,24 +18,28 @@ struct Balance {
 template <int Dim>
 Balance<Dim> net_forces(const Packing<Dim>& packing);
 
-/// Returns the static stress sum F_j^(a) r^(b) / volume over all interactions, compression positive
-/// (force/length^(Dim-1)). F_j is the force on the second grain j of an interaction, r the branch vector from
-/// grain i to grain j, and `volume` the volume of the cell.
+/// Returns the static stress of a packing, compression positive (force/length^(Dim-1)). Its component (a, b) is the sum
+/// over all contacts of F_j^(a) r^(b), divided by the volume of the cell, where F_j is the force on the second grain j
+/// of the contact and r is the branch vector from grain i to grain j.
 template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing);
 
-/// Returns the stress transmitted by the interactions that cross the faces of the cell: sum F_j^(a) (image *
-/// cell.matrix)^(b) / volume, where F_j is the force on the second grain j. It is the force across each face
-/// divided by the area of the face (force/length^(Dim-1)). It differs from static_stress() by the moments of
-/// the net forces F_i of the grains at x_i, sum F_i^(a) x_i^(b) / volume, which vanish in equilibrium.
+/// Returns the stress transmitted by the contacts that cross the faces of the cell: the force across each face divided
+/// by the area of the face (force/length^(Dim-1)). Its component (a, b) is the sum over these contacts of F_j^(a)
+/// s^(b), divided by the volume of the cell. F_j is the force on the second grain j of the contact, and s = image *
+/// cell.matrix is the displacement of the periodic image of j that touches i; for a wall, s is the touched point. This
+/// stress differs from static_stress() by the sum over all grains of F_i^(a) x_i^(b), divided by the volume, where F_i
+/// is the net force on the grain at x_i; this sum vanishes in equilibrium.
 template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing);
 
-/// Returns twice the kinetic energy of a grain: of its peculiar velocity and its spin (energy).
+/// Returns twice the kinetic energy of grain i (energy), from its spin and its peculiar velocity, which excludes the
+/// affine motion of the cell.
 template <int Dim>
 double twice_kinetic_energy(const Grains<Dim>& grains, int i);
 
-/// Returns the mean kinetic energy of a grain: of its peculiar velocity and its spin (energy).
+/// Returns the kinetic energy per grain (energy), from the spins and the peculiar velocities of the grains, which
+/// exclude the affine motion of the cell.
 template <int Dim>
 double mean_kinetic_energy(const Packing<Dim>& packing);
 

@@ -13,9 +13,9 @@ template <int Dim>
 struct Contact {
   int i = 0;  ///< index of the first grain
   int j = 0;  ///< index of the second grain or of a wall; may equal i (a grain and its own image)
-  /// Periodic image of j: branch = x[j] + image * cell.matrix - x[i].
+  /// Periodic image of j that interacts with i: the branch vector from i to j is x[j] + image * cell.matrix - x[i].
   Vec<Dim, int> image = Vec<Dim, int>::Zero();
-  /// Number that distinguishes contacts of one pair of grains and one image.
+  /// Number that distinguishes several contacts between i and one image of j.
   int key = 0;
   double gap = 0.0;                    ///< distance between the surfaces (length), negative if they overlap
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from i to j
@@ -46,8 +46,8 @@ struct Contact {
   bool is_mobilised() const { return sliding || rolling_yield || twisting_yield; }
 };
 
-/// Returns the moment of the rolling and the twisting spring on grain i (force * length), in 3D as a vector in
-/// space.
+/// Returns the sum of the moments of the rolling spring and the twisting spring on grain i (force * length), in 3D as a
+/// vector in space.
 template <int Dim>
 RotationVector<Dim> spring_moment(const RotationVector<Dim>& rolling, double twisting, const Vec<Dim>& normal) {
   if constexpr (Dim == 3)

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Returns whether a pair of grains, or a contact, precedes another one in the order of sorted lists: by (i, j,
-/// image), then by the key if the type has one.
+/// Returns whether a pair of grains or a contact, p, precedes q in sorted lists. Lists are sorted by (i, j, image),
+/// then by the member `key` if the type has it.
 template <class Pair>
 bool precedes(const Pair& p, const Pair& q) {
   if (p.i != q.i) return p.i < q.i;
@@ -19,7 +19,7 @@ bool precedes(const Pair& p, const Pair& q) {
   return false;
 }
 
-/// Returns a pair with its grains exchanged: i, j and image change; forces and other members do not.
+/// Returns a pair of grains with the grains exchanged: i, j and image change; forces and other members do not.
 template <class Pair>
 Pair swapped(Pair pair) {
   std::swap(pair.i, pair.j);
@@ -27,8 +27,8 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Returns whether a pair is in its canonical form, the one of its two forms that is stored in lists: i < j or,
-/// for a grain and its own image, the first non-zero component of the image is positive.
+/// Returns whether a pair of grains is in its canonical form. Of the forms (i, j) and (j, i) of a pair, lists store the
+/// canonical one: i < j or, for a grain and its own image, the first non-zero component of the image is positive.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;
@@ -36,8 +36,8 @@ bool is_canonical(const Pair& pair) {
   return first != pair.image.end() && *first > 0;
 }
 
-/// Returns a pair in its canonical form. If the grains have to be exchanged, only i, j and image change
-/// (swapped()).
+/// Returns a pair of grains in its canonical form (is_canonical()). If the grains have to be exchanged, only i, j and
+/// image change.
 template <class Pair>
 Pair canonical(Pair pair) {
   return is_canonical(pair) ? pair : swapped(std::move(pair));

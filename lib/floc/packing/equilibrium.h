@@ -6,21 +6,24 @@
 
 namespace floc {
 
-/// Tolerances of an equilibrium. Each number is multiplied by the force scale F1 = max(F0, P a^(Dim-1)) and the
-/// appropriate power of the largest diameter a, where F0 is the pull-off force and P the pressure
-/// (docs/physics.md, "Equilibrium"; default values of [GRC2008]). If diameters differ by more than a factor of
-/// four, the force, moment and energy of each grain are measured in units of its own scale: see GrainScales.
+/// Tolerances up to which a packing counts as being in equilibrium. They are given in units of the force scale F1 =
+/// max(F0, P a^(Dim-1)) and the largest diameter a, where F0 is the pull-off force and P the pressure (docs/physics.md,
+/// "Equilibrium"; default values of [GRC2008]). If diameters differ by more than a factor of four, the force, moment
+/// and energy of each grain are expressed in units of the scale of this grain (GrainScales).
 struct EquilibriumTolerance {
-  double force = 1e-5;   ///< largest net force on a grain, in units of F1 of the grain
-  double moment = 1e-5;  ///< largest net moment on a grain, in units of F1 a of the grain
-  double stress = 1e-5;  ///< |sigma_aa - Sigma_aa| of measured and imposed stress, in units of F1/a^(Dim-1)
-  double energy = 5e-8;  ///< mean kinetic energy of a grain, in units of F1 a of the grain
+  double force = 1e-5;   ///< largest net force on a grain, in units of the force scale F1
+  double moment = 1e-5;  ///< largest net moment on a grain, in units of F1 a (force scale times diameter)
+  /// Largest difference between the stress along an axis and the imposed stress, in units of F1/a^(Dim-1), with the
+  /// force scale F1 and the largest diameter a.
+  double stress = 1e-5;
+  double energy = 5e-8;  ///< mean kinetic energy of a grain, in units of F1 a (force scale times diameter)
 
   bool operator==(const EquilibriumTolerance&) const = default;
 };
 
-/// Residuals of an equilibrium: net force, net moment, deviation of the stress and kinetic energy, in the units
-/// of EquilibriumTolerance, with the indices of the grains of the largest net force and the largest net moment.
+/// Residuals of a packing, which are zero in exact equilibrium: largest net force and largest net moment on a grain,
+/// deviation from the imposed stress, and kinetic energy per grain, in the units of EquilibriumTolerance. The last two
+/// members are the indices of the grains with the largest net force and the largest net moment.
 struct Residuals {
   double force = 0.0;
   double moment = 0.0;
@@ -34,7 +37,7 @@ struct Residuals {
   }
 };
 
-/// Units in which the residuals of a packing or of a grain are measured.
+/// Units of force and length in which the residuals of a packing or of one grain are expressed.
 struct ForceScale {
   double force;   ///< force scale F1 (force)
   double length;  ///< largest diameter a of the packing, or diameter of the grain (length)
@@ -46,10 +49,11 @@ struct ForceScale {
 template <int Dim>
 ForceScale force_scale(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Force scale of each grain of a packing. Grains of similar sizes (kSimilarSizes) share the scale of the
-/// packing. If sizes differ more, a net force that is small for a large grain may be as large as the contact
-/// forces of a small grain. Grain i of diameter d_i then has the force scale F1_i = max(F0, P d_i^(Dim-1)), and
-/// F1_i d_i for its moment and energy. The object keeps a reference to the packing.
+/// Force scale of each grain of a packing, the unit in which the net force on the grain is expressed. Grains of similar
+/// sizes (kSimilarSizes) share the force scale F1 of the packing. If sizes differ more, a net force that is small for a
+/// large grain may be as large as the contact forces of a small grain. Grain i of diameter d_i then has the force scale
+/// F1_i = max(F0, P d_i^(Dim-1)) with the pull-off force F0 and the pressure P, and F1_i d_i is the unit of its moment
+/// and energy. The object keeps a reference to the packing.
 template <int Dim>
 class GrainScales {
  public:
@@ -58,7 +62,8 @@ class GrainScales {
   const ForceScale& of_packing() const { return packing_; }
   ForceScale of(int i) const;       ///< force scale F1_i and diameter d_i of grain i
   double force_share(int i) const;  ///< force scale F1_i of grain i divided by F1 of the packing
-  double work_share(int i) const;   ///< force scale times diameter of grain i, divided by F1 a of the packing
+  /// Force scale times diameter of grain i, divided by the force scale times the largest diameter of the packing.
+  double work_share(int i) const;
 
  private:
   const std::vector<double>& radius_;
@@ -68,28 +73,28 @@ class GrainScales {
   bool shared_;
 };
 
-/// Returns the reduced pressure (dimensionless): P* = a^(Dim-1) P/F0 with adhesion, P a^(Dim-2)/K_N without
-/// adhesion, where a is the largest diameter, F0 the pull-off force and K_N the normal stiffness
-/// (docs/physics.md, "Units and signs").
-/// @param pressure  P (force/length^(Dim-1))
+/// Returns the reduced pressure P* (dimensionless): a^(Dim-1) P/F0 with adhesion, P a^(Dim-2)/K_N without adhesion. P
+/// is the pressure, a the largest diameter, F0 the pull-off force and K_N the normal stiffness; in general
+/// K_N/a^(Dim-2) is Law::contact_modulus() (docs/physics.md, "Units and signs").
+/// @param pressure  pressure P (force/length^(Dim-1))
 template <int Dim>
 double reduced_pressure(const Packing<Dim>& packing, double pressure);
 
-/// Returns the kinetic energy of each grain in units of the force scale times the diameter of this grain,
-/// averaged over the grains, times F1 a of the packing (force scale times largest diameter; energy). If all
-/// grains share one scale, the result is the plain mean.
-/// @param counted  whether the energy of each grain is included; empty: all are included
+/// Returns a weighted mean of the kinetic energies of the grains (energy). The energy of each grain is divided by the
+/// force scale times the diameter of this grain (GrainScales). The mean of these ratios is multiplied by F1 a of the
+/// packing, the force scale times the largest diameter. If all grains share one scale, the result is the plain mean.
+/// @param counted  for each grain, whether its energy is included; if empty, the energies of all grains are included
 template <int Dim>
 double scaled_kinetic_energy(const Packing<Dim>& packing, const GrainScales<Dim>& scales,
                              const std::vector<bool>& counted = {});
 
-/// Computes the residuals of a packing under the diagonal stress with which it is loaded, from the forces in
-/// its list of contacts. If the force scale F1 is zero (no adhesion, no pressure), any residual that is not
-/// exactly zero is infinite.
+/// Computes the residuals of a packing from the forces in its list of contacts. If the force scale F1 is zero (no
+/// adhesion, no pressure), any residual that is not exactly zero is infinite.
+/// @param target_stress  stress imposed on each axis, compression positive (force/length^(Dim-1))
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 
-/// Computes the residuals of a packing whose stress is already known.
+/// Computes the residuals of a packing if its static stress is already known.
 /// @param stress  static_stress() of the packing
 template <int Dim>
 Residuals residuals(const Packing<Dim>& packing, const Vec<Dim>& target_stress, const Mat<Dim>& stress);

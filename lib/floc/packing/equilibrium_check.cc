@@ -15,7 +15,7 @@ std::string equilibrium_faults(const State<Dim>& state) {
     if (!(value < limit))
       faults += fmt::format("{}{} is {:.3g}, limit {:.3g}", faults.empty() ? "" : "; ", what, value, limit);
   };
-  // The index of the worst grain is negative in a packing without grains.
+  // The index of the grain with the largest residual is negative in a packing without grains.
   const auto name = [&](int grain) { return grain < 0 ? grain : state.packing.grains.name(grain); };
   check(fmt::format("net force of grain {} in units of the force scale F1", name(r.worst_force_grain)), r.force,
         t.force);

@@ -6,13 +6,14 @@
 
 namespace floc {
 
-/// Returns the reasons why a state is not an equilibrium under its target stress: each residual of its stored
-/// forces that is not below its tolerance, with this tolerance and the worst grain. Empty if the state is an
-/// equilibrium.
+/// Returns the reasons why a saved state is not an equilibrium under its target stress, in words; empty if it is an
+/// equilibrium. Each residual of the stored forces that is not below its tolerance is a reason. It is given with the
+/// tolerance and, if it is a net force or moment, with the grain on which the force or moment is largest.
 template <int Dim>
 std::string equilibrium_faults(const State<Dim>& state);
 
-/// Returns the largest ratio of a residual of a state to its tolerance; it is below 1 in an equilibrium.
+/// Returns the largest ratio of a residual of a saved state to the tolerance for this residual; below 1 in an
+/// equilibrium.
 template <int Dim>
 double equilibrium_excess(const State<Dim>& state);
 

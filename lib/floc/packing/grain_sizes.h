@@ -8,8 +8,7 @@
 
 namespace floc {
 
-/// Returns the largest diameter of grains, which is the unit of length a of a packing (length); 0 without
-/// grains.
+/// Returns the largest diameter of the grains of a packing (length), written a in formulas; 0 if there are no grains.
 /// @param radius  radius of each grain (length)
 inline double largest_diameter(const std::vector<double>& radius) {
   return radius.empty() ? 0.0 : 2.0 * *std::max_element(radius.begin(), radius.end());
@@ -31,8 +30,9 @@ double largest_mass(const Grains<Dim>& grains) {
   return *std::max_element(grains.mass.begin(), grains.mass.end());
 }
 
-/// Largest ratio of diameters at which grains count as similar in size. Searches for neighbours and force
-/// scales then use the largest diameter for all grains; beyond this ratio, they use the size of each grain.
+/// Largest ratio of two diameters in a packing at which the grains count as similar in size. The search for neighbours
+/// and the force scale then use the largest diameter for all grains; above this ratio, they use the diameter of each
+/// grain.
 inline constexpr double kSimilarSizes = 4.0;
 
 inline bool similar_sizes(const std::vector<double>& radius) {
@@ -41,9 +41,9 @@ inline bool similar_sizes(const std::vector<double>& radius) {
   return *most <= kSimilarSizes * *least;
 }
 
-/// Returns the unit of the skin of neighbour lists (length): the largest diameter, or the smallest diameter if
-/// sizes are not similar. A skin that is thin for the largest grains would contain whole layers of the smallest
-/// grains.
+/// Returns the length in units of which the skin of neighbour lists is given: the largest diameter or, if the grains
+/// are not similar in size, the smallest diameter. A skin that is thin for the largest grains would contain whole
+/// layers of the smallest grains.
 inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

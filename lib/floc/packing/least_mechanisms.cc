@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns which grains have at least two contacts. Grains with fewer contacts are removed repeatedly, with
-/// their contacts.
+/// Returns for each grain whether it keeps at least two contacts when grains with fewer contacts are removed
+/// repeatedly, together with their contacts.
 template <int Dim>
 std::vector<bool> held_grains(const Packing<Dim>& packing) {
   std::vector<bool> held(packing.grains.size(), true);
@@ -26,7 +26,7 @@ std::vector<bool> held_grains(const Packing<Dim>& packing) {
   return held;
 }
 
-/// Contacts of a grain, and the kinds of their springs that resist a rotation of the grain.
+/// Number of contacts of a grain, and the kinds of springs in these contacts that resist a rotation of the grain.
 struct Hold {
   int n_contacts = 0;
   bool across = false;   ///< whether any contact has a tangential spring

@@ -6,21 +6,22 @@
 
 namespace floc {
 
-/// Offset along the first axis of the lattice vector of another axis, imposed by a simple shear.
+/// Simple shear imposed on the periodic cell: the component along the first axis that the lattice vector of another
+/// axis is given.
 struct ImposedOffset {
   int axis;       ///< axis of the lattice vector, counted from 0; never 0
   double offset;  ///< component of the lattice vector along the first axis (length)
 };
 
-/// Load on the boundary of a packing in equilibrium: a stress or a length on each axis, and the shear of the
-/// lattice.
+/// Load imposed on a packing: for each axis a stress or a side length of the cell, and a simple shear of the cell.
 template <int Dim>
 struct LoadTarget {
-  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)); not used on axes with an imposed
+  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)); not used on axes with an imposed side
   /// length.
   Vec<Dim> stress = Vec<Dim>::Zero();
-  Vec<Dim> side = Vec<Dim>::Zero();  ///< length imposed on an axis (length); zero on axes under stress
-  /// Imposed offset of a lattice vector; absent: the lattice is not sheared.
+  /// Side length of the cell imposed on each axis (length); zero on axes with an imposed stress.
+  Vec<Dim> side = Vec<Dim>::Zero();
+  /// Simple shear imposed on the cell; absent if the cell is not sheared.
   std::optional<ImposedOffset> offset = {};
 
   static LoadTarget normal_stress(const Vec<Dim>& stress) { return {stress}; }
@@ -29,9 +30,9 @@ struct LoadTarget {
   bool any_strained() const { return side.maxCoeff() > 0.0; }
   /// Whether zero stress is imposed on every axis.
   bool unloaded() const { return !any_strained() && stress.isZero(0.0); }
-  /// Returns the stress on each axis: the imposed stress or, if a length is imposed, the stress that the
-  /// packing carries. It determines the force scale.
-  /// @param carried  stress of the packing
+  /// Returns the stress on each axis, which determines the force scale: the imposed stress or, if a side length is
+  /// imposed on the axis, the stress that the packing carries.
+  /// @param carried  stress that the packing carries
   Vec<Dim> stress_with(const Mat<Dim>& carried) const {
     Vec<Dim> out = stress;
     for (int a = 0; a < Dim; ++a)

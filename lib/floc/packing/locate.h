@@ -3,12 +3,12 @@
 #include "floc/geometry/separation.h"
 #include "floc/packing/packing.h"
 
-/// Geometry of the contact of two bodies (grains or walls). All code computes gaps, normals and lever arms from
-/// positions and shapes with these functions. The only exception is the force loop of the dynamics, which
-/// computes them from arrays (relaxation/pair_arrays.h).
+/// Geometry of contacts between two bodies (grains or walls). All code computes gaps, normals and lever arms from
+/// positions and shapes with these functions. The only exception is the force loop of the dynamics, which computes them
+/// from arrays (relaxation/pair_arrays.h).
 namespace floc {
 
-/// Geometry of a contact, from the positions and the shapes of two bodies.
+/// Geometry of the contact of two bodies i and j, which follows from their positions and shapes.
 template <int Dim>
 struct ContactGeometry {
   /// Vector from the centre of i to the centre of the image of j, or to the nearest point of a wall (length).
@@ -24,16 +24,16 @@ struct ContactGeometry {
 template <int Dim>
 ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double radius_i, double radius_j);
 
-/// Returns the geometry of a contact of a packing. Of the contact, only i, j, image and key are read. Its
-/// bodies are two grains, a grain and an image of itself, or a grain and a wall.
+/// Returns the geometry of a contact of a packing. Only the members i, j, image and key of `contact` are used. The
+/// bodies of the contact are two grains, a grain and an image of itself, or a grain and a wall.
 template <int Dim>
 ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Sets the gap, the normal and the lever arms of a contact.
+/// Copies the gap, the normal and the lever arms from `geometry` to a contact.
 template <int Dim>
 void place(const ContactGeometry<Dim>& geometry, Contact<Dim>& contact);
 
-/// Sets the lever arms of all contacts of a packing. Gaps and normals are not changed.
+/// Sets the lever arms of all contacts of a packing from the positions of the grains. Gaps and normals are not changed.
 template <int Dim>
 void set_arms(Packing<Dim>& packing);
 

@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Factor by which the solid fraction may exceed the largest one of hard grains without a warning. It allows
-/// for crystals compressed by some tenths of a percent.
+/// Factor by which the solid fraction may exceed the largest solid fraction of hard grains without a warning. It allows
+/// for crystals that are compressed by some tenths of a percent.
 constexpr double kCompressedCrystal = 1.01;
 /// Relative difference below which two radii count as equal; it covers rounding.
 constexpr double kEqual = 1e-9;
@@ -20,8 +20,8 @@ std::string small_overlaps_rule(const Law& law) {
   return fmt::format("normal.law = \"{}\" holds only for small overlaps", law.normal_keyword());
 }
 
-/// Returns a message if the grains are equal and the solid fraction is impossible for hard grains; otherwise
-/// empty.
+/// Returns a message if the grains are equal and their solid fraction is impossible for hard grains; otherwise an empty
+/// text.
 template <int Dim>
 std::string density_fault(const Packing<Dim>& packing) {
   const auto& radius = packing.grains.radius;

@@ -6,32 +6,35 @@
 
 namespace floc {
 
-/// Largest overlap, divided by the smaller radius of the two grains, at which contact laws are valid. Beyond it
-/// the contact circle of spheres exceeds a third of the radius, and the contacts of a grain affect each other.
+/// Largest overlap, divided by the smaller radius of the two grains, at which contact laws are valid. At larger
+/// overlaps the contact circle between spheres exceeds a third of the radius, and the contacts of a grain affect each
+/// other.
 inline constexpr double kDeepOverlap = 0.1;
-/// Mean overlap, divided by the smaller radius of the two grains, beyond which a packing is refused. At the
-/// largest pressure that a scene may impose (stiffness level 30), the mean overlap is 0.11.
+/// Mean overlap, divided by the smaller radius of the two grains, beyond which a packing is refused. At the largest
+/// pressure P that a scene file may impose, (E~/P)^(2/3) = 30 with E~ = E/(1 - nu^2) (Young's modulus E, Poisson's
+/// ratio nu), the mean overlap is 0.11.
 inline constexpr double kDeepestMean = 0.12;
 
-/// Overlaps of all contacts whose surfaces touch, each divided by the smaller radius of its two grains.
+/// Statistics of the overlaps of all contacts whose surfaces touch. Each overlap is divided by the smaller radius of
+/// the two grains.
 struct Overlaps {
   double mean = 0.0;
   double largest = 0.0;
-  double deep_share = 0.0;  ///< fraction of these contacts whose overlap is larger than kDeepOverlap
+  double deep_share = 0.0;  ///< fraction of the contacts whose overlap is larger than kDeepOverlap
 };
 
 template <int Dim>
 Overlaps measure_overlaps(const Packing<Dim>& packing);
 
-/// Returns the largest solid fraction of equal hard grains: of the triangular lattice of disks or the
-/// face-centred cubic lattice of spheres.
+/// Returns the largest solid fraction of equal hard grains: that of the triangular lattice of disks (2D) or the
+/// face-centred cubic lattice of spheres (3D).
 constexpr double densest_of_equal(int dim) {
   return dim == 2 ? 0.906899682117109 : 0.740480489693061;
 }
 
-/// Returns a warning, with the likely cause, if the grains of a packing overlap too far, or if its grains are
-/// equal and denser than hard grains can be; otherwise empty. It is not an error, because soft packings may be
-/// intended.
+/// Returns a warning, with the likely cause, if the grains of a packing overlap too far, or if they are equal and their
+/// solid fraction is larger than hard grains can reach; otherwise an empty text. Large overlaps are not an error,
+/// because a soft packing may be intended.
 template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing);
 
@@ -39,8 +42,8 @@ std::string overlap_warning(const Packing<Dim>& packing);
 /// forces?".
 std::string question_of_units(const Law& law);
 
-/// Requires that overlaps are small if the contact law holds only for small overlaps.
-/// @param place  place of the packing in messages
+/// Requires that the overlaps in a packing are small if its contact law holds only for small overlaps.
+/// @param place  name of the packing in messages, such as its file
 /// @throws InputError if the mean overlap is larger than kDeepestMean
 template <int Dim>
 void require_small_overlaps(const std::string& place, const Packing<Dim>& packing);

@@ -33,8 +33,9 @@ inline Orientation<Dim> no_rotation() {
 template <int Dim>
 struct Grains {
   std::vector<Vec<Dim>> position;  ///< position of the centre (length); in a saved state, inside the cell
-  /// Low part of the position of the centre (length), added to `position` for extended precision. It is less
-  /// than half a unit in the last place of `position`. If the array is empty, the low parts are zero.
+  /// Low part of the position of the centre (length): position + position_low is the position in extended precision.
+  /// The low part is less than half a unit in the last place of `position`. If the array is empty, all low parts are
+  /// zero.
   std::vector<Vec<Dim>> position_low;
   std::vector<Vec<Dim>> velocity;  ///< peculiar velocity, without the affine motion of the cell (length/time)
   std::vector<double> radius;      ///< radius of each grain (length)
@@ -66,14 +67,14 @@ struct Grains {
   std::int64_t name(int i) const { return id.empty() ? i : id[i]; }
   /// Sets the identifiers of the grains. They are stored only if they differ from the indices.
   void set_names(std::vector<std::int64_t> names);
-  /// Sets the positions of the centres. Low parts are stored only if at least one of them is not zero.
+  /// Sets the positions of the centres. Low parts (position_low) are stored only if at least one of them is not zero.
   void set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres);
 
   Ball<Dim> shape(int i) const { return {radius[i]}; }
   double inertia(int i) const { return shape(i).inertia(mass[i]); }
 };
 
-/// Mechanical state of a packing: cell, walls, grains, laws and contacts.
+/// Mechanical state of a packing: cell, walls, grains, contact laws and contacts.
 template <int Dim>
 struct Packing {
   /// Periodic cell. An axis between walls is not periodic; the side of the cell is then normal to the walls and
@@ -82,15 +83,16 @@ struct Packing {
   Grains<Dim> grains;
   Law law;                             ///< contact law between grains
   std::vector<Contact<Dim>> contacts;  ///< contacts, sorted by (i, j, image, key) with i <= j
-  /// Empty, or both walls of one or more axes: the lower wall first, axes ascending.
+  /// Both walls of each axis that lies between walls: the lower wall first, axes ascending; empty if all axes are
+  /// periodic.
   std::vector<Wall<Dim>> walls;
   Law wall_law;  ///< contact law between grains and walls
 
-  /// Returns whether body j of a contact is a wall. The indices of walls follow the indices of the grains.
+  /// Returns whether the index j of a contact refers to a wall. The indices of walls follow the indices of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }
   const Wall<Dim>& wall(int body) const { return walls[body - grains.size()]; }
-  /// Returns the distance of the surface of a body from its end of a branch vector (length): the radius of a
-  /// grain, zero for a wall, because the branch ends on the surface of the wall.
+  /// Returns the distance from the end of a branch vector to the surface of the body at this end (length): the radius
+  /// of a grain, or zero for a wall, because the branch ends on the surface of the wall.
   double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
 };
 
@@ -117,7 +119,8 @@ double solid_fraction(const Packing<Dim>& packing);
 template <int Dim>
 DoubleDoubleVec<Dim> exact_branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the branch vector of a contact (length), rounded: each component is correct to the last digit.
+/// Returns the branch vector of a contact (length), rounded to double precision: each component is correct to the last
+/// digit.
 template <int Dim>
 Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact);
 

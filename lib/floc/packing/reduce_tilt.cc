@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Wraps grains into the cell. @return image by which each grain was displaced
+/// Wraps grains into the periodic cell. @return displacement of each grain, in numbers of lattice vectors
 template <int Dim>
 std::vector<Vec<Dim, int>> wrap(const Cell<Dim>& cell, Grains<Dim>& grains) {
   std::vector<Vec<Dim, int>> images;

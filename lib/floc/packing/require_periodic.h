@@ -10,7 +10,7 @@ namespace floc {
 /// Requires a packing without walls.
 /// @param what  computation that needs periodic boundaries, as the first part of the sentence "... only with
 /// periodic boundaries"
-/// @param place  place of the packing in the message, such as its file
+/// @param place  name of the packing in the message, such as its file
 /// @throws InputError if the packing has walls
 template <int Dim>
 void require_periodic(const Packing<Dim>& packing, const std::string& what,

@@ -4,16 +4,15 @@
 
 namespace floc {
 
-/// Imbalance of a packing caused by the rounding of the stored numbers, in units of the force scale F1 and of
-/// F1/a^(Dim-1), with the largest diameter a (ForceScale). No stored state can be balanced better, independent
-/// of how it was computed.
+/// Imbalance of a packing that is caused by the rounding of the stored numbers. No stored state can be balanced better,
+/// independent of how it was computed.
 struct RoundingFloor {
-  /// Net force on a grain, in units of the force scale F1. It is caused by half a unit in the last place of its
-  /// coordinates, times the stiffness of its contacts, and by half a unit in the last place of the largest
-  /// force.
+  /// Net force on a grain, in units of the force scale F1 of the packing. It is the sum of two errors: half a unit in
+  /// the last place of the coordinates of the grain, times the stiffness of its contacts, and half a unit in the last
+  /// place of the largest contact force.
   double force = 0.0;
-  /// Change of the stress caused by rounding the sides of the cell, in units of F1/a^(Dim-1) (force scale F1,
-  /// largest diameter a).
+  /// Error of the stress that is caused by rounding the sides of the cell, in units of F1/a^(Dim-1) with the force
+  /// scale F1 and the largest diameter a.
   double stress = 0.0;
 };
 

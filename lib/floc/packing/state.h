@@ -11,15 +11,16 @@
 
 namespace floc {
 
-/// Stage of a load path in which axes are loaded differently from each other (such as an oedometric test), with
-/// the state at its start, to which the steps of the stage refer.
+/// Stage of a load path in which the axes are loaded differently from each other (such as an oedometric test), with the
+/// sides and stresses of the packing at the start of the stage, to which all steps of the stage refer.
 struct StageReference {
-  std::string control;        ///< kind of the stage, "oedometric", "triaxial", ...; empty outside such stages
-  int axis = 0;               ///< axis along which the packing is driven, from 0
+  /// Kind of the stage, "oedometric", "triaxial", ...; empty if the state belongs to no such stage.
+  std::string control;
+  int axis = 0;               ///< axis along which the packing is driven, counted from 0
   std::vector<double> sides;  ///< sides of the cell at the start of the stage (length)
   /// Stress on each axis at the start of the stage, imposed or carried (force/length^(Dim-1)).
   std::vector<double> stress;
-  double shear = 0.0;  ///< shear strain from the start of the stage to the end of this step
+  double shear = 0.0;  ///< shear strain from the start of the stage to the end of the present step
 
   bool empty() const { return control.empty(); }
   bool operator==(const StageReference&) const = default;
@@ -27,16 +28,16 @@ struct StageReference {
 
 /// Position of a state on its load path.
 struct PathPosition {
-  int step = 0;              ///< number of the equilibrium, 0 for the first saved state
+  int step = 0;              ///< number of the equilibrium on the load path, 0 for the first
   std::string branch;        ///< branch of the load path: "assembly", "load", "unload", ...
-  double time = 0.0;         ///< simulated time since the start of the run (time unit of the scene)
+  double time = 0.0;         ///< simulated time since the start of the run (time unit of the scene file)
   std::int64_t n_steps = 0;  ///< number of time steps since the start of the run
   std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
 };
 
-/// Origin of a state: program, seed and parent. It contains no date or time, so that repeated runs give
-/// identical files.
+/// Origin of a state: the program, the seed and the state file from which the run continued. It contains no date or
+/// time, so that repeated runs give identical files.
 struct Provenance {
   std::string program;  ///< "floc 0.1.0", or the program that a converted packing came from
   std::string commit;
@@ -53,30 +54,30 @@ template <int Dim>
 struct State {
   std::string units = "reduced";  ///< system of units, "reduced" or "SI"
   Packing<Dim> packing;
-  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)); if a length is imposed on an
-  /// axis, the stress that the packing carried along it.
+  /// Stress imposed on each axis, compression positive (force/length^(Dim-1)). On an axis with an imposed side length
+  /// it is the stress that the packing carried.
   Vec<Dim> target_stress = Vec<Dim>::Zero();
-  /// Length imposed on each axis (length); zero if a stress is imposed.
+  /// Side length of the cell imposed on each axis (length); zero on axes with an imposed stress.
   Vec<Dim> target_side = Vec<Dim>::Zero();
-  /// Offset of a lattice vector imposed by a step of simple shear.
+  /// Simple shear of the cell, if the load step imposed one.
   std::optional<ImposedOffset> target_offset = {};
   EquilibriumTolerance tolerance;
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing when it was saved
   Residuals residuals;                 ///< residuals reached when the state was saved
   int n_negative = -1;  ///< number of negative eigenvalues of the stiffness matrix; -1: not determined
-  /// For a law with liquid bridges, number of bridges that would form or break if the liquid were distributed
-  /// once more; -1: not determined. It is above 0 if many trials did not settle which pairs have bridges, so
-  /// that the bridges kept their volumes.
+  /// For a contact law with liquid bridges, number of bridges that would form or break if the liquid were distributed
+  /// once more; -1: not determined. It is above 0 if the pairs that have bridges were still changing after many
+  /// distributions of the liquid; the bridges then kept their volumes.
   int n_bridges_unsettled = -1;
   /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read.
   /// When a state is saved, the forces of its contacts on the walls are recorded instead.
   std::vector<double> wall_force = {};
   PathPosition path;
-  std::string scene;  ///< text of the scene; empty for converted packings
+  std::string scene;  ///< text of the scene file of the run; empty for converted packings
   Provenance provenance;
 };
 
-/// Sets the stress and the residuals of a state to those of its packing under its target stress.
+/// Sets the stress and the residuals of a state, from the contact forces of its packing and its target stress.
 template <int Dim>
 void measure(State<Dim>& state);
 

@@ -9,7 +9,7 @@
 namespace floc {
 
 /// Exchanges the two grains of a contact.
-/// @param parity  factor of each number of the history, from swap_parity() of the contact law
+/// @param parity  factor by which each number in the history is multiplied, from swap_parity()
 template <int Dim>
 void swap_sides(const ContactHistory<Dim>& parity, Contact<Dim>& c) {
   c = swapped(c);

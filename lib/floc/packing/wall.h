@@ -9,11 +9,11 @@ namespace floc {
 /// order of Packing::walls.
 template <int Dim>
 struct Wall {
-  int axis;               ///< axis of the normal of the wall, from 0
+  int axis;               ///< axis normal to the wall, counted from 0
   int side;               ///< +1 if the grains lie below the wall on this axis, -1 if they lie above
   double position;        ///< position of the wall on its axis (length)
   double velocity = 0.0;  ///< velocity of the wall along its axis (length/time)
-  double mass = 0.0;      ///< mass of the wall (mass); infinite if the wall does not follow forces
+  double mass = 0.0;      ///< mass of the wall (mass); infinite if forces do not move the wall
 
   /// Returns the unit vector normal to the wall that points from the grains to the wall.
   Vec<Dim> normal() const { return side * Vec<Dim>::Unit(axis); }

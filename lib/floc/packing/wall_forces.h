@@ -7,17 +7,17 @@
 
 namespace floc {
 
-/// Returns whether a wall follows the forces on it. A wall of infinite mass does not: it keeps its velocity,
-/// and is fixed if its velocity is zero.
+/// Returns whether the forces on a wall move it. A wall of infinite mass keeps its velocity instead, and is fixed if
+/// its velocity is zero.
 template <int Dim>
 bool follows_forces(const Wall<Dim>& wall);
 
-/// Returns a packing shifted so that the lower wall of each axis is at zero, where the cell begins; walls that
-/// move drift away from zero. A packing without walls is returned unchanged.
+/// Returns a packing shifted so that the lower wall of each axis is at zero, where the cell begins. The shift is needed
+/// because moving walls drift away from zero. A packing without walls is returned unchanged.
 template <int Dim>
 Packing<Dim> with_walls_at_cell(Packing<Dim> packing);
 
-/// Returns the area of each wall across an axis (length^(Dim-1)).
+/// Returns the area of each of the two walls that are normal to an axis (length^(Dim-1)).
 template <int Dim>
 double wall_area(const Packing<Dim>& packing, int axis);
 
@@ -36,21 +36,21 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 
-/// Returns the stress that balances the load on the boundary (force/length^(Dim-1)): the static stress, with
-/// the pressure on the walls as the diagonal component of each axis between walls. At rest, the static stress
-/// and the pressure on the walls differ by stress_borne_by_friction().
+/// Returns the stress that balances the load on the boundary (force/length^(Dim-1)): the static stress, but with the
+/// pressure on the walls as the diagonal component of each axis between walls. At rest, the static stress and the
+/// pressure on the walls differ by stress_borne_by_friction().
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);
 
-/// Returns, for each axis a, the part of the pressure on the walls across a that is balanced by friction on the
-/// walls along a (force/length^(Dim-1)). It is the sum of t_a x_a over the contacts with walls, divided by the
-/// volume of the cell, where t is the friction force on a grain at x. At rest the static stress is the pressure
-/// minus this part (docs/physics.md, "Boxes with walls").
+/// Returns, for each axis a, the part of the pressure on the walls normal to a that is balanced by friction on the
+/// other walls (force/length^(Dim-1)). It is the sum of t_a x_a over the contacts with walls, divided by the volume of
+/// the cell, where t is the friction force on a grain at x. At rest the static stress is the pressure minus this part
+/// (docs/physics.md, "Boxes with walls").
 template <int Dim>
 Vec<Dim> stress_borne_by_friction(const Packing<Dim>& packing);
 
-/// Returns the largest difference between the pressure on a wall and the stress imposed on its axis, over the
-/// walls that follow forces (force/length^(Dim-1)); 0 without such walls.
+/// Returns the largest difference between the pressure on a wall and the stress imposed on its axis
+/// (force/length^(Dim-1)), among the walls that forces can move; 0 if there are none.
 template <int Dim>
 double wall_imbalance(const Packing<Dim>& packing, const Vec<Dim>& target_stress);
 

@@ -14,7 +14,7 @@ constexpr int kReferenceSide = 512;
 template <int Dim>
 struct Polygon {
   using Point = typename ClippedFace<Dim>::Point;
-  /// Largest number of corners, because each side of the reference face can add one.
+  /// Largest number of corners. Each side of the reference face, by which the polygon is clipped, can add one corner.
   static constexpr int kMost = 2 * kMostVertices + 4;
 
   int n = 0;
@@ -48,9 +48,9 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
     const double there = k + 1 < from.n ? height(k + 1) : height(0);
     if (here <= 0.0) to.add(p.x, p.side);
     if ((here <= 0.0) != (there <= 0.0)) {
-      // Each corner is labelled with the side of the polygon that begins at it. This is the clipping side at a
-      // corner where the polygon leaves the half-space, and the clipped side where it enters the half-space
-      // again.
+      // Each corner stores the number of the side of the polygon that begins at this corner. Where the polygon leaves
+      // the half-space, this is the new side `side`; where the polygon enters the half-space again, it is the side that
+      // is cut.
       const double share = here / (here - there);
       to.add(p.x + share * (q.x - p.x), here <= 0.0 ? side : p.side);
     }
@@ -58,7 +58,8 @@ void clip(const Vec<Dim>& origin, const Vec<Dim>& outward, int side, const Polyg
   }
 }
 
-/// Returns the plane of a side of the reference face: a point and an outward normal of any length.
+/// Returns the plane through side k of a face, perpendicular to the face: a point of the plane and a normal of any
+/// length that points away from the face.
 std::pair<Vec<3>, Vec<3>> side_plane(const Shape<3>& shape, int face, int k) {
   const std::span<const int> loop = shape.loop(face);
   const Vec<3>& from = shape.vertices[loop[k]];
@@ -71,16 +72,16 @@ std::pair<Vec<2>, Vec<2>> side_plane(const Shape<2>& shape, int face, int k) {
   return {end, end - shape.vertices[loop[1 - k]]};
 }
 
-/// Merges adjacent corners that are one point. The lower number of a side is kept, which belongs to the
-/// incident face.
+/// Merges adjacent corners whose distance is at most `tolerance`. The lower of their side numbers is kept, because the
+/// numbers of the sides of the incident face are below those of the reference face.
 template <int Dim>
 void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   int n = 0;
   for (int k = 0; k < polygon.n; ++k) {
     auto& p = polygon.points[k];
     bool is_new = true;
-    // In a segment traversed in both directions, a point can coincide with any earlier point, not only with the
-    // one before it.
+    // In a segment traversed in both directions, a corner can coincide with any earlier corner, not only with the one
+    // just before.
     for (int l = polygon.n <= 4 ? 0 : std::max(0, n - 1); l < n && is_new; ++l)
       if ((polygon.points[l].x - p.x).squaredNorm() <= tolerance * tolerance) {
         polygon.points[l].side = std::min(polygon.points[l].side, p.side);
@@ -92,8 +93,8 @@ void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   polygon.n = n;
 }
 
-/// Returns the index of the first of the largest values. A later value has to be larger by more than the
-/// tolerance.
+/// Returns the index k < n of the largest value(k). A later value replaces an earlier one only if it is larger by more
+/// than the tolerance.
 template <class Value>
 int largest(int n, double tolerance, const Value& value) {
   int best = 0;
@@ -103,8 +104,8 @@ int largest(int n, double tolerance, const Value& value) {
   return best;
 }
 
-/// Selects at most four points that support the contact almost as well as all points together: the deepest, the
-/// one furthest from it, and the two that add the most area.
+/// Selects at most four points that support the contact almost as well as all points together: the deepest point, the
+/// point furthest from it, and, on each side of the line through these two points, the point furthest from the line.
 void select(const Polygon<3>& polygon, const Vec<3>& normal, double tolerance, ClippedFace<3>& kept) {
   const auto& p = polygon.points;
   if (polygon.n <= 4) {

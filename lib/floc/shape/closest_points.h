@@ -9,21 +9,20 @@ namespace floc {
 template <int Dim>
 struct ClosestPoints {
   bool overlap = false;                ///< whether the two cores overlap; other members are then not set
-  double distance = 0.0;               ///< distance of the closest points, > 0
+  double distance = 0.0;               ///< distance of the closest points (length), > 0
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first core to the second
   Vec<Dim> on_first = Vec<Dim>::Zero(), on_second = Vec<Dim>::Zero();
-  /// Kind of the feature of the first core that contains the point, as the number of vertices that span it: 1 a
-  /// vertex, 2 an edge, 3 a face.
+  /// Kind of the feature of the first core that contains its closest point, as the number of vertices that span the
+  /// feature: 1 for a vertex, 2 for an edge, 3 for a face.
   int n_first = 0;
-  int n_second =
-      0;  ///< kind of the feature of the second core that contains the point: 1, 2 or 3 as in `n_first`
+  int n_second = 0;  ///< kind of the feature of the second core: 1, 2 or 3 as in `n_first`
 };
 
 /// Computes the closest points of the cores of two shapes (the shapes without their rounding) by the algorithm
 /// of Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988). A core without vertices is a point.
 ///
-/// The error of positions is a few times the rounding error of the size of the shapes; the error of the normal
-/// is this error divided by the distance. Cores that are closer than 1e-12 of their size count as overlapping.
+/// The error of the points is a few times the rounding error of the size of the shapes. The error of the normal is the
+/// error of the points divided by their distance. Cores that are closer than 1e-12 of their size count as overlapping.
 ///
 /// @param guess  estimated direction from the first core to the second between their closest points, of any
 /// length > 0

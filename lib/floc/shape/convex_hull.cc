@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Difference of directions below which faces are merged (length of the cross product of their unit normals).
+/// Two adjacent faces are merged if their directions differ by less than this number (length of the cross product of
+/// their unit normals).
 constexpr double kOneDirection = 1e-6;
 
 template <int Dim>
@@ -28,7 +29,7 @@ void require_points(const std::vector<Vec<Dim>>& points, const std::string& plac
       throw InputError(place, fmt::format("point {}: expected coordinates that are finite numbers", i + 1));
 }
 
-/// Removes corners at which the direction of the boundary turns by less than kOneDirection.
+/// Removes the corners of a polygon at which its boundary turns by an angle of less than kOneDirection.
 void drop_straight_corners(const std::vector<Vec<2>>& points, std::vector<int>& loop) {
   for (std::size_t k = 0; k < loop.size() && loop.size() > 2;) {
     const std::size_t n = loop.size();
@@ -68,9 +69,8 @@ std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
   return loop;
 }
 
-/// Returns the number of the face to which each triangle belongs. Triangles with almost equal normals are
-/// merged across their common edge. Thin slivers, whose normals are inaccurate, are merged across their longest
-/// edge.
+/// Returns for each triangle the number of the face to which it belongs. Triangles with almost equal normals are merged
+/// across their common edge. Thin slivers, whose normals are inaccurate, are merged across their longest edge.
 std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vector<HullTriangle>& triangles) {
   std::vector<int> group(triangles.size());
   std::iota(group.begin(), group.end(), 0);
@@ -95,7 +95,8 @@ std::vector<int> joined_faces(const std::vector<Vec<3>>& points, const std::vect
   return group;
 }
 
-/// Returns the vertices around each merged face. @throws InputError if a face has a hole or touches itself
+/// Returns the vertices around each face of the convex hull, which consists of one or several merged triangles.
+/// @throws InputError if a face has a hole or touches itself
 std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, const std::string& place) {
   const std::vector<HullTriangle> triangles = triangulated_hull(points, place);
   const std::vector<int> group = joined_faces(points, triangles);
@@ -118,13 +119,14 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
     if (at < 0 || loop.size() != border.size())
       throw InputError(
           place,
-          "the faces of the convex hull cannot be told apart: expected faces whose directions differ "
-          "by more than 1e-6");
+          "two faces of the convex hull are almost parallel, so that their common boundary cannot be "
+          "determined: expected points whose adjacent faces enclose an angle of more than 1e-6 radians");
   }
   return loops;
 }
 
-/// Removes the corners that belong to fewer than three faces from all loops, because they lie on an edge.
+/// Removes from all faces the corners that belong to fewer than three faces. Such corners lie on an edge and are not
+/// vertices of the polyhedron.
 void drop_corners_on_edges(std::size_t n_points, std::vector<std::vector<int>>& loops) {
   std::vector<int> n_faces(n_points, 0);
   for (const std::vector<int>& loop : loops)

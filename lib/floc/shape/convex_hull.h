@@ -13,13 +13,14 @@ inline constexpr int kMostHullPoints = 20000;
 /// Convex hull of points, with coplanar triangles merged into faces.
 template <int Dim>
 struct ConvexHull {
-  Polytope<Dim> polytope;   ///< convex hull, with its vertices in the order of the given points
-  std::vector<int> points;  ///< index of the given point at each vertex
+  /// Convex hull; vertices are in the order of the given points (3D) or around the polygon (2D).
+  Polytope<Dim> polytope;
+  std::vector<int> points;  ///< for each vertex, the index of the given point at the vertex
 };
 
-/// Computes the convex hull of points. In 3D, points are added in the order of the algorithm of Barber, Dobkin
-/// and Huhdanpaa (ACM Trans. Math. Softw. 22, 1996); in 2D, Andrew's monotone chain is used. Faces whose
-/// directions differ by less than 1e-6 are merged. Points that lie on a face or an edge are not vertices.
+/// Computes the convex hull of points. The algorithm is that of Barber, Dobkin and Huhdanpaa (ACM Trans. Math. Softw.
+/// 22, 1996) in 3D, and Andrew's monotone chain in 2D. Faces whose directions differ by less than 1e-6 are merged.
+/// Points that lie on a face or an edge are not vertices.
 ///
 /// @param place  origin of the points in messages, such as a file
 /// @throws InputError if there are fewer than Dim + 1 points or more than kMostHullPoints, if a coordinate is

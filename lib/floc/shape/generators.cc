@@ -18,7 +18,7 @@ namespace {
 
 constexpr WholeRange kCounts{.least = 1, .most = 100000};
 constexpr NumberRange kRounding{.least = 0.0, .most = 0.45};
-/// Number of attempts to draw one shape after which the options are refused.
+/// Number of random draws without a valid shape after which the options of a generator are refused.
 constexpr int kMostDraws = 200;
 
 void add_fault(std::vector<std::string>& faults, std::string fault) {
@@ -46,14 +46,15 @@ Vec<Dim> direction(RandomStream& random) {
   }
 }
 
-/// Returns n random directions with mutual distances of at least half the mean spacing. Discs around them whose
-/// diameter is this distance cover a fifth of the sphere, or half of the circle.
+/// Returns n random unit vectors whose mutual distances are at least half the mean spacing of n points on the unit
+/// sphere (in 2D the circle). This leaves room for random draws: discs of this diameter around the points cover a fifth
+/// of the sphere (half of the circle).
 template <int Dim>
 std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
   const double least = 0.5 * (Dim == 2 ? 2.0 * std::numbers::pi / n : std::sqrt(4.0 * std::numbers::pi / n));
   for (;;) {
     std::vector<Vec<Dim>> chosen;
-    // A few directions can block all remaining places. Drawing then starts again.
+    // The first few vectors can block all places for further ones. Drawing then starts again.
     for (int trial = 0; trial < 1000 * n && static_cast<int>(chosen.size()) < n; ++trial) {
       const Vec<Dim> u = direction<Dim>(random);
       bool is_free = true;
@@ -69,8 +70,8 @@ int uniform_integer(RandomStream& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::uint64_t>(n_values)));
 }
 
-/// Returns the hulls of sets of points that `draw` makes from a random stream. Sets that form no valid shape,
-/// for example because they are almost flat, are drawn again.
+/// Returns `count` shapes. Each is the convex hull of a set of points that `draw` makes from a random stream. A set
+/// that forms no valid shape, for example because it is almost flat, is drawn again.
 template <int Dim, class Draw>
 std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t seed, std::uint64_t purpose,
                                      const Draw& draw) {
@@ -188,7 +189,7 @@ std::vector<Shape<Dim>> voronoi_shapes(const VoronoiOptions& options, int count,
         "", fmt::format("count = {}: expected at most {}, the number of Voronoi cells", count, options.cells));
   const auto cells = voronoi_cells<Dim>(options.cells, options.relaxed, seed);
   std::size_t next = 0;
-  // Thin cells that are refused as shapes are replaced by the cells after them.
+  // A Voronoi cell that is too thin for a shape is skipped, and the next cell is used.
   return drawn_shapes<Dim>(count, rounding, seed, kVoronoiStream, [&](RandomStream&) {
     return next < cells.size() ? std::optional(cells[next++]) : std::nullopt;
   });

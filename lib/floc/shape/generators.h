@@ -7,12 +7,12 @@
 
 namespace floc {
 
-/// Generators of shapes of grains. All shapes have diameter 1 (of the circumscribed circle or sphere about the
-/// centre of mass). The argument `rounding` is the radius of rounding as a fraction of the diameter, from 0 to
-/// 0.45. A seed determines the sequence of shapes; a larger count continues the sequence.
+/// Functions that generate shapes of grains. All shapes have diameter 1 (diameter of the circumscribed circle or sphere
+/// about the centre of mass). The argument `rounding` is the radius of rounding as a fraction of the diameter, from 0
+/// to 0.45. The argument `seed` determines a sequence of random shapes; a larger `count` continues the same sequence.
 ///
-/// They throw InputError with the key of the table grains.shape of a scene, its value and the values that are
-/// allowed.
+/// If an argument is not allowed, the functions throw InputError with the key of the argument in the table grains.shape
+/// of a scene file, its value and the allowed values.
 
 /// Returns a regular polygon with 3 to 200 sides.
 Shape<2> regular_polygon(int sides, double rounding);
@@ -21,14 +21,14 @@ Shape<2> regular_polygon(int sides, double rounding);
 template <int Dim>
 Shape<Dim> box(const Vec<Dim>& sides, double rounding);
 
-/// Returns a capsule that is `aspect` times as long as it is thick, 1 to 20; if `aspect` is 1, a disk or
-/// sphere.
+/// Returns a capsule that is `aspect` times as long as it is thick, 1 <= `aspect` <= 20. For `aspect` = 1 it is a disk
+/// or sphere.
 template <int Dim>
 Shape<Dim> capsule(double aspect);
 
-/// Options of convex hulls of random points. The points lie on a sphere (in 2D on a circle), at mutual
-/// distances of at least half the mean spacing sqrt(4 pi/n) (2 pi/n in 2D), and are stretched by `aspect` along
-/// one axis.
+/// Options for shapes that are convex hulls of n random points. The points lie on the unit sphere (in 2D the unit
+/// circle), at mutual distances of at least half their mean spacing sqrt(4 pi/n) (2 pi/n in 2D). Then they are
+/// stretched by the factor `aspect` along one axis.
 struct HullOptions {
   int least_vertices = 12;
   int most_vertices = 24;
@@ -39,8 +39,9 @@ struct HullOptions {
 template <int Dim>
 std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Options of intersections of half-spaces n . x <= 1 + u. The offset u is uniform between -spread/2 and
-/// spread/2, and the directions n are distributed like the points of hull_shapes().
+/// Options for shapes that are intersections of half-spaces n . x <= 1 + u. The number u is uniformly distributed
+/// between -spread/2 and spread/2, and the unit vectors n are distributed like the points of HullOptions before
+/// stretching.
 struct CutOptions {
   int least_faces = 10;
   int most_faces = 20;
@@ -51,8 +52,8 @@ struct CutOptions {
 template <int Dim>
 std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Options of Voronoi cells of random points in a periodic box. Before the cells are used, the points are moved
-/// `relaxed` times to the centres of mass of their cells.
+/// Options for shapes that are the Voronoi cells of `cells` random points in a periodic box. Before the cells are used,
+/// each point is moved `relaxed` times to the centre of mass of its cell.
 struct VoronoiOptions {
   int cells = 500;
   int relaxed = 2;

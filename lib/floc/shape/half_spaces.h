@@ -7,17 +7,17 @@
 
 namespace floc {
 
-/// Half-space normal . x <= offset.
+/// Half-space of the points x with normal . x <= offset.
 template <int Dim>
 struct HalfSpace {
   Vec<Dim> normal;      ///< normal vector that points out of the half-space, of any length
-  double offset = 0.0;  ///< offset > 0, so that the origin is inside
+  double offset = 0.0;  ///< value of normal . x on the boundary plane, > 0, so that the origin is inside
 };
 
-/// Returns the vertices of the intersection of half-spaces, from the convex hull of the dual points normal /
-/// offset.
-/// @return nothing if the intersection is not bounded, or is bounded only by faces so far away that they cannot
-/// be distinguished from no faces
+/// Returns the vertices of the intersection of half-spaces. They are computed from the convex hull of the points
+/// normal/offset, which are dual to the half-spaces.
+/// @return vertices; nothing if the intersection is not bounded, or if a vertex is so far away that rounding errors
+/// hide whether it is bounded
 template <int Dim>
 std::optional<std::vector<Vec<Dim>>> intersection_vertices(const std::vector<HalfSpace<Dim>>& half_spaces);
 

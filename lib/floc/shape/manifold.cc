@@ -10,15 +10,16 @@
 namespace floc {
 namespace {
 
-/// If the closest points lie along the normal of a face to within this angle (as 1 - cosine), the contact is
-/// treated as a contact with the face.
+/// If the line between the closest points of two shapes is normal to a face to within this angle (as 1 - cosine, for
+/// 1e-3 radians), the contact is treated as a contact with the face.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
-/// Largest distance, as a fraction of the smaller inner radius, by which the corners over a face may be further
-/// away than the closest or deepest points. The latter can lie just outside the boundary of the face.
+/// Tolerance for contacts with a face, as a fraction of the smaller inner radius of the two shapes. The contact is a
+/// contact with the face if the smallest gap of the corners over the face exceeds the smallest gap between the shapes
+/// by at most this much. The point of smallest gap may lie just outside the boundary of the face.
 constexpr double kBesideFace = 1e-6;
 /// Sine of the angle between two capsules below which they count as parallel.
 constexpr double kSideBySide = 1e-3;
-/// Value of the corner field in the key of a contact point that comes from the closest points of two shapes.
+/// Value of the field `corner` in ManifoldPoint::key if the contact point comes from the closest points of two shapes.
 constexpr std::uint32_t kClosest = 1023;
 
 std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t corner, bool edges) {
@@ -26,7 +27,7 @@ std::uint32_t key_of(bool of_second, int reference, int incident, std::uint32_t 
          static_cast<std::uint32_t>(incident) << 11 | corner << 1 | (edges ? 1U : 0U);
 }
 
-/// Search for the contact of one pair of shapes, in the coordinates of the first shape.
+/// Search for the contact points of two shapes, in the coordinates of the first shape.
 template <int Dim>
 class PairSearch {
  public:
@@ -49,8 +50,8 @@ class PairSearch {
       axis = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 1e-4 * size_}, limit, last);
       if (axis.separation > limit) return {};
     }
-    // The separating axes are complete only if the cores of both shapes (without rounding) have an inside. For
-    // a segment, axes normal to it are missing.
+    // The candidates for the separating axis are complete only if the cores of both shapes (the shapes without
+    // rounding) have an inside. For a segment, the axes normal to it are missing.
     const bool is_thin = a_.n_vertices() < 3 || b_.n_vertices() < 3;
     if (is_rounded && (is_thin || axis.separation > 0.0)) {
       const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
@@ -60,8 +61,9 @@ class PairSearch {
     if (axis.features.kind == AxisKind::kEdgePair) return of_edge_pair(axis);
     Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
-    // The deepest vertex lies outside the boundary of the face. A pair of edges then has a larger separation,
-    // even if by less than its margin.
+    // The deepest vertex lies outside the boundary of the face. A pair of edges then has a larger separation than the
+    // face, but by less than the margin by which faces are preferred. The search is therefore repeated without this
+    // margin.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 0.0}, limit, none);
@@ -76,14 +78,14 @@ class PairSearch {
  private:
   double world(double own) const { return first_.scale * own; }
 
-  /// Returns whether all points over a face lie higher than the vertex of the other shape that is lowest above
-  /// the plane of this face.
+  /// Returns whether all contact points over a face lie higher than the vertex of the other shape that is lowest above
+  /// the plane of the face.
   bool misses_the_deepest(const Manifold<Dim>& found, const SeparatingAxis<Dim>& axis) const {
     return found.n == 0 ||
            found.least_gap() - (world(axis.separation) - roundings_) > kBesideFace * world(size_);
   }
 
-  /// Returns the direction of the separating axis, with which the search for closest points begins.
+  /// Returns the direction with which the search for the closest points begins: that of the separating axis.
   Vec<Dim> guess(const SeparatingAxis<Dim>& axis) const {
     if (axis.features.kind == AxisKind::kFaceOfFirst && axis.of_first.face >= 0)
       return a_.normals[axis.of_first.face];
@@ -92,7 +94,8 @@ class PairSearch {
     return place_.offset;
   }
 
-  /// @param x  point midway between the surfaces, in the coordinates of the first shape
+  /// Adds a contact point to `found`.
+  /// @param x  point midway between the surfaces of the two shapes, in the coordinates of the first shape
   void add(Manifold<Dim>& found, const Vec<Dim>& x, double gap, std::uint32_t key) const {
     if (found.n < Manifold<Dim>::kMostPoints)
       found.points[found.n++] = {first_.rotation * (first_.scale * x), gap, key};
@@ -107,7 +110,7 @@ class PairSearch {
   Manifold<Dim> of_cores_apart(const ClosestPoints<Dim>& closest, const SeparatingAxis<Dim>& axis) {
     const double gap = world(closest.distance) - roundings_;
     if (!(gap < reach_)) return {};
-    // Disks and spheres have no face that could lie on another face.
+    // Disks and spheres have no face, so that they cannot touch with a face.
     if (!a_.is_round() && !b_.is_round()) {
       const bool prefers_second = axis.features.kind == AxisKind::kFaceOfSecond;
       for (const bool of_second : {prefers_second, !prefers_second})
@@ -137,8 +140,8 @@ class PairSearch {
     return 1.0 - outward.dot(n) < kAlongFace;
   }
 
-  /// Returns the contact of a face: the corners of the incident face over the face of largest separation, which
-  /// belongs to the first or the second shape.
+  /// Returns the contact with a face: the corners of the other shape over the face of largest separation of the first
+  /// shape or, if `of_second` is true, of the second shape.
   Manifold<Dim> of_face(const SeparatingAxis<Dim>& axis, bool of_second) {
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
     Manifold<Dim> found;
@@ -176,8 +179,8 @@ class PairSearch {
       const ShapeEdge &e = a_.edges[axis.features.first], &f = b_.edges[axis.features.second];
       const Vec<3> p = a_.vertices[e.from], u = a_.vertices[e.to] - p;
       const Vec<3> q = place_.point(b_.vertices[f.from]), v = place_.point(b_.vertices[f.to]) - q;
-      // The points at which the lines are closest lie within the edges, because the arcs of the edges cross.
-      // Rounding errors are clamped.
+      // The closest points of the lines through the two edges lie within the edges, because the arcs of the edges on
+      // the Gauss sphere cross. Points outside the edges result from rounding errors and are clamped to their ends.
       const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), pu = u.dot(q - p), pv = v.dot(q - p);
       const double determinant = uu * vv - uv * uv;
       const double s = std::clamp((pu * vv - pv * uv) / determinant, 0.0, 1.0);
@@ -191,8 +194,8 @@ class PairSearch {
     return found;
   }
 
-  /// Returns the contact if the axis is the normal of a face but no corner lies over this face: vertices pass
-  /// each other.
+  /// Returns the contact of two shapes if the separating axis is the normal of a face but no corner of the other shape
+  /// lies over this face, as when two vertices pass each other.
   Manifold<Dim> of_nothing_over_the_face(const SeparatingAxis<Dim>& axis) {
     if (axis.separation > 0.0) {
       const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
@@ -229,7 +232,7 @@ class PairSearch {
     const Vec<Dim> q = place_.point(b_.vertices[0]), v = place_.point(b_.vertices[1]) - q;
     const double length = u.norm(), parallel = u.dot(v) / (length * v.norm());
     if (1.0 - parallel * parallel > kSideBySide * kSideBySide) return found;
-    // Positions along the segment of the first capsule at which the segment of the second capsule begins and
+    // Positions along the core segment of the first capsule at which the core segment of the second capsule begins and
     // ends.
     const Vec<Dim> along = u / length;
     double from = along.dot(q - p), to = along.dot(q + v - p);
@@ -275,9 +278,9 @@ class PairSearch {
   const PlacedShape<Dim>&first_, &second_;
   const Shape<Dim>&a_, &b_;
   RelativePlace<Dim> place_;
-  double roundings_;  ///< sum of the radii of rounding of both shapes, in the unit of length of space
+  double roundings_;  ///< sum of the radii of rounding of both shapes as placed in space (length)
   double reach_;
-  double size_;  ///< smaller inner radius of the two shapes
+  double size_;  ///< smaller inner radius of the two shapes, in the unit of length of the first shape
 };
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Types of contact of two shapes, by the number of contact points within reach. In 2D, two sides that face
-/// each other have the type kFaceFace.
+/// Types of contact of two shapes, by the number of contact points that they have. In 2D, two sides that face each
+/// other have the type kFaceFace.
 enum class ContactType : std::uint8_t {
   kVertexFace,  ///< one point that is not the contact of two edges
   kEdgeEdge,    ///< one point at which two edges cross
@@ -24,13 +24,13 @@ std::string contact_type_name(ContactType type);
 /// One contact point of two shapes.
 template <int Dim>
 struct ManifoldPoint {
-  /// Vector from the centre of the first shape to the point midway between the surfaces, in the axes of space.
+  /// Vector from the centre of the first shape to the point midway between the surfaces (length), in the axes of space.
   Vec<Dim> arm = Vec<Dim>::Zero();
-  double gap = 0.0;  ///< distance between the surfaces along the normal; negative if they overlap
-  /// Number that identifies the point as long as the two features that meet in it stay the same. Bits from the
-  /// highest: whether the reference face belongs to the second shape (1), reference feature (10), incident
-  /// feature (10), side that begins at the corner (10; 1023 for closest points), whether the features are two
-  /// edges (1). The points of one contact have different keys.
+  double gap = 0.0;  ///< distance between the surfaces along the normal (length); negative if they overlap
+  /// Number that identifies the point from step to step, as long as the same two features (faces or edges) meet at it.
+  /// Its fields, from the highest bit: 1 bit, whether the reference face belongs to the second shape; 10 bits, index of
+  /// the reference feature; 10 bits, index of the incident feature; 10 bits, side that begins at the corner (1023 for
+  /// closest points); 1 bit, whether the features are two edges. The points of one contact have different keys.
   std::uint32_t key = 0;
 };
 
@@ -39,7 +39,8 @@ template <int Dim>
 struct Manifold {
   static constexpr int kMostPoints = Dim == 2 ? 2 : 4;
 
-  int n = 0;                           ///< number of points; 0 if no gap is smaller than the reach
+  /// Number of points; 0 if no point has a gap below `reach` of contact_manifold().
+  int n = 0;
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first shape to the second
   ContactType type = ContactType::kVertexFace;
   std::array<ManifoldPoint<Dim>, kMostPoints> points;
@@ -49,21 +50,24 @@ struct Manifold {
 
 /// Computes the contact of two shapes: the points with a gap smaller than `reach`.
 ///
-/// Shapes without rounding that are polytopes touch along the axis of their largest separation
-/// (separating_axis.h). If this axis is the normal of a face, the contact points are the corners of the
-/// incident face clipped by the sides of the reference face. In 3D, at most four of them are kept: the deepest,
-/// the one furthest from it, and those furthest to either side of the line through both. A pair of edges gives
-/// one point. Rounded shapes whose cores (the shapes without rounding) do not overlap touch in their closest
-/// points. If the line between these points is normal to a face to within 1e-3 radians, the contact is treated
-/// as a contact with this face.
+/// There are three cases:
+///   1. Polytopes without rounding touch along the axis of their largest separation (separating_axis.h). If this axis
+///      is the normal of a face (the reference face), the contact points are the corners of the incident face of the
+///      other shape, clipped by the sides of the reference face. In 3D, at most four of them are kept: the deepest, the
+///      one furthest from it, and the two furthest to either side of the line through these two points.
+///   2. If this axis is normal to a pair of edges, there is one contact point.
+///   3. Rounded shapes whose cores (the shapes without rounding) do not overlap touch at their closest points. If the
+///      line between these points is normal to a face to within 1e-3 radians, the contact is treated as a contact with
+///      this face.
 ///
 /// Gaps are measured along the axis of largest separation, up to the margins of separating_axis(): 1e-4 of the
 /// smaller inner radius for edges, 1e-6 for faces. If the shapes are exchanged, the normal is reversed and gaps
 /// and points stay the same, up to these margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
-/// @param last  features found in the previous step, with which the search begins; they are replaced by the
-/// features found now. They reject most pairs that do not touch for the cost of one search for a lowest vertex.
+/// @param last  features of the separating axis in the previous step, with which the search begins; they are replaced
+/// by the features found now. For most pairs that do not touch, they end the search after one search for a lowest
+/// vertex.
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,
                                AxisFeatures* last = nullptr);

@@ -46,7 +46,7 @@ Mesh<3> parse_off(const std::string& place, std::string_view text) {
       lines.refuse(fmt::format("the file begins with \"{}\": expected OFF", lines.word(0).substr(0, 40)));
     first = 1;
   }
-  // The counts follow OFF on the same line, or are on a line of their own.
+  // The numbers of vertices, faces and edges follow OFF on the same line, or are on the next line.
   if (lines.n_words() == first) {
     lines.require_next("the numbers of vertices, faces and edges");
     first = 0;
@@ -61,7 +61,8 @@ Mesh<3> parse_off(const std::string& place, std::string_view text) {
     lines.require_next(fmt::format("face {} of {}", k + 1, n_faces));
     add_counted_face(lines, mesh);
   }
-  if (lines.next()) lines.refuse(fmt::format("expected the end of the file after {} faces", n_faces));
+  if (lines.next())
+    lines.refuse(fmt::format("found a line after the last of {} faces: expected the end of the file", n_faces));
   return mesh;
 }
 
@@ -80,7 +81,8 @@ Mesh<3> parse_obj(const std::string& place, std::string_view text) {
             fmt::format("the file has more than {} faces, the largest number allowed", kFaceCount.most));
       const auto n = static_cast<std::int64_t>(mesh.vertices.size());
       if (lines.n_words() < 4)
-        lines.refuse("the face has fewer than three corners: expected f and at least three indices");
+        lines.refuse(
+            "the face has fewer than three corners: expected f and at least three numbers of vertices");
       std::vector<int>& face = mesh.faces.emplace_back();
       for (std::size_t k = 1; k < lines.n_words(); ++k) {
         const std::string_view index = lines.word(k).substr(0, lines.word(k).find('/'));
@@ -113,7 +115,7 @@ Mesh<Dim> parse_points(const std::string& place, std::string_view text) {
     if (name.size() == 3 && name.front() == '"' && name.back() == '"') name = name.substr(1, 1);
     is_header = name == kColumns[static_cast<std::size_t>(a)];
   }
-  if (!is_header) lines.refuse("the first line does not consist of the names of " + expected);
+  if (!is_header) lines.refuse("the first line is not a header: expected the names of " + expected);
   Mesh<Dim> mesh;
   while (lines.next()) {
     if (lines.n_words() != Dim)
@@ -155,7 +157,7 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
         add_vertex(lines, 0, shape);
       }
     } else if (key == "ne") {
-      // Edges of the file are skipped, because the convex hull has its own edges.
+      // The edges in the file are skipped, because the edges of the shape are those of the convex hull of its vertices.
       for (int n = lines.whole(1, kFaceCount), k = 0; k < n; ++k)
         lines.require_next(fmt::format("edge {} of {}", k + 1, n));
     } else if (key == "nf") {
@@ -169,10 +171,10 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
   }
   for (std::size_t k = 0; k < shapes.size(); ++k)
     if (shapes[k].vertices.empty() || !(shapes[k].rounding > 0.0))
-      throw InputError(
-          place,
-          fmt::format("shape {} \"{}\" is incomplete: expected the key nv with vertices, and the key radius",
-                      k + 1, shapes[k].name));
+      throw InputError(place,
+                       fmt::format("shape {} \"{}\" has no vertices or no radius: expected a line nv N (number "
+                                   "of vertices), followed by N lines with coordinates, and a line radius R",
+                                   k + 1, shapes[k].name));
   if (shapes.empty())
     throw InputError(place, "the file has no shape: expected a line with <, with which a shape begins");
   return shapes;

@@ -16,8 +16,8 @@ Mat<Dim> symmetric_product(const Vec<Dim>& a, const Vec<Dim>& b) {
   return a * b.transpose() + b * a.transpose();
 }
 
-/// Integrals of w = cos(phi) a + sin(phi) t and of w w' over the angle phi of an arc that begins in the
-/// direction a, where t is normal to a.
+/// Integrals of w = cos(phi) a + sin(phi) t and of w w' (w' is the transpose of w) over the angle phi of an arc that
+/// begins in the direction a, where t is normal to a.
 template <int Dim>
 struct Arc {
   double angle;
@@ -40,8 +40,8 @@ Arc<3> arc_of_edge(const Vec<3>& left, const Vec<3>& right, const Vec<3>& axis) 
 }
 
 Moments<2> side_layer(const Vec<2>& a, const Vec<2>& b, const Vec<2>& n, double rho) {
-  // The layer on a side is a rectangle. Its second moments per area about its centre are l^2/12 along the side,
-  // of length l, and rho^2/12 across it.
+  // Rounding by the radius rho puts a rectangle on each side. Its second moments about its centre, divided by its area,
+  // are l^2/12 along the side, which has the length l, and rho^2/12 across the side.
   const Vec<2> side = b - a, middle = 0.5 * (a + b + rho * n);
   const double area = side.norm() * rho;
   return {area, area * middle,
@@ -59,7 +59,7 @@ Moments<2> corner_layer(const Vec<2>& v, const Vec<2>& from, const Vec<2>& to, d
               0.25 * rho3 * rho * arc.second};
 }
 
-/// Returns the moments of a face, as integrals over its surface.
+/// Returns the moments of a face of a polyhedron: integrals over the area of the face.
 Moments<3> surface_moments(const Polytope<3>& polytope, const std::vector<int>& loop, const Vec<3>& n) {
   Moments<3> sum;
   const Vec<3>& a = polytope.vertices[loop[0]];
@@ -88,12 +88,13 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
                     rho3 / 3.0 * symmetric_product<3>(middle, arc.first) + 0.25 * rho3 * rho * arc.second)};
 }
 
-/// Integrals of 1, u and u u' over the unit vectors u in the part of the unit sphere that is enclosed by the
-/// normals at one vertex.
+/// Integrals of 1, u and u u' (u' is the transpose of u) over the unit vectors u in that part of the unit sphere which
+/// is enclosed by the normals of the faces at one vertex.
 using NormalCone = Moments<3>;
 
-/// Adds the contribution of one side of a normal cone, the side along the arc of an edge. `outward` is the
-/// normal of the arc that points out of the cone; it is the direction of the edge away from the vertex.
+/// Adds the contribution of one side of a normal cone to its integrals. The side is the arc between the normals of the
+/// two faces at an edge. `outward` is the unit vector normal to the arc that points out of the cone; it is the
+/// direction of the edge away from the vertex.
 ///
 /// The integral of u is half the sum of angle * inward normal. The integral of u u' (Arvo 1995) is a third of
 /// the solid angle times the identity matrix, minus a third of the sum of outward normal times the integral of
@@ -103,7 +104,7 @@ void add_arc(NormalCone& cone, const Vec<3>& outward, const Arc<3>& arc) {
   cone.second -= symmetric_product<3>(outward, arc.first) / 6.0;
 }
 
-/// Returns the solid angle of the triangle of three unit vectors (Van Oosterom and Strackee 1983).
+/// Returns the solid angle of the spherical triangle between three unit vectors (Van Oosterom and Strackee 1983).
 double solid_angle(const Vec<3>& a, const Vec<3>& b, const Vec<3>& c) {
   return 2.0 * std::atan2(std::abs(a.dot(b.cross(c))), 1.0 + a.dot(b) + b.dot(c) + c.dot(a));
 }
@@ -194,8 +195,9 @@ Moments<3> rounding_moments(const Polytope<3>& polytope, double rounding) {
     for (std::size_t k = 0; k < loop.size(); ++k)
       face_left_of[{loop[k], loop[(k + 1) % loop.size()]}] = static_cast<int>(f);
   }
-  // The normals at a vertex enclose a convex polygon on the unit sphere, whose sides are the arcs of the edges
-  // at the vertex. Its solid angle is the sum over the triangles that each arc forms with one of the normals.
+  // The normals of the faces at a vertex enclose a convex polygon on the unit sphere, whose sides are the arcs of the
+  // edges at the vertex. The solid angle of the polygon is the sum of the solid angles of the triangles that each arc
+  // forms with one fixed normal.
   std::vector<NormalCone> cones(polytope.vertices.size());
   std::vector<int> any_face(polytope.vertices.size(), -1);
   for (const auto& [ends, left] : face_left_of) {

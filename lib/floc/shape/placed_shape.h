@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Shape of a grain placed in space: x = position + scale * rotation * y for a point y of the shape.
+/// Shape of a grain placed in space: the point y of the shape is at x = position + scale * rotation * y in space.
 template <int Dim>
 struct PlacedShape {
   const Shape<Dim>* shape = nullptr;
@@ -17,8 +17,8 @@ struct PlacedShape {
   double outer_radius() const { return scale * shape->outer_radius; }
 };
 
-/// Transformation from the coordinates of a second shape to the coordinates of a first shape: x = offset +
-/// scale * rotation * y for a point y of the second shape.
+/// Transformation from the coordinates of a second shape to those of a first shape: the point y of the second shape is
+/// at x = offset + scale * rotation * y in the coordinates of the first shape.
 template <int Dim>
 struct RelativePlace {
   Mat<Dim> rotation;

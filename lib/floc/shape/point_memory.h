@@ -7,17 +7,19 @@
 
 namespace floc {
 
-/// For each contact point, the index of the point of the previous step whose history it takes over, or -1.
+/// For each contact point, the index of the contact point in the previous step whose history it takes over; -1 if there
+/// is none.
 template <int Dim>
 using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;
 
-/// Matches the contact points of a pair of shapes with those of the previous step. Points with equal keys are
-/// matched first. Each other point is then matched with the nearest point of the previous step that is not
-/// matched yet, in the order of increasing distance.
+/// Matches the contact points of a pair of shapes with those of the previous step. Points with equal keys are matched
+/// first. Then, in the order of increasing distance, each remaining point is matched with the nearest remaining point
+/// of the previous step.
 ///
-/// @param now, before  contact points of this step and of the previous one, at most kMostPoints each; their
-/// arms begin at the centre of the same body
-/// @param radius  largest distance of points with different keys that match: 0.25 of the smaller outer radius
+/// @param now, before  contact points of this step and of the previous step, at most kMostPoints each; all arms begin
+/// at the centre of the same body
+/// @param radius  largest distance at which points with different keys are matched (length): 0.25 of the smaller outer
+/// radius of the two shapes
 template <int Dim>
 PointMatches<Dim> matched_points(std::span<const ManifoldPoint<Dim>> now,
                                  std::span<const ManifoldPoint<Dim>> before, double radius);

@@ -17,8 +17,8 @@ struct Polytope {
 
 /// Largest number of vertices of a shape of a grain.
 inline constexpr int kMostVertices = 200;
-/// Largest number of faces, and of edges, of a shape of a grain. Keys of contact points have ten bits for each
-/// of these numbers, with one value left over.
+/// Largest number of faces, and of edges, of a shape of a grain. ManifoldPoint::key has ten bits for the index of a
+/// face or edge, of which one value is left over.
 inline constexpr int kMostFaces = 1023;
 
 }  // namespace floc

@@ -11,8 +11,8 @@ Mat<3> principal_axes(Mat<3> matrix) {
     bool turned = false;
     for (int p = 0; p < 2; ++p)
       for (int q = p + 1; q < 3; ++q) {
-        // The first sweep decides whether any rotation is needed; the following sweeps continue down to
-        // rounding errors.
+        // The first sweep rotates only if an off-diagonal element exceeds the threshold; later sweeps reduce these
+        // elements to rounding errors.
         if (std::abs(matrix(p, q)) <= (sweep == 0 ? threshold : 1e-4 * threshold)) continue;
         turned = true;
         // The smaller of the two angles of rotation that make this off-diagonal element zero (Rutishauser

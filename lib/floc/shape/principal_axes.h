@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Returns the principal axes of a symmetric matrix, by Jacobi rotations, as the columns of a rotation matrix
-/// (determinant 1).
+/// Returns the principal axes of a symmetric matrix, such as the second moments of a body, as the columns of a rotation
+/// matrix (determinant 1). They are computed by Jacobi rotations.
 ///
 /// If the matrix is diagonal to 1e-13 of its trace, the axes are the coordinate axes, so that a cube is not
 /// turned. Equal moments cause no rotation. The axes are not sorted by size of the moments.

@@ -15,12 +15,12 @@
 namespace floc {
 namespace {
 
-/// If a surface encloses less than this fraction of the volume of its convex hull, it is not convex.
+/// A surface that encloses less than this fraction of the volume of its convex hull counts as not convex.
 constexpr double kConvexShare = 1.0 - 1e-6;
 
 /// Requires that the faces of a mesh form a closed surface.
 void require_closed(const std::string& place, const Mesh<3>& mesh) {
-  // Number of faces that go along each edge, from its first vertex to its second.
+  // For each pair of vertices (from, to), the number of faces that list `to` directly after `from`.
   std::map<std::pair<int, int>, int> along;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const std::vector<int>& face = mesh.faces[f];
@@ -52,7 +52,7 @@ void require_closed(const std::string& place, const Mesh<3>& mesh) {
 }
 void require_closed(const std::string&, const Mesh<2>&) {}
 
-/// Returns the vertices that belong to a face; all vertices if there is no face.
+/// Returns the vertices of a mesh that belong to a face; all vertices if the mesh has no faces.
 template <int Dim>
 std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   if (mesh.faces.empty()) return mesh.vertices;
@@ -65,8 +65,8 @@ std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   return used;
 }
 
-/// Returns n of the points. The first is the point furthest from the mean of all points; each following point
-/// is the one furthest from the points chosen before.
+/// Chooses n of the given points so that they are far from each other. The first is the point furthest from the mean of
+/// all points; each following point is the point furthest from those chosen before.
 template <int Dim>
 std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) {
   Vec<Dim> mean = Vec<Dim>::Zero();
@@ -84,8 +84,8 @@ std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) 
   return chosen;
 }
 
-/// Returns the volume enclosed by a surface. It is computed relative to one of its vertices, so that no digits
-/// are lost if the origin is far away.
+/// Returns the volume enclosed by a surface. The origin is moved to a vertex of the surface before, so that no digits
+/// are lost if the surface is far from the origin.
 template <int Dim>
 double volume_of(Polytope<Dim> surface) {
   const Vec<Dim> origin = surface.vertices[0];
@@ -93,7 +93,7 @@ double volume_of(Polytope<Dim> surface) {
   return sharp_moments(surface).volume;
 }
 
-/// Returns the shape of a core with one or two vertices: a sphere or a capsule.
+/// Returns the shape of a mesh with one or two vertices and a radius of rounding: a sphere or a capsule.
 template <int Dim>
 Shape<Dim> shape_of_few(const std::string& place, const Mesh<Dim>& mesh) {
   if (mesh.vertices.size() == 1) return round_shape<Dim>(mesh.rounding);
@@ -120,8 +120,7 @@ template <>
 std::vector<Mesh<2>> meshes_of(const std::string& path, std::string_view content) {
   if (ending(path) != ".csv")
     throw InputError(
-        path,
-        "the name of the file has another ending than .csv: expected the corners of a polygon in a .csv file");
+        path, "the name of the file does not end in .csv: expected a .csv file with the corners of a polygon");
   return {parse_points<2>(path, content)};
 }
 
@@ -148,8 +147,9 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
   if (options.rounding > 0.0 && mesh.rounding > 0.0)
     throw InputError(
         place,
-        fmt::format("rounding = {:g}: the file has its own radius of rounding; leave out the value of rounding",
-                    options.rounding));
+        fmt::format(
+            "rounding = {:g}: the file already gives a radius of rounding for this shape; leave out rounding",
+            options.rounding));
   if (mesh.rounding > 0.0 && mesh.vertices.size() <= 2) return {mesh.name, shape_of_few(place, mesh), {}};
 
   const std::vector<Vec<Dim>> points = used_vertices(mesh);
@@ -175,7 +175,7 @@ NamedShape<Dim> shape_of_mesh(const std::string& place, const Mesh<Dim>& mesh,
   if (options.vertices != 0 && static_cast<int>(n_before) > options.vertices) {
     hull = convex_hull<Dim>(spread_points<Dim>(hull.polytope.vertices, options.vertices), place);
     made.remarks.push_back(
-        fmt::format("{} of {} vertices of the convex hull are kept, with {:.4g} of its volume",
+        fmt::format("{} of {} vertices of the convex hull are kept; their hull has {:.4g} of its volume",
                     hull.points.size(), n_before, volume_of(hull.polytope) / whole));
   }
   made.shape = mesh.rounding > 0.0 ? polytope_shape<Dim>(hull.polytope, mesh.rounding, place)

@@ -18,30 +18,29 @@ struct NamedShape {
 };
 
 struct ShapeFileOptions {
-  /// Number of vertices to keep. The vertices furthest from each other are kept; 0 keeps all vertices of the
-  /// convex hull.
+  /// Number of vertices of the convex hull to keep; 0 keeps all. The vertices that are kept are far from each other.
   int vertices = 0;
-  /// Radius of rounding as a fraction of the diameter, from 0 to 0.45. Shapes of Rockable have their own
-  /// radius.
+  /// Radius of rounding as a fraction of the diameter, from 0 to 0.45. It has to be 0 for files of the program Rockable
+  /// (.shp), which give a radius for each shape.
   double rounding = 0.0;
 };
 
-/// Reads the shapes of a file and returns their convex hulls. The formats are .off, .obj, .stl, .csv and .shp;
-/// only .shp files hold several shapes. In 2D only .csv is possible.
+/// Reads the shapes in a file and returns their convex hulls. The formats are .off, .obj, .stl, .csv and .shp; only
+/// .shp files hold several shapes. In 2D only .csv is possible.
 ///
-/// @throws InputError if the readers of mesh_files.h or shape_of_mesh() throw it, or if the name of the file
-/// has none of these endings
+/// @throws InputError if the functions of mesh_files.h or shape_of_mesh() throw it, or if the name of the file has none
+/// of the endings above
 template <int Dim>
 std::vector<NamedShape<Dim>> read_shapes(const std::string& path, const ShapeFileOptions& options = {});
 
-/// Returns the shapes described by the content of a file. @param path  name of the file, whose ending
-/// determines the format; used in messages
+/// Returns the shapes described by the content of a file.
+/// @param path  name of the file, for messages; its ending determines the format of `content`
 template <int Dim>
 std::vector<NamedShape<Dim>> parse_shapes(const std::string& path, std::string_view content,
                                           const ShapeFileOptions& options = {});
 
-/// Returns the convex hull of a mesh, with remarks if vertices are left out or if the surface encloses less
-/// than its hull.
+/// Returns the convex hull of a mesh, with remarks if vertices are left out or if the surface of the mesh encloses less
+/// volume than the hull.
 ///
 /// @throws InputError if shape_of_points() throws it, or if the faces do not form a closed surface: an edge
 /// belongs to one face, to more than two faces, or to two faces that go along it in the same direction

@@ -9,10 +9,12 @@ namespace floc {
 namespace {
 
 constexpr double kLeast = -std::numeric_limits<double>::max();
-/// Sine of the angle below which two edges count as parallel. The normal of a face is then used as the axis.
+/// Two edges count as parallel if the sine of the angle between them is smaller than this number. They then define no
+/// axis, and the normal of a face is used instead.
 constexpr double kParallel = 1e-9;
 
-/// Separations of the faces of one shape from the vertices of another shape.
+/// Search for the face of one shape, `one`, that has the largest separation from another shape, `other`. The separation
+/// of a face is the height of the lowest vertex of `other` above its plane.
 template <int Dim>
 class FaceSearch {
  public:
@@ -31,8 +33,9 @@ class FaceSearch {
     return n.dot(point) - one_.offsets[face];
   }
 
-  /// @param begin  index of the face to begin with; -1: the face above which the centre of the other shape is
-  /// highest
+  /// Finds the face of largest separation.
+  /// @param begin  index of the face with which the search begins; -1: the face above which the centre of the other
+  /// shape is highest
   FaceAxis best(int begin, double margin, double limit) {
     FaceAxis found;
     if (one_.n_faces() == 0) {
@@ -44,8 +47,7 @@ class FaceSearch {
     found = {begin, 0, separation(begin)};
     found.vertex = vertex_;
     for (int f = 0; f < one_.n_faces() && found.separation <= limit; ++f) {
-      // The face of the previous step is replaced only if the separation of another face is larger by the
-      // margin.
+      // The face of the previous step is replaced only by a face whose separation is larger by more than the margin.
       const double threshold = found.separation + (prefers && found.face == begin ? margin : 0.0);
       if (f == begin || !may_exceed(f, threshold)) continue;
       const double here = separation(f);
@@ -54,8 +56,8 @@ class FaceSearch {
     return found;
   }
 
-  /// Returns whether an edge of shape `one` can be part of an edge pair with a separation larger than a
-  /// threshold.
+  /// Returns whether an edge of the shape `one`, together with any edge of the other shape, may have a separation
+  /// larger than a threshold.
   ///
   /// The normal of an edge pair is n = alpha a + beta b with the normals a and b of the two faces of the edge,
   /// alpha, beta >= 0 and 1 <= alpha + beta <= sqrt(2/(1 + a . b)). The separation is at most the height along
@@ -85,8 +87,8 @@ class FaceSearch {
     return best;
   }
 
-  /// Returns whether a face may have a separation larger than a threshold. The separation of a face is at most
-  /// the height of any point of the other shape above it.
+  /// Returns whether a face may have a separation larger than a threshold. The separation of a face is at most the
+  /// height above this face of any point of the other shape.
   bool may_exceed(int face, double threshold) const {
     for (int k = 0; k < n_points_; ++k)
       if (one_.normals[face].dot(points_[k]) - one_.offsets[face] <= threshold) return false;
@@ -96,13 +98,14 @@ class FaceSearch {
   const Shape<Dim>& one_;
   const Shape<Dim>& other_;
   const RelativePlace<Dim>& place_;
-  /// Some points of the other shape: the lowest points above the faces that have been examined.
+  /// Points of the other shape that are lowest above the faces examined so far; at most kMostPoints of them are kept.
   std::array<Vec<Dim>, kMostPoints> points_;
   int n_points_ = 0;
   int vertex_ = 0;  ///< vertex of the other shape that is lowest above the last face examined
 };
 
-/// Edge of a shape and the normals of its two faces, in the coordinates of the first shape.
+/// Edge of a shape and the normals of the two faces that meet at the edge, in the coordinates of the first of two
+/// shapes.
 struct PlacedEdge {
   Vec<3> from, along, left, right;
 };
@@ -119,8 +122,8 @@ PlacedEdge edge_of(const Shape<3>& shape, int edge, const RelativePlace<3>& plac
           place.direction(own.right)};
 }
 
-/// Returns whether the arc of edge `a` on the Gauss sphere, between the normals of its two faces, crosses the
-/// reversed arc of edge `b`. The two edges then form a face of the Minkowski difference.
+/// Returns whether the arc of edge `a` on the Gauss sphere, which connects the normals of its two faces, crosses the
+/// reversed arc of edge `b`. If so, the two edges form a face of the Minkowski difference of the two shapes.
 bool arcs_cross(const PlacedEdge& a, const PlacedEdge& b) {
   const double c = b.left.dot(a.along), d = b.right.dot(a.along);
   if (!(c * d < 0.0)) return false;
@@ -136,8 +139,8 @@ Vec<3> pair_normal(const PlacedEdge& a, const PlacedEdge& b) {
   return n.dot(a.left + a.right) < 0.0 ? Vec<3>(n / -length) : Vec<3>(n / length);
 }
 
-/// Edge pair with the largest separation, if this is larger than a threshold, and the separation of the edge
-/// pair of the previous step.
+/// Pair of edges, one of each shape, with the largest separation; -1 if no pair exceeds the threshold. `of_last` is the
+/// separation of the pair of edges that defined the axis in the previous step.
 struct EdgeAxis {
   int first = -1, second = -1;
   double separation = kLeast;
@@ -170,8 +173,8 @@ EdgeAxis best_edge_pair(const Shape<3>& first, const FaceSearch<3>& above_first,
   return best;
 }
 
-/// Returns the separation along the axis of the previous step as it points now. It is a lower bound of the
-/// distance of the shapes.
+/// Returns the separation of two shapes along the axis that the features of the previous step define at the present
+/// positions. It is a lower bound on the distance of the shapes.
 template <int Dim>
 double last_separation(const Shape<Dim>& first, const Shape<Dim>& second, const RelativePlace<Dim>& place,
                        const AxisFeatures& last, FaceSearch<Dim>& above_first, FaceSearch<Dim>& above_second) {

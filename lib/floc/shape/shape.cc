@@ -16,9 +16,10 @@
 namespace floc {
 namespace {
 
-/// Largest ratio of the extents of a shape along its principal axes.
+/// Largest allowed ratio of the extents of a shape along its principal axes.
 constexpr double kLargestAspect = 20.0;
-/// Least volume of the core of a shape (without rounding) as a fraction of the volume of its bounding box.
+/// Smallest allowed volume of the core of a shape (the shape without rounding), as a fraction of the volume of its
+/// bounding box.
 constexpr double kLeastFilling = 1e-6;
 
 double power(double x, int n) {
@@ -39,8 +40,8 @@ void set_faces(const Polytope<Dim>& polytope, Shape<Dim>& shape) {
   for (std::size_t f = 0; f < polytope.faces.size(); ++f) {
     const std::vector<int>& loop = polytope.faces[f];
     const Vec<Dim> n = face_normal(polytope, static_cast<int>(f)).normalized();
-    // Vertices of merged faces may lie off the plane of the face by up to about 1e-6 of its size. No part of
-    // the shape may lie above a face.
+    // Vertices of a merged face may lie off its mean plane by up to about 1e-6 of the size of the face. The plane of
+    // the face is put at its highest vertex, so that no part of the shape lies above it.
     double offset = -std::numeric_limits<double>::max();
     for (const int v : loop) offset = std::max(offset, n.dot(polytope.vertices[v]));
     shape.normals.push_back(n);
@@ -173,7 +174,7 @@ Shape<3> capsule_shape(double length, double rounding) {
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place) {
   require_counts(hull, place);
-  // Moments about a point inside the polytope lose no digits if the origin is far away.
+  // The origin is moved into the polytope, so that the moments lose no digits if the polytope is far from the origin.
   Vec<Dim> inside = Vec<Dim>::Zero();
   for (const Vec<Dim>& v : hull.vertices) inside += v / static_cast<double>(hull.vertices.size());
   Polytope<Dim> core = hull;
@@ -248,8 +249,9 @@ Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const st
     throw InputError(
         place, fmt::format("rounding = {:g}: expected a fraction of the diameter, from 0 to 0.45", share));
   Shape<Dim> shape = polytope_shape(core, 0.0, place);
-  // Rounding moves the centre of mass a little and changes the outer radius. The radius of rounding therefore
-  // converges in one pass if the shape has a centre of symmetry, and otherwise by two or three digits per pass.
+  // Rounding moves the centre of mass a little and changes the outer radius. The radius of rounding is therefore found
+  // by iteration. It converges in one pass if the shape has a centre of symmetry, and otherwise by two or three digits
+  // per pass.
   if (share > 0.0)
     for (int pass = 0; pass < 20; ++pass) {
       const double outer = shape.outer_radius - shape.rounding;

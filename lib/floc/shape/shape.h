@@ -30,12 +30,12 @@ struct Shape {
   std::vector<Vec<Dim>> vertices;
   std::vector<Vec<Dim>> normals;
   std::vector<double> offsets;
-  /// Vertices around each face, counter-clockwise as seen from outside, one face after the other.
+  /// Indices of the vertices around each face, counter-clockwise as seen from outside, one face after the other.
   std::vector<int> corners;
   /// Index in `corners` of the first vertex of each face, then the size of `corners`.
   std::vector<int> first_corner;
   std::vector<ShapeEdge> edges;   ///< edges, each listed once
-  std::vector<int> vertex_faces;  ///< faces that meet at each vertex, one vertex after the other
+  std::vector<int> vertex_faces;  ///< indices of the faces that meet at each vertex, one vertex after the other
   /// Index in `vertex_faces` of the first face of each vertex, then the size of `vertex_faces`.
   std::vector<int> first_of_vertex;
   double rounding = 0.0;
@@ -48,8 +48,8 @@ struct Shape {
   /// `rounding`.
   double inner_radius = 0.0;
 
-  /// Position and axes of the shape in the coordinates in which it was given: x = centre + axes * y for a point
-  /// y of the shape.
+  /// Position and axes of the shape in the coordinate system of the vertices from which it was made: the point y of the
+  /// shape is at x = centre + axes * y in that system.
   Vec<Dim> centre = Vec<Dim>::Zero();
   Mat<Dim> axes = Mat<Dim>::Identity();
 
@@ -72,7 +72,7 @@ struct Shape {
 template <int Dim>
 Shape<Dim> round_shape(double radius);
 
-/// Returns a capsule: a segment of a given length along the first axis, rounded.
+/// Returns a capsule: the points within the distance `rounding` of a segment of length `length` along the first axis.
 template <int Dim>
 Shape<Dim> capsule_shape(double length, double rounding);
 
@@ -80,13 +80,13 @@ Shape<Dim> capsule_shape(double length, double rounding);
 ///
 /// @param hull  polytope with the faces of convex_hull()
 /// @param place  origin of the polytope in messages, such as a file
-/// @throws InputError if there are more than kMostVertices vertices or kMostFaces faces or edges, if the volume
-/// of the core is less than 1e-6 of its bounding box, or if its extents along the principal axes differ by more
-/// than a factor of 20
+/// @throws InputError if there are more than kMostVertices vertices or kMostFaces faces or edges, if the volume of the
+/// core is less than 1e-6 of the volume of its bounding box, or if the extents of the core along the principal axes
+/// differ by more than a factor of 20
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place = "");
 
-/// Shape made of points, and remarks in words about points that are not part of it.
+/// Shape made of points, and remarks in words about points that are not vertices of the shape.
 template <int Dim>
 struct ShapeOfPoints {
   Shape<Dim> shape;
@@ -95,8 +95,8 @@ struct ShapeOfPoints {
 
 /// Returns the rounded convex hull of points.
 ///
-/// @throws InputError if convex_hull() or polytope_shape() throws it, or if two points are closer than 1e-9 of
-/// the largest extent
+/// @throws InputError if convex_hull() or polytope_shape() throws it, or if two points are closer than 1e-9 of the
+/// largest extent of all points
 template <int Dim>
 ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double rounding,
                                    const std::string& place = "");
@@ -105,19 +105,20 @@ ShapeOfPoints<Dim> shape_of_points(const std::vector<Vec<Dim>>& points, double r
 template <int Dim>
 Shape<Dim> scaled(Shape<Dim> shape, double factor);
 
-/// Requires that no two points are closer than 1e-9 of the largest extent. @throws InputError naming two such
-/// points
+/// Requires that no two points are closer than 1e-9 of the largest extent of all points.
+/// @throws InputError that names two points which are closer
 template <int Dim>
 void require_distinct(const std::vector<Vec<Dim>>& points, const std::string& place);
 
-/// Returns a shape whose radius of rounding is a given fraction of its diameter.
+/// Returns a shape with the core `core` (the shape without rounding) whose radius of rounding is a given fraction of
+/// its diameter.
 ///
-/// @param share  fraction, from 0 (sharp) to 0.45
+/// @param share  radius of rounding divided by the diameter, from 0 (sharp) to 0.45
 /// @throws InputError if polytope_shape() throws it, or if the fraction is out of range
 template <int Dim>
 Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const std::string& place = "");
 
-/// Returns a shape as with_rounding_share() does, magnified to a diameter of 1.
+/// Returns a shape as with_rounding_share() does, but scaled to a diameter of 1.
 template <int Dim>
 Shape<Dim> with_unit_diameter(const Polytope<Dim>& core, double share, const std::string& place = "");
 

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Number of bytes of a binary file before its triangles, and number of bytes per triangle.
+/// Number of bytes before the triangles of a binary STL file, and number of bytes per triangle.
 constexpr std::size_t kHeader = 84, kTriangle = 50;
 
 /// Merges corners with equal coordinates to one vertex and collects the triangles of a mesh.
@@ -22,7 +22,7 @@ class Welder {
   Welder(std::string place, Mesh<3>& mesh) : place_(std::move(place)), mesh_(mesh) {}
 
   int vertex(const Vec<3>& v) {
-    // Adding zero turns -0 into 0, so that both count as equal.
+    // Adding zero turns -0 into 0, so that -0 and 0 count as equal coordinates.
     const auto [at, is_new] =
         numbers_.try_emplace({v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}, static_cast<int>(mesh_.vertices.size()));
     if (is_new) {
@@ -128,12 +128,12 @@ Mesh<3> parse_stl(const std::string& place, std::string_view bytes) {
             ? fmt::format(
                   "the file has {} bytes for {} triangles: expected {} bytes, or a text that begins with solid",
                   bytes.size(), n, kHeader + n * kTriangle)
-            : fmt::format("the file has {} bytes: expected an STL file, a text that begins with solid or a "
-                          "binary file of "
-                          "at least 84 bytes",
+            : fmt::format("the file has {} bytes: expected an STL file, which is a text that begins with "
+                          "solid, or a binary file of at least 84 bytes",
                           bytes.size()));
   }
-  if (mesh.faces.empty()) throw InputError(place, "the file has no triangle");
+  if (mesh.faces.empty())
+    throw InputError(place, "the file has no triangle: expected a surface made of triangles");
   return mesh;
 }
 

@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// Lines of a text, divided into words, with error messages that name the file and the line. Comments, which
-/// begin with #, and lines without words are skipped.
+/// Reader that goes through a text line by line and divides each line into words. Its error messages name the file and
+/// the line. Comments, which begin with #, and lines without words are skipped.
 class TextLines {
  public:
   /// @param place  name of the file in messages
@@ -28,14 +28,14 @@ class TextLines {
   const std::vector<std::string_view>& words() const { return words_; }
   std::string_view word(std::size_t k) const { return words_[k]; }
   std::size_t n_words() const { return words_.size(); }
-  /// Returns the present position as "file:line".
+  /// Returns the name of the file and the number of the present line as "file:line".
   std::string where() const;
 
-  /// Returns word k of the present line as a number, or as a whole number in a range.
-  /// @throws InputError if the word is missing or is not such a number
+  /// Returns word k of the present line, counted from 0, as a number; whole() returns it as a whole number in a range.
+  /// @throws InputError if the word is missing, is not a number or is out of range
   double number(std::size_t k) const;
   int whole(std::size_t k, const WholeRange& range) const;
-  /// Returns the Dim numbers of the present line from word k on as a vector.
+  /// Returns the words k to k + Dim - 1 of the present line, counted from 0, as a vector of numbers.
   template <int Dim>
   Vec<Dim> vector(std::size_t k) const {
     Vec<Dim> v;

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Edge between a triangle that is visible from a point and a triangle that is not visible.
+/// Edge between a triangle of the hull that is visible from a new point and a triangle that is not visible.
 struct HorizonEdge {
   int from, to;
   int beyond;       ///< index of the triangle that is not visible
@@ -27,11 +27,10 @@ class HullBuilder {
     begin_with_a_tetrahedron(place);
   }
 
-  /// Adds the points that lie outside the hull, the furthest point of each triangle first, until no point is
-  /// outside.
+  /// Extends the hull until no point lies outside it. From the points above a triangle, the furthest is added first.
   std::vector<HullTriangle> build() {
-    // Because of rounding errors a point can be assigned to the wrong triangle. All points are therefore examined
-    // again.
+    // Because of rounding errors, a point can be assigned to the wrong triangle. All points are therefore examined
+    // three times.
     for (int round = 0; round < 3; ++round) {
       hand_out(no_corners(), 0);
       for (std::size_t t = 0; t < faces_.size(); ++t)
@@ -43,7 +42,8 @@ class HullBuilder {
 
  private:
   struct Face : HullTriangle {
-    std::vector<int> outside;  ///< points above this triangle that are not assigned to another triangle
+    /// Indices of the points above this triangle that are not assigned to another triangle.
+    std::vector<int> outside;
     bool alive = true;
     int visited = -1;  ///< number of the last search that visited this triangle
   };
@@ -80,8 +80,8 @@ class HullBuilder {
     const double height = normal.dot(points_[d] - points_[a]);
     if (!(std::abs(height) > 1e-9 * size_))
       throw InputError(place, "all points lie in one plane: expected a polyhedron");
-    // Counter-clockwise triangles of a tetrahedron, as seen from outside. Its top d is above the triangle (a,
-    // e, f) at its base.
+    // The four triangles of a tetrahedron, counter-clockwise as seen from outside. The vertex d is the top above the
+    // base (a, e, f).
     const int e = height > 0.0 ? b : c, f = height > 0.0 ? c : b;
     add_face(a, f, e), add_face(a, e, d), add_face(e, f, d), add_face(f, a, d);
     faces_[0].across = {3, 2, 1};
@@ -90,7 +90,7 @@ class HullBuilder {
     faces_[3].across = {0, 1, 2};
   }
 
-  /// Assigns each point to the first triangle, from index `first` on, above which it lies.
+  /// Assigns each point to the first triangle, from index `first` on, above which the point lies.
   void hand_out(const std::vector<int>& points, std::size_t first) {
     for (const int i : points)
       for (std::size_t t = first; t < faces_.size(); ++t)
@@ -132,7 +132,7 @@ class HullBuilder {
     return seen;
   }
 
-  /// Returns the edges around the visible triangles, in order; nothing if they do not form a single loop.
+  /// Returns the edges around the triangles `seen`, in order; nothing if these edges do not form a single loop.
   std::optional<std::vector<HorizonEdge>> horizon(const std::vector<int>& seen) const {
     std::vector<HorizonEdge> edges;
     for (const int t : seen)
@@ -183,7 +183,7 @@ class HullBuilder {
     return others;
   }
 
-  /// Removes the triangles that have been replaced by others.
+  /// Removes the triangles that are no longer part of the hull.
   void bury() {
     std::vector<int> number(faces_.size(), -1);
     int n = 0;

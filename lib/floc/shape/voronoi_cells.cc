@@ -13,8 +13,9 @@
 namespace floc {
 namespace {
 
-/// Returns the vectors from point i to all periodic images of points that can bound the Voronoi cell of point
-/// i: the nearest images if there are many points, otherwise also the images in the adjacent boxes.
+/// Returns the vectors from point i to all periodic images of points that can bound the Voronoi cell of point i. If
+/// there are at least 100 points, these are the nearest image of each point; otherwise also the images in the adjacent
+/// boxes.
 template <int Dim>
 std::vector<Vec<Dim>> branches_from(const std::vector<Vec<Dim>>& points, std::size_t i) {
   const int reach = points.size() < 100 ? 1 : 0;
@@ -34,8 +35,9 @@ std::vector<Vec<Dim>> branches_from(const std::vector<Vec<Dim>>& points, std::si
   return branches;
 }
 
-/// Returns the vertices of the Voronoi cell of a point, from the vectors to as many of the nearest points as
-/// can bound the cell.
+/// Returns the vertices of the Voronoi cell of a point, relative to the point.
+/// @param branches  vectors from the point to the other points; only the nearest of them that can bound the cell are
+/// used
 template <int Dim>
 std::vector<Vec<Dim>> cell_of(std::vector<Vec<Dim>> branches) {
   for (std::size_t n_near = 40;; n_near *= 2) {
@@ -46,8 +48,8 @@ std::vector<Vec<Dim>> cell_of(std::vector<Vec<Dim>> branches) {
     std::vector<HalfSpace<Dim>> half_spaces;
     for (std::size_t k = 0; k < n; ++k) half_spaces.push_back({branches[k], 0.5 * branches[k].squaredNorm()});
     const auto vertices = intersection_vertices<Dim>(half_spaces);
-    // A point that is further away than twice the distance of the furthest vertex cannot cut off a part of the
-    // cell.
+    // A point that is further away than twice the distance of the furthest vertex of the cell cannot cut off a part of
+    // it.
     double furthest = 0.0;
     if (vertices)
       for (const Vec<Dim>& v : *vertices) furthest = std::max(furthest, v.norm());

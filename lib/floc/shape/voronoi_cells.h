@@ -7,12 +7,11 @@
 
 namespace floc {
 
-/// Returns the vertices of the Voronoi cells of random points in a periodic unit box, relative to these points.
-/// Cells that are not closed because of rounding errors are empty.
+/// Returns the vertices of the Voronoi cells of random points in a periodic unit box, the vertices of each cell
+/// relative to its point. A cell that is not closed because of rounding errors has no vertices.
 ///
 /// @param n  number of points, >= 8
-/// @param relaxed  number of times that all points are moved to the centres of mass of their cells (Lloyd's
-/// algorithm)
+/// @param relaxed  how often each point is moved to the centre of mass of its cell (Lloyd's algorithm)
 template <int Dim>
 std::vector<std::vector<Vec<Dim>>> voronoi_cells(int n, int relaxed, std::uint64_t seed);
 

@@ -216,7 +216,7 @@ TEST(CapillaryAdhesion, RefusesNumbersThatNoLiquidHas) {
   law.friction = CoulombFriction{0.5, 1e5};
   law.rolling = RollingSpring{0.01, 10.0};
   EXPECT_NE(faults_of(law).find("contact.rolling is not allowed here: grains with contact.adhesion.law = "
-                                "\"capillary\" roll and twist without resistance"),
+                                "\"capillary\" roll and twist without resistance; leave out this table"),
             std::string::npos);
 }
 

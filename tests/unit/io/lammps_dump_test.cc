@@ -173,8 +173,9 @@ TEST_F(LammpsDump, NamesWhatIsWrongInItsContacts) {
 TEST_F(LammpsDump, DoesNotGuessTheImageOfAContactOfHalfTheCell) {
   contacts("7 3 1 0 0 0 0\n");
   options_.cell = {{6, 0}, {0, 4}};
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("c.dump:10: the contact is 2.9 long")));
-  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("not below half the cell (2)")));
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("c.dump:10: the centres of the grains are 2.9 apart")));
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("not less than half the width of the cell (2)")));
 }
 
 }  // namespace

@@ -201,7 +201,8 @@ TEST(ShapeFiles, AreRefusedWithFileAndLine) {
             "t.off:4: \"0,5\": expected a finite number with a decimal point, not a comma");
   EXPECT_EQ(changed("3 1 2 3", "3 1 2 4"), "t.off:10: \"4\": expected a whole number from 0 to 3");
   EXPECT_EQ(changed("3 1 2 3\n", ""), "t.off: the file ends too early: expected face 4 of 4");
-  EXPECT_EQ(changed("3 1 2 3\n", "3 1 2 3\n3 1 2 3\n"), "t.off:11: expected the end of the file after 4 faces");
+  EXPECT_EQ(changed("3 1 2 3\n", "3 1 2 3\n3 1 2 3\n"),
+            "t.off:11: found a line after the last of 4 faces: expected the end of the file");
   EXPECT_THAT(changed("3 1 2 3", "3 1 3 2"), HasSubstr("two faces have vertex 2 before vertex 4"));
   EXPECT_THAT(changed("3 1 2 3", "3 0 2 1"), HasSubstr("expected a closed surface"));
   EXPECT_THAT(changed("0 0 1\n", "0 1 0\n"), HasSubstr("in one plane"));
@@ -214,20 +215,23 @@ TEST(ShapeFiles, AreRefusedWithFileAndLine) {
   EXPECT_THAT(message_of("t.obj", ""), HasSubstr("t.obj: the file has no vertex"));
   EXPECT_THAT(message_of("t.stl", "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
               HasSubstr("t.stl:4: the line has only 3 words"));
-  EXPECT_THAT(message_of("t.stl", "solid\nendsolid\n"), HasSubstr("the file has no triangle"));
+  EXPECT_THAT(message_of("t.stl", "solid\nendsolid\n"),
+              HasSubstr("the file has no triangle: expected a surface made of triangles"));
   std::string cut = stl_bytes(stone());
   cut.resize(cut.size() - 1);
   cut[0] = 'b';
   EXPECT_THAT(message_of("t.stl", cut),
               testing::ContainsRegex("1?[0-9]+ bytes for [0-9]+ triangles: expected [0-9]+"));
-  EXPECT_THAT(message_of("t.csv", "x,y\n0,0\n"),
-              HasSubstr("t.csv:1: the first line does not consist of the names of the columns x, y and z"));
+  EXPECT_THAT(
+      message_of("t.csv", "x,y\n0,0\n"),
+      HasSubstr("t.csv:1: the first line is not a header: expected the names of the columns x, y and z"));
   EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0,2\n"),
               HasSubstr("2.csv:3: the line has 3 words: expected 2 numbers"));
   EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1\n0,0\n"), HasSubstr("points 1 and 4 are the same"));
   EXPECT_THAT(message_of("t.shp", "name x\n"), HasSubstr("t.shp:1: the line begins with \"name\": expected <"));
   EXPECT_THAT(message_of("t.shp", "<\nnv 2\n0 0 0\n1 0 0\n"),
-              HasSubstr("shape 1 \"\" is incomplete: expected the key nv with vertices, and the key radius"));
+              HasSubstr("shape 1 \"\" has no vertices or no radius: expected a line nv N (number of vertices), "
+                        "followed by N lines with coordinates, and a line radius R"));
   EXPECT_THAT(message_of("t.shp", "<\nradius 0.01\nnv 2\n0 0 0\n1 0 0\n"),
               HasSubstr("51 times as long as it is thick"));
   EXPECT_THAT(message_of("t.shp", "<\nradius 0.1\nnv 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0\nnf 1\n4 0 1 3 2\n>\n"),

@@ -10,41 +10,43 @@
 
 namespace floc {
 
-/// Formula for the decrease of the force of a liquid bridge of volume V_b with the gap h, where R' = 2 Ri
-/// Rj/(Ri + Rj) and r >= 1 is the ratio of the radii Ri and Rj.
+/// Formula by which the force of a liquid bridge decreases with the gap between two grains. Each formula gives the
+/// force divided by the force at zero gap.
 enum class BridgeForm {
-  /// exp(-h/l) with the gap h and the decay length l = 0.9 sqrt(V_b/(r R')), bridge volume V_b, mean radius R'
-  /// and ratio r of the radii [RTV2010].
+  /// exp(-h/l) with the gap h and the decay length l = 0.9 sqrt(V_b/(r R')). V_b is the volume of the bridge, R' = 2 Ri
+  /// Rj/(Ri + Rj) the mean of the radii Ri and Rj of the grains, and r >= 1 the ratio of these radii [RTV2010].
   exponential,
-  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b), gap h, bridge volume V_b and mean radius R' [WAJS2000].
+  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b), the gap h, the volume V_b of the bridge and the mean radius R' =
+  /// 2 Ri Rj/(Ri + Rj) of the grains [WAJS2000].
   rational,
 };
 
 /// Condition under which a liquid bridge forms between two grains.
 enum class BridgeFormation {
-  gap,      ///< a bridge forms as soon as the gap is within its reach
-  contact,  ///< a bridge forms when the surfaces touch; it breaks when the gap is wider than its reach
+  gap,  ///< a bridge forms as soon as the gap is within the reach of the bridge
+  /// A bridge forms when the surfaces touch, and breaks when the gap exceeds the reach of the bridge.
+  contact,
 };
 
 /// Parameters of a liquid bridge between two grains; all zero without a bridge.
 template <class T = double>
 struct Bridge {
   T strength = T(0);  ///< attraction of the bridge when the surfaces touch (force)
-  /// Inverse decay length (1/length): 1/l of the exponential form, sqrt(R'/V_b) of the rational form
-  /// (BridgeForm).
+  /// Inverse of the length over which the force decreases with the gap (1/length): 1/l for the exponential and
+  /// sqrt(R'/V_b) for the rational formula, with the symbols of BridgeForm.
   T decay = T(0);
   T reach = T(0);  ///< widest gap hm that the bridge spans (length)
 };
 
-/// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap up to the
-/// reach of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R =
-/// sqrt(Ri Rj). The reach is (1 + th/2) V_b^(1/3) for a bridge of volume V_b. The history of a contact holds
-/// the volume of its bridge (length^3). How the liquid of a packing is distributed over the bridges is not part
-/// of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
+/// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap up to the reach of
+/// the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj) with
+/// the radii Ri and Rj of the spheres. A bridge of volume V_b has the reach (1 + th/2) V_b^(1/3). The history of a
+/// contact holds the volume of its bridge (length^3). How the liquid of a packing is distributed over the bridges is
+/// not part of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< surface tension g of the liquid (force/length)
   double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)
-  double water_content;    ///< w, mass of the liquid divided by the mass of the grains
+  double water_content;    ///< water content w: mass of the liquid divided by the mass of the grains
   double density_ratio;    ///< density of the grains divided by the density of the liquid
   BridgeForm form = BridgeForm::exponential;
   BridgeFormation formation = BridgeFormation::gap;
@@ -80,15 +82,17 @@ struct CapillaryAdhesion {
 
   /// Contact angle in radians.
   double angle() const { return contact_angle * std::numbers::pi / 180.0; }
-  /// Returns the pull-off force Gamma R of two grains (force). It does not depend on the volume of the bridge.
+  /// Returns the attraction of a liquid bridge between two touching grains (force): 2 pi g cos th sqrt(Ri Rj) with the
+  /// surface tension g, the contact angle th and the radii Ri and Rj. It does not depend on the volume of the bridge.
   double strength(double radius_i, double radius_j) const {
     return 2.0 * std::numbers::pi * surface_tension * std::cos(angle()) * std::sqrt(radius_i * radius_j);
   }
   /// Returns the widest gap hm (length) that a bridge of this volume (length^3) spans.
   double reach(double volume) const { return (1.0 + 0.5 * angle()) * std::cbrt(volume); }
-  /// Returns the volume of the liquid (length^3) for grains of this total volume (length^3).
+  /// Returns the volume of all liquid (length^3) in a packing whose grains have the total volume `solid_volume`
+  /// (length^3).
   double liquid_volume(double solid_volume) const { return water_content * density_ratio * solid_volume; }
-  /// Returns the parameters of a bridge of this volume (length^3) between two grains of these radii (length).
+  /// Returns the parameters of a liquid bridge of this volume (length^3) between two grains of these radii (length).
   Bridge<> bridge(double radius_i, double radius_j, double volume) const {
     if (!(volume > 0.0)) return {};
     const double mean = 2.0 * reduced(radius_i, radius_j);
@@ -98,10 +102,11 @@ struct CapillaryAdhesion {
     return {strength(radius_i, radius_j), std::sqrt(ratio * mean / volume) / kDecayLength, reach(volume)};
   }
 
-  /// Updates the liquid bridge of a pair by one motion. If `formation` is `contact`, the bridge breaks when the
-  /// gap is wider than its reach, and forms again when the surfaces touch.
-  /// @param pair  geometry at the end of the motion
-  /// @param volume  history of the contact, updated: the volume of the bridge, negative if it has broken
+  /// Updates the liquid bridge between two grains after one motion of the grains. If `formation` is `contact`, the
+  /// bridge breaks when the gap is wider than its reach, and forms again when the surfaces touch.
+  /// @param pair  geometry of the two grains at the end of the motion
+  /// @param volume  volume of the bridge (length^3) in the history of the contact, updated; negative if the bridge has
+  /// broken
   /// @return parameters of the bridge that are in effect after the motion
   template <class T>
   Bridge<T> hold(const PairGeometry<T>& pair, const Bridge<T>& bridge, T* volume) const {
@@ -112,7 +117,8 @@ struct CapillaryAdhesion {
     }
     return acting(bridge, *volume);
   }
-  /// Returns the parameters of a bridge that are in effect: the strength of a broken bridge is zero.
+  /// Returns the parameters with which a liquid bridge acts now: `bridge`, but with zero strength if the bridge has
+  /// broken (`volume` <= 0).
   template <class T>
   Bridge<T> acting(Bridge<T> bridge, const T& volume) const {
     bridge.strength = lanes::select(T(0) < volume, bridge.strength, T(0));
@@ -135,8 +141,8 @@ struct CapillaryAdhesion {
     const T across = lanes::select(bridge.reach < pair.gap, T(0), T(-bridge.strength * bridge.decay * slope));
     return lanes::select(pair.gap < T(0), T(0), across);
   }
-  /// Returns the potential energy of a bridge of fixed volume; it is zero at and beyond the reach of the
-  /// bridge.
+  /// Returns the potential energy of a liquid bridge of fixed volume. The energy is zero where the gap is at least the
+  /// reach of the bridge.
   template <class T>
   T energy(const PairGeometry<T>& pair, const Bridge<T>& bridge) const {
     if (!(T(0) < bridge.decay)) return T(0);
@@ -146,9 +152,11 @@ struct CapillaryAdhesion {
     return lanes::select(bridge.reach < pair.gap, T(0),
                          T(across + bridge.strength * lanes::min(pair.gap, T(0))));
   }
-  /// Returns zero: the reach of a bridge depends on its volume, so that the law itself has no range.
+  /// Returns zero. The adhesion has no range that all pairs share, because the reach of a liquid bridge depends on its
+  /// volume.
   double range() const { return 0.0; }
-  /// Returns whether the bridges attract: there is liquid, and its surface tension pulls.
+  /// Returns whether liquid bridges can attract grains: there is liquid, its surface tension is positive and its
+  /// contact angle is below 90 degrees.
   bool acts() const { return surface_tension > 0.0 && water_content > 0.0 && contact_angle < 90.0; }
 
   bool operator==(const CapillaryAdhesion&) const = default;
@@ -157,13 +165,13 @@ struct CapillaryAdhesion {
   static constexpr double kDecayLength = 0.9;
   static constexpr double kLinear = 1.05, kSquare = 2.5;
 
-  /// Returns the force of a bridge divided by its force in contact, at x = gap times inverse decay length.
+  /// Returns the force of a liquid bridge divided by its force at zero gap, where x is the gap times Bridge::decay.
   template <class T>
   T share_at(const T& x) const {
     if (form == BridgeForm::exponential) return lanes::exp_of_negative(T(-x));
     return T(1) / (T(1) + x * (T(kLinear) + T(kSquare) * x));
   }
-  /// Returns the integral of share_at() from 0 to x.
+  /// Returns the integral of share_at(x) over x, from 0 to `x`.
   template <class T>
   T integral_to(const T& x) const {
     if (form == BridgeForm::exponential) return T(1) - lanes::exp_of_negative(T(-x));

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Constant attraction, minus the pull-off force F0, while the surfaces overlap; zero across a gap. It is the
-/// limit of `TailAdhesion` for a range that tends to zero.
+/// Constant attraction between grains. Its force is -F0 while the surfaces overlap, where F0 is the pull-off force, and
+/// zero across a gap. It is the limit of `TailAdhesion` for a range that tends to zero.
 struct ConstantAdhesion {
   double pull_off_force;  ///< pull-off force F0 (force), > 0
 
@@ -17,7 +17,7 @@ struct ConstantAdhesion {
   static constexpr bool kIsInEveryFile = true;
   static constexpr Number<ConstantAdhesion> kNumbers[] = {
       {"force", &ConstantAdhesion::pull_off_force, Unit::force, "F0", Requirement::not_negative,
-       "a positive number (F0, the pull-off force); leave the table out for grains without adhesion",
+       "a positive number (F0, the pull-off force); leave out contact.adhesion for grains without adhesion",
        "pull-off force", Requirement::positive}};
 
   template <class T>

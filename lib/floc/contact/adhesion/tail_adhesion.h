@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Attraction that is minus the pull-off force F0 in contact and falls linearly to zero while the gap grows
-/// from 0 to the range D0. It is reversible: the force depends on the gap alone, on approach and on separation.
-/// [GRC2008], Eq. 2.
+/// Attraction between grains. Its force is -F0 in contact, where F0 is the pull-off force, and tends linearly to zero
+/// while the gap grows from 0 to the range D0. The attraction is reversible: its force depends on the gap alone, and is
+/// the same on approach and on separation. [GRC2008], Eq. 2.
 struct TailAdhesion {
   double pull_off_force;  ///< pull-off force F0 (force), > 0
   double tail_range;      ///< range D0 of the attraction (length), > 0
@@ -19,7 +19,7 @@ struct TailAdhesion {
   static constexpr bool kIsInEveryFile = true;
   static constexpr Number<TailAdhesion> kNumbers[] = {
       {"force", &TailAdhesion::pull_off_force, Unit::force, "F0", Requirement::not_negative,
-       "a positive number (F0, the pull-off force); leave the table out for grains without adhesion",
+       "a positive number (F0, the pull-off force); leave out contact.adhesion for grains without adhesion",
        "pull-off force", Requirement::positive},
       {"range", &TailAdhesion::tail_range, Unit::length, "D0", Requirement::not_negative,
        "a positive number (range D0 of the attraction, a length)", "range of the attraction",
@@ -37,8 +37,8 @@ struct TailAdhesion {
     const T tail = lanes::select(pair.gap < T(tail_range), T(-pull_off_force / tail_range), T(0));
     return lanes::select(pair.gap < T(0), T(0), tail);
   }
-  /// Returns the potential energy of the attraction: zero at and beyond the range D0, -F0 D0/2 at zero gap,
-  /// with the pull-off force F0.
+  /// Returns the potential energy of the attraction: zero if the gap is at least the range D0, and -F0 D0/2 at zero
+  /// gap, where F0 is the pull-off force.
   template <class T>
   T energy(const PairGeometry<T>& pair) const {
     const T missing = lanes::max(T(0), T(tail_range - pair.gap));

@@ -10,26 +10,27 @@
 
 namespace floc {
 
-/// Choice of the mass m in the critical damping of a contact. Both choices are symmetric in the grains i and j
-/// and a fixed multiple of the effective mass, so that all pairs have the same restitution, independent of
-/// their sizes.
+/// Choice of the mass m in the damping coefficient of a contact, 2 zeta sqrt(m K_N), with the damping ratio zeta and
+/// the normal stiffness K_N. Both choices are symmetric in the grains i and j and a fixed multiple of the effective
+/// mass, so that all pairs of grains have the same restitution, independent of their sizes.
 enum class DampingMass {
-  effective,  ///< m_i m_j/(m_i + m_j); a pair then has the given restitution [GRC2008]
-  /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is then sqrt(2) zeta
+  effective,  ///< effective mass m_i m_j/(m_i + m_j); collisions have the given restitution [GRC2008]
+  /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is sqrt(2) times that of `effective`
   /// [SVI2024].
   grain,
 };
 
-/// Returns the fraction zeta of critical damping that gives a linear spring the restitution e, 0 < e <= 1: zeta
-/// = -ln e / sqrt(pi^2 + ln^2 e).
+/// Returns the fraction zeta of critical damping at which a collision on a linear spring has the restitution e, 0 < e
+/// <= 1: zeta = -ln e / sqrt(pi^2 + ln^2 e).
 inline double damping_ratio(double restitution) {
   const double l = std::log(restitution);
   return -l / std::sqrt(std::numbers::pi * std::numbers::pi + l * l);
 }
 
-/// Viscous normal force -c dh/dt while the surfaces overlap, with the gap h, c = 2 zeta sqrt(m K_N), the
-/// damping ratio zeta, a mass m (DampingMass) and the normal stiffness K_N. The force may be tensile, because
-/// cutting off the tension would change the restitution. It is not part of the static force.
+/// Viscous normal force -c dh/dt while the surfaces overlap, where h is the gap. The damping coefficient is c = 2 zeta
+/// sqrt(m K_N) with the damping ratio zeta (damping_ratio()), the mass m (DampingMass) and the normal stiffness K_N.
+/// The force may be tensile, because cutting off the tension would change the restitution. It is not part of the static
+/// force.
 struct ViscousDamping {
   double restitution;  ///< restitution e_N of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;
@@ -46,7 +47,7 @@ struct ViscousDamping {
                                                          chosen<ViscousDamping, &ViscousDamping::mass_rule>,
                                                          choose<ViscousDamping, &ViscousDamping::mass_rule>}};
 
-  /// Returns the damping coefficient c of a pair (force * time/length).
+  /// Returns the damping coefficient c of a pair of grains (force * time/length).
   /// @param normal  a normal law of constant stiffness
   template <class Normal>
   double coefficient(const CollisionMass& mass, const Normal& normal) const {

@@ -30,8 +30,8 @@ struct HertzRepulsion {
       {"poisson", &HertzRepulsion::poisson, Unit::ratio, "nu", Requirement::poisson_ratio,
        "Poisson's ratio nu, in (-1, 0.5)", "Poisson's ratio"}};
 
-  /// Returns the modulus E/(1 - nu^2) by which pressures are divided to make them dimensionless
-  /// (force/length^2).
+  /// Returns the modulus by which pressures are divided to make them dimensionless (force/length^2): E/(1 - nu^2) with
+  /// Young's modulus E and Poisson's ratio nu.
   double plane_modulus() const { return modulus / (1.0 - poisson * poisson); }
 
   template <class T>
@@ -50,7 +50,7 @@ struct HertzRepulsion {
   }
   double shear_ratio() const { return (2.0 - 2.0 * poisson) / (2.0 - poisson); }
 
-  /// Returns the overlap at which the elastic force is `elastic` >= 0 (length).
+  /// Returns the overlap at which the elastic normal force is `elastic` >= 0 (length).
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
@@ -66,7 +66,7 @@ struct HertzRepulsion {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }
   double modulus_of_packing(int, double) const { return plane_modulus(); }
-  /// Returns an upper bound of the normal stiffness K_N of a contact under this load (force/length).
+  /// Returns an upper bound on the normal stiffness K_N that a contact can have under this load (force/length).
   double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     const double deepest = std::max(
         {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});
@@ -80,8 +80,8 @@ struct HertzRepulsion {
   static T overlap(const PairGeometry<T>& pair) {
     return lanes::max(T(-pair.gap), T(0));
   }
-  /// Returns the normal stiffness K_N = 2 E* sqrt(R* d) at the overlap d if the surfaces touch, else 0. The
-  /// square root is never taken of zero, where it has no derivative.
+  /// Returns the normal stiffness K_N = 2 E* sqrt(R* d) if the surfaces overlap by d, else 0, with the symbols E* and
+  /// R* of HertzRepulsion. The square root is never taken of zero, where it has no derivative.
   template <class T>
   T contact_stiffness(const PairGeometry<T>& pair) const {
     using std::sqrt;

@@ -28,7 +28,8 @@ struct RollingSpring {
       {"rolling_spring", HistoryKind::rotation, Unit::angle,
        "rotation of the rolling spring: relative rotation of grain id1 against grain id2"}};
 
-  /// Adds the relative rotation of one motion to the spring.
+  /// Adds the relative rotation of the grains in one motion to the spring, and shortens the spring if its moment
+  /// exceeds the cap.
   /// @param history  rotation of the spring, as declared by kHistory
   /// @return rolling moment on grain j (force * length)
   template <class T, class V>
@@ -40,17 +41,17 @@ struct RollingSpring {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return acts() && capped_is_mobilised<V>(coefficient, rolling_stiffness, elastic, history, tolerance);
   }
-  /// Sets the history so that the spring carries a given moment on grain j.
+  /// Sets the history so that the spring exerts the moment `force` on grain j.
   /// @param stiffness  rolling stiffness of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* history) const {
     Eigen::Map<V>{history} = force / stiffness;
   }
-  /// Returns the rolling stiffness K_R of a contact that touches and whose moment is below its cap (force *
-  /// length); 0 if the coefficient is zero.
+  /// Returns the rolling stiffness K_R of a touching contact whose rolling moment is below its cap (force * length); 0
+  /// if the coefficient of rolling friction is zero.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
-  /// Returns whether the spring can carry a moment. A spring that cannot is left out, so that it does not
-  /// stiffen the elastic network of contacts.
+  /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
+  /// so that it does not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const RollingSpring&) const = default;

@@ -9,9 +9,9 @@
 namespace floc {
 
 /// Coulomb friction: an incremental tangential spring of stiffness K_T, whose force is capped at the friction
-/// coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part,
-/// so that a contact without net normal force still carries up to mu F0, where F0 is the pull-off force.
-/// [GRC2008], Eq. 4 (with the factor mu that its printed value at sliding lacks).
+/// coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part, so that
+/// a contact without net normal force still carries up to mu F0, where F0 is the pull-off force. [GRC2008], Eq. 4, with
+/// the factor mu that is missing in the printed equation for a sliding contact.
 struct CoulombFriction {
   double coefficient;           ///< friction coefficient mu
   double tangential_stiffness;  ///< tangential stiffness K_T (force/length)
@@ -30,7 +30,7 @@ struct CoulombFriction {
                                           "by +90 degrees, in 3D a vector in the "
                                           "tangent plane"}};
 
-  /// Adds the slip of one motion to the spring.
+  /// Adds the slip of one motion to the spring, and shortens the spring if its force exceeds the cap.
   /// @param history  elongation of the spring, as declared by kHistory
   /// @return tangential force on grain i (force)
   template <class T, class V>
@@ -41,7 +41,7 @@ struct CoulombFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return capped_is_mobilised<V>(coefficient, tangential_stiffness, elastic, history, tolerance);
   }
-  /// Sets the history so that the spring carries a given force.
+  /// Sets the history so that the spring exerts the tangential force `force` on grain i.
   /// @param stiffness  tangential stiffness of the contact, > 0
   template <class V>
   void set_force(const V& force, double stiffness, double* history) const {
@@ -49,8 +49,8 @@ struct CoulombFriction {
   }
   /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
-  /// Returns whether the spring can carry a force. A spring that cannot is left out, so that it does not
-  /// stiffen the elastic network of contacts.
+  /// Returns whether the spring can carry a force. A spring that cannot carry a force is left out of the contact law,
+  /// so that it does not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const CoulombFriction&) const = default;

@@ -9,11 +9,10 @@
 
 namespace floc {
 
-/// Friction of elastic spheres. The tangential force T grows by the tangential stiffness K_T times the slip,
-/// with K_T at the present normal force. It is capped at the friction coefficient mu times the elastic part FNe
-/// of the normal force. If the normal force falls, T falls in proportion to K_T; if the normal force grows, T
-/// stays. No closed path of motion then gains energy (docs/physics.md, "Spheres of Hertz and Mindlin").
-/// [AR2007], section II.
+/// Friction of elastic spheres. The tangential force T grows by the slip times the tangential stiffness K_T at the
+/// present normal force. T is capped at the friction coefficient mu times the elastic part FNe of the normal force. If
+/// the normal force falls, T falls in proportion to K_T; if the normal force grows, T stays. The contact then cannot
+/// gain energy on a closed path of motion (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
 struct MindlinFriction {
   double coefficient;  ///< friction coefficient mu
 
@@ -30,8 +29,8 @@ struct MindlinFriction {
       {"last_stiffness", HistoryKind::scalar, Unit::stiffness,
        "tangential stiffness K_T at which the tangential force was last updated"}};
 
-  /// Updates the tangential force by the slip of one motion.
-  /// @param history  tangential force and its stiffness, as declared by kHistory
+  /// Updates the tangential force in the history by the slip of one motion.
+  /// @param history  tangential force and the stiffness K_T of its last update, as declared by kHistory
   /// @return tangential force on grain i (force)
   template <class T, class V>
   V respond(const PairGeometry<T>&, const NormalResponse<T>& normal, const V& slip, T* history) const {
@@ -48,7 +47,8 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the tangential force in the history. The next motion sets the stiffness at which this force counts.
+  /// Sets the tangential force in the history, and the stiffness of its last update to zero. The next motion then
+  /// starts from this force without reducing it.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* history) const {
     Eigen::Map<V>{history} = force;
@@ -56,8 +56,8 @@ struct MindlinFriction {
   }
   /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
-  /// Returns whether friction can carry a force. If it cannot, it is left out, so that it does not stiffen the
-  /// elastic network of contacts.
+  /// Returns whether friction can carry a force. Friction that cannot carry a force is left out of the contact law, so
+  /// that it does not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const MindlinFriction&) const = default;

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Resistance of spheres to turning against each other about the normal of their contact: an incremental spring
-/// of stiffness K_tw on this rotation. Its moment is capped at the coefficient mu_tw times the elastic part FNe
-/// of the normal force, independent of the rolling spring.
+/// Resistance of spheres to relative rotation about the normal of their contact: an incremental spring of stiffness
+/// K_tw on this rotation. The moment of the spring is capped at the coefficient mu_tw, a length, times the elastic part
+/// FNe of the normal force. The cap does not depend on the rolling spring.
 struct TwistingSpring {
   double coefficient;         ///< coefficient mu_tw of twisting friction (length)
   double twisting_stiffness;  ///< twisting stiffness K_tw (force * length)
@@ -28,7 +28,7 @@ struct TwistingSpring {
       {"twisting_spring", HistoryKind::twist, Unit::angle,
        "rotation of the twisting spring: rotation of grain id1 against grain id2 about the normal"}};
 
-  /// Adds the twist of one motion to the spring.
+  /// Adds the twist of one motion to the spring, and shortens the spring if its moment exceeds the cap.
   /// @param history  rotation of the spring, as declared by kHistory
   /// @return twisting moment on grain j about the normal (force * length)
   template <class T>
@@ -40,14 +40,13 @@ struct TwistingSpring {
     return capped_is_mobilised<Eigen::Matrix<double, 1, 1>>(coefficient, twisting_stiffness, elastic, history,
                                                             tolerance);
   }
-  /// Sets the history so that the spring carries a given moment on grain j.
+  /// Sets the history so that the spring exerts the moment `moment` on grain j about the normal.
   /// @param stiffness  twisting stiffness of the contact, > 0
   void set_force(double moment, double stiffness, double* history) const { *history = moment / stiffness; }
-  /// Returns the twisting stiffness K_tw of a contact that touches and whose moment is below its cap (force *
-  /// length).
+  /// Returns the twisting stiffness K_tw of a touching contact whose twisting moment is below its cap (force * length).
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
-  /// Returns whether the spring can carry a moment. A spring that cannot is left out, so that it does not
-  /// stiffen the elastic network of contacts.
+  /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
+  /// so that it does not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const TwistingSpring&) const = default;

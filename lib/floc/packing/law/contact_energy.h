@@ -11,13 +11,13 @@ inline double spring_energy(double squared_force, double stiffness) {
 
 /// Potential energy of a contact (energy).
 struct ContactEnergy {
-  /// Elastic energy N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R) of the elastic normal force N at the overlap
-  /// h, the tangential force T and the moment M of the rolling spring, with the stiffnesses K_N, K_T and K_R;
-  /// the twisting spring has a similar term. The first term is the integral of N over h if N follows a power of
-  /// h: N h/2 for linear contacts, (2/5) N h for Hertz contacts. Other laws compute it from the gap and the
-  /// history. The elastic energy of a distant attraction is zero.
+  /// Elastic energy of the normal force and of the springs: N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R), plus a term
+  /// like the last one for the twisting spring. N is the elastic normal force at the overlap h, T the tangential force
+  /// and M the moment of the rolling spring; K_N, K_T and K_R are the stiffnesses. The first term is the integral of N
+  /// over h if N is proportional to a power of h: N h/2 for linear contacts, (2/5) N h for Hertz contacts. Other laws
+  /// compute this term from the gap and the history. The elastic energy of a distant attraction is zero.
   double elastic = 0.0;
-  double normal = 0.0;  ///< energy of the normal force, the first term of `elastic`, which includes it
+  double normal = 0.0;  ///< elastic energy of the normal force, the first term of `elastic`
   /// Energy of the adhesion, negative where the surfaces attract each other.
   double attraction = 0.0;
 
@@ -27,7 +27,7 @@ struct ContactEnergy {
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the sum of the energies of all contacts of a packing.
+/// Returns the energies of all contacts of a packing, summed member by member.
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing);
 

@@ -21,7 +21,8 @@ bool interacts_at(const Law& law, const Grains<Dim>& grains, const Contact<Dim>&
   return law.template interacts<Dim>(pair_geometry(grains, c), packed_history<Law, Dim>(c.history));
 }
 
-/// Recomputes all contacts with walls, or all contacts between grains, and removes those out of range.
+/// Recomputes all contacts with walls (if `with_walls` is true) or all contacts between grains, and removes contacts
+/// whose surfaces are too far apart to interact.
 template <int Dim>
 void refresh_kind(Packing<Dim>& packing, bool with_walls) {
   std::visit(
@@ -35,8 +36,9 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
       compose_law(with_walls ? packing.wall_law : packing.law));
 }
 
-/// Sets the elastic force, history and stiffnesses of a contact from its given forces, which need not satisfy
-/// the contact law exactly. The elastic force is the normal force without the attraction of the adhesion.
+/// Sets the elastic force, history and stiffnesses of a contact whose normal force, shear force and moments are given
+/// and need not satisfy the contact law exactly. The elastic force is the normal force without the attraction of the
+/// adhesion.
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
                 std::optional<double> kt, double tolerance, Contact<Dim>& c) {
@@ -46,7 +48,8 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.history = unpacked_history<Law, Dim>(history);
   c.distant = !touches(law, grains, c) && interacts_at(law, grains, c);
   if (c.distant) {
-    // Under a normal law with a history, surfaces may have parted although they overlap.
+    // Under a normal law with a history, surfaces may count as parted although they overlap. The law then determines
+    // their forces.
     if constexpr (Law::kKeepsOverlap) respond_to_motion<Law, Dim>(law, grains, SurfaceMotion<Dim>{}, c);
     return;
   }

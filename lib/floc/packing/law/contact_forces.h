@@ -7,34 +7,34 @@
 
 namespace floc {
 
-/// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact from the positions of its
-/// grains and its history, by the contact law of the packing. Springs whose forces exceed their caps are
-/// shortened; springs of a contact that has parted, or of a model that the law does not have, are set to zero.
-/// `contact.i`, `j`, `image` and the history are read, all other members are written.
+/// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact from the positions of its grains and
+/// its history, by the contact law of the packing. Springs whose forces exceed their caps are shortened. Springs of a
+/// contact that has parted, or of a model that the law does not have, are set to zero. The members i, j, image, key and
+/// history of `contact` have to be set before the call; all others are overwritten.
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact);
 
-/// Calls refresh_contact() for every contact of a packing and removes contacts that are out of the range of the
-/// law.
+/// Calls refresh_contact() for every contact of a packing and removes contacts whose surfaces are too far apart to
+/// interact.
 template <int Dim>
 void refresh_contacts(Packing<Dim>& packing);
 
-/// Returns whether the surfaces of a contact touch, by the contact law of the packing at the gap and history of
+/// Returns whether the surfaces of a contact touch by the contact law of the packing, at the present gap and history of
 /// the contact.
 template <int Dim>
 bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
 /// Returns which springs of a contact have forces at their caps, from its elastic force and its history. The
 /// springs of a distant attraction carry no force and do not count.
-/// @param tolerance  relative distance below the cap that still counts as being at the cap
+/// @param tolerance  fraction of the cap by which a force may lie below the cap and still count as being at the cap
 template <int Dim>
 Mobilised mobilised(const Law& law, const Contact<Dim>& contact, double tolerance);
 
-/// Completes a contact whose forces were measured or read from a file: its elastic force, its history and any
-/// stiffness that is not given follow from the contact law. Shear force and moments are not changed, even if
-/// they exceed their caps.
-/// @param kn, kt  normal and tangential stiffness of the contact (force/length); if absent, the stiffness of
-/// the law
+/// Completes a contact whose forces were measured or read from a file. Its elastic force, its history and any stiffness
+/// that is not given follow from the contact law. Its shear force and moments are not changed, even if they exceed
+/// their caps.
+/// @param kn, kt  normal and tangential stiffness of the contact (force/length); an absent stiffness follows from the
+/// law
 /// @pre the surfaces touch, or are to be treated as touching; normal_force, shear_force and moments are set
 template <int Dim>
 void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std::optional<double> kt,

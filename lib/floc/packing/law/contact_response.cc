@@ -9,16 +9,16 @@
 namespace floc {
 namespace {
 
-/// Factor applied to springs when derivatives are computed: a spring whose force is at its cap up to rounding
-/// then exceeds it.
+/// Factor by which springs are lengthened when derivatives are computed, so that a spring whose force is at its cap up
+/// to rounding exceeds the cap and counts as sliding.
 constexpr double kBeyondCap = 1.0 + 2e-12;
-/// Motion of the surfaces added when derivatives are computed (length or radians). It is negligible compared
-/// with any other motion. A spring of zero length whose force has a cap of zero (surfaces that have parted)
-/// then exceeds its cap. The square of this number does not underflow.
+/// Motion of the surfaces (length or radians) that is added when derivatives are computed, so that a spring of zero
+/// length exceeds a cap of zero, as between surfaces that have parted. It is negligible compared with any other motion,
+/// and its square does not underflow.
 constexpr double kTinyMotion = 1e-150;
 
-/// Returns the factor of each number of the history of a contact: kBeyondCap for springs, 1 for other
-/// quantities.
+/// Returns the factor by which each number in the history of a contact is multiplied when derivatives are computed:
+/// kBeyondCap for springs, 1 for other quantities.
 template <int Dim>
 ContactHistory<Dim> spring_factors(const Law& law) {
   ContactHistory<Dim> factor = ContactHistory<Dim>::Ones();
@@ -36,7 +36,8 @@ PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_history(co
   return history;
 }
 
-/// Returns the parameters of a pair as dual numbers with zero derivatives, because no motion changes them.
+/// Returns the parameters of a pair of grains as dual numbers with zero derivatives, because no motion changes these
+/// parameters.
 template <class Law, class T>
 typename Law::template PairParameters<T> constant(
     [[maybe_unused]] const typename Law::template PairParameters<>& parameters) {
@@ -46,8 +47,8 @@ typename Law::template PairParameters<T> constant(
     return {};
 }
 
-/// Returns the rolling axes of a contact as columns, in the order of the rotations in `ContactRows`, with zero
-/// in place of the normal.
+/// Returns the axes about which the grains of a contact roll on each other, as the columns of a matrix, in the order of
+/// the rotations in `ContactRows`. In 3D the columns are the normal, replaced by zero, and the two tangents.
 Mat<1> rolling_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Relative motion of the two surfaces of a contact since its history was last updated, in the frame of the
-/// normal of the contact.
+/// Relative motion of the surfaces of the two grains of a contact since the history of the contact was last updated, in
+/// the frame of the contact normal.
 template <int Dim>
 struct SurfaceMotion {
   Shear<Dim> slip = Shear<Dim>::Zero();  ///< tangential displacement of grain j relative to grain i (length)
@@ -17,39 +17,38 @@ struct SurfaceMotion {
   double twist = 0.0;  ///< in 3D, rotation of grain i relative to grain j about the normal (radians)
 };
 
-/// Turns the history of a contact, and the motion since the history was updated, from the present normal of the
-/// contact to a new normal, and sets the normal of the contact to the new normal. The history of a contact
-/// whose normal is zero is not turned.
-/// @param remembered  quantities of the history (history_quantities())
+/// Replaces the normal of a contact by a new normal, and turns the history of the contact, and its motion since the
+/// history was updated, with the normal. If the old normal is zero, nothing is turned.
+/// @param remembered  quantities in the history of the contact, from history_quantities()
 /// @param normal  the new normal (unit vector)
 /// @param twist  mean rotation of the two grains about the normal (radians; ignored in 2D)
 template <int Dim>
 void transport_history(const std::vector<HistoryQuantity>& remembered, const Vec<Dim>& normal, double twist,
                        Contact<Dim>& contact, SurfaceMotion<Dim>& motion);
 
-/// Updates contacts between the grains of a packing by its contact law: static forces, stiffnesses, flags and
-/// the new history of each contact follow from its gap, its normal, its history and its `motion`. The type of
+/// Updates contacts between grains by the contact law of a packing. The static forces, stiffnesses, flags and new
+/// history of each contact follow from its gap, its normal, its old history and the motion of its surfaces. The type of
 /// the law is resolved once for all contacts.
 ///
-/// @param motion  one entry per contact
+/// @param motion  motion of the surfaces of each contact, in the order of `contacts`
 template <int Dim>
 void respond(const Packing<Dim>& packing, std::span<const SurfaceMotion<Dim>> motion,
              std::span<Contact<Dim>> contacts);
 
-/// Derivatives of the forces of one contact by its motion, with rows and columns in the order of `ContactRows`.
-/// Rows: normal force, tangential force on grain i along each tangent, moment on grain i about each axis.
-/// Columns: overlap, tangential displacement of grain j relative to grain i along each tangent, rotation of
-/// grain j relative to grain i about each axis.
+/// Derivatives of the forces of one contact with respect to the relative motion of its surfaces. The rows are the
+/// normal force, the tangential force on grain i along each tangent, and the moment on grain i about each axis. The
+/// columns are the overlap, the tangential displacement of grain j relative to grain i along each tangent, and the
+/// rotation of grain j relative to grain i about each axis. Both are in the order of `ContactRows`.
 template <int Dim>
 using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
-/// Computes the consistent tangents of respond(): the derivatives of the forces of the contact law, including
-/// the shortening of springs whose forces exceed their caps, in the frame that turns with the contact. A
-/// tangent is not symmetric if one force depends on another, for example if a contact slides. A spring whose
-/// force is at its cap up to rounding is treated as sliding.
+/// Computes the consistent tangent matrix of respond() for each contact: the derivatives of the forces of the contact
+/// law, in the frame that turns with the contact. The derivatives include the shortening of springs whose forces exceed
+/// their caps; a spring whose force is at its cap up to rounding is treated as sliding. The matrix is not symmetric if
+/// one force depends on another, for example if the contact slides.
 /// @param start  contacts with the present gap and normal, and with the history before the motion
-/// @param frame  one frame per contact; its columns are the normal, then the tangents
-/// @param tangent  output, one entry per contact
+/// @param frame  frame of each contact: a matrix whose columns are the normal, then the tangents
+/// @param tangent  output: tangent matrix of each contact
 template <int Dim>
 void contact_tangents(const Packing<Dim>& packing, std::span<const Contact<Dim>> start,
                       std::span<const SurfaceMotion<Dim>> motion, std::span<const Mat<Dim>> frame,

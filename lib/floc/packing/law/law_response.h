@@ -5,23 +5,24 @@
 #include "floc/packing/law/contact_response.h"
 #include "floc/packing/packing.h"
 
-/// Response of one contact under a composed contact law, shared by all code except the force loop of the
+/// Functions that evaluate a composed contact law for one contact. All code uses them except the force loop of the
 /// dynamics.
 namespace floc {
 
-/// Relative distance of the force of a spring below its cap at which it still counts as being at the cap; it
+/// Fraction of the cap by which the force of a spring may lie below its cap and still count as being at the cap; it
 /// covers rounding.
 inline constexpr double kCapTolerance = 1e-12;
 
-/// Returns the geometry and the masses of the pair of a contact, at the gap of the contact. A wall is flat and
-/// infinitely heavy, so that the reduced radius and mass are the radius and the mass of the grain.
+/// Returns the gap, reduced radius and reduced mass of the two grains of a contact. A wall is flat and infinitely
+/// heavy, so that the reduced radius and mass of a contact with a wall are the radius and the mass of the grain.
 template <int Dim>
 PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   if (c.j >= grains.size()) return {c.gap, grains.radius[c.i], grains.mass[c.i]};
   return {c.gap, reduced(grains.radius[c.i], grains.radius[c.j]), reduced(grains.mass[c.i], grains.mass[c.j])};
 }
 
-/// Returns the parameters of the pair of a contact under a contact law. Contacts with walls have no liquid.
+/// Returns the parameters of the two grains of a contact under a contact law, such as those of their liquid bridge. A
+/// contact with a wall has no liquid bridge.
 template <class Law, int Dim>
 typename Law::template PairParameters<> pair_parameters(
     const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c,
@@ -29,8 +30,8 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], history);
 }
-/// Returns the parameters of the pair of a contact at its present history: the strength of a broken liquid
-/// bridge is zero.
+/// Returns the parameters with which the two grains of a contact act at the present history of the contact: those of
+/// pair_parameters(), but with zero strength if their liquid bridge has broken.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {
@@ -38,14 +39,14 @@ typename Law::template PairParameters<> acting_parameters(const Law& law, const 
   return law.template acting<Dim>(pair_parameters(law, grains, c, history), history);
 }
 
-/// Returns whether the surfaces of a contact touch, by its gap and its history.
+/// Returns whether the surfaces of a contact touch, at the present gap and history of the contact.
 template <class Law, int Dim>
 bool touches(const Law& law, const Grains<Dim>& grains, const Contact<Dim>& c) {
   return law.template touches<Dim>(pair_geometry(grains, c), packed_history<Law, Dim>(c.history));
 }
 
-/// Sets the flags of a contact that tell which springs have forces at their caps. All flags are false for a
-/// distant attraction.
+/// Sets the flags of a contact that tell which of its springs have forces at their caps. All flags are false if the
+/// surfaces attract each other across a gap.
 template <class Law, int Dim>
 void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySize<Dim>>& history,
                    double tolerance, Contact<Dim>& c) {
@@ -56,8 +57,8 @@ void set_mobilised(const Law& law, const PackedHistory<Law::template kHistorySiz
   c.twisting_yield = m.twisting;
 }
 
-/// Updates the static forces, stiffnesses, flags and history of a contact by a motion of its surfaces. The gap
-/// and the normal of the contact must already be those after the motion.
+/// Updates the static forces, stiffnesses, flags and history of a contact by the motion `surface` of its surfaces. The
+/// gap and the normal of the contact must already be those after the motion.
 template <class Law, int Dim>
 void respond_to_motion(const Law& law, const Grains<Dim>& grains, const SurfaceMotion<Dim>& surface,
                        Contact<Dim>& c) {

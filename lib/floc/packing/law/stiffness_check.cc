@@ -13,12 +13,12 @@
 namespace floc {
 namespace {
 
-/// Whether the stiffnesses of a contact follow from its elastic force alone. Under a normal law with a history
-/// they do not.
+/// Whether the stiffnesses of a contact follow from its elastic force alone. Under a normal law with a history, they
+/// also depend on the history.
 template <class Law>
 inline constexpr bool kFollowsFromForce = history_size<typename Law::NormalModel>(2) == 0;
 
-/// Returns whether two factors are equal within the digits that files print.
+/// Returns whether two ratios of stiffnesses are equal within the digits that files print.
 bool same_factor(double a, double b) {
   return !differ(a, b, 10.0 * kForeignStiffness);
 }

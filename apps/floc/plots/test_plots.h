@@ -10,10 +10,10 @@
 
 namespace floc {
 
-/// Plots results of the tests with a driven axis in a load path: the deviator over the mean stress, q/p, and the
-/// volumetric strain against the axial strain since the start of the test, and the lateral stress ratio K0 against the
-/// driven stress. For simple shear, it plots the ratio tau/sigma of shear to normal stress against the shear strain.
-/// Each stage of the load path is a separate line.
+/// Plots results of those tests of a load path that drive one axis. The stress ratio q/p (deviator to mean stress) and
+/// the volumetric strain are plotted against the axial strain since the start of the test, and the lateral stress ratio
+/// K0 against the stress on the driven axis. For simple shear, the ratio tau/sigma of shear to normal stress is plotted
+/// against the shear strain. Each stage of the load path is a separate line.
 /// @param path  table path.csv of a run
 /// @throws InputError if a column is missing, or if no row belongs to a test with a driven axis
 Plot axial_test_plot(const CsvTable& path);

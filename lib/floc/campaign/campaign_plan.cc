@@ -92,13 +92,14 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
   }
   if (best >= 0) return best;
   const std::string where = choice.branch.empty() ? "" : fmt::format(" on branch {}", choice.branch);
-  throw InputError(choice.place,
-                   there.empty()
-                       ? fmt::format("branch = {}: case {} has no state{} with equal pressures on all axes, "
-                                     "which P_star could select",
-                                     choice.branch, one.label, where)
-                       : fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}",
-                                     P_star, one.label, where, fmt::join(there, ", ")));
+  throw InputError(
+      choice.place,
+      there.empty()
+          ? fmt::format("P_star = {:g}: P_star selects a state with equal pressures on all axes, but case "
+                        "{} has no such state{}",
+                        P_star, one.label, where)
+          : fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}", P_star,
+                        one.label, where, fmt::join(there, ", ")));
 }
 
 }  // namespace

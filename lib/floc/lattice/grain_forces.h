@@ -39,7 +39,8 @@ Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& p
 
 /// Correlation of the normal forces in two lists of contacts, over the pairs of grains that both lists contain.
 struct ForceAgreement {
-  /// Pearson's coefficient; absent for fewer than 3 pairs, or if all forces of a list are equal
+  /// Pearson's correlation coefficient of the two lists of forces. Absent if the lists have fewer than 3 entries, or if
+  /// all forces of one list are equal.
   std::optional<double> pearson;
   int n_common = 0;  ///< number of pairs of grains that both lists contain
 };

@@ -63,10 +63,11 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
   return best;
 }
 
-/// Pushes a point from the origin along a direction until obstacles stop it, and returns its place; nothing if
-/// it moves further than `length`. In each step every ball is replaced by the half space that touches it at its
-/// nearest point. The half spaces leave less space than the balls, so that the point never enters a ball. The
-/// sequence of linear programs converges quadratically to a corner.
+/// Pushes a point from the origin along a direction until the obstacles, which are balls, stop it. Returns the place
+/// where it stops, or nothing if it moves further than `length`. Each step replaces every ball by the half space that
+/// contains the ball and touches it where it is nearest to the point, and solves the linear program of the furthest
+/// move outside these half spaces. The point never enters a ball, because each half space contains its ball. The steps
+/// converge quadratically to a corner between balls.
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
                                double length) {

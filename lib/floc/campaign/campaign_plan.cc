@@ -92,14 +92,16 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
   }
   if (best >= 0) return best;
   const std::string where = choice.branch.empty() ? "" : fmt::format(" on branch {}", choice.branch);
-  throw InputError(
-      choice.place,
-      there.empty()
-          ? fmt::format("P_star = {:g}: P_star selects a state with equal pressures on all axes, but case "
-                        "{} has no such state{}",
-                        P_star, one.label, where)
-          : fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}", P_star,
-                        one.label, where, fmt::join(there, ", ")));
+  if (!there.empty())
+    throw InputError(choice.place,
+                     fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}",
+                                 P_star, one.label, where, fmt::join(there, ", ")));
+  const std::string key =
+      choice.branch.empty() ? fmt::format("P_star = {:g}", P_star) : "branch = " + choice.branch;
+  throw InputError(choice.place,
+                   fmt::format("{}: case {} has no state{} with equal pressures on all axes: P_star "
+                               "selects among such states",
+                               key, one.label, where));
 }
 
 }  // namespace

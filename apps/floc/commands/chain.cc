@@ -21,8 +21,9 @@ int run_chain(const ChainCommand& command) {
   for (const ChainRow& row : rows)
     if (!row.solved.resolved())
       std::cerr << fmt::format(
-          "floc chain: {}: the solution of the network has no correct digit because of rounding in double "
-          "precision, so its value is left empty\n",
+          "floc chain: compliance {}: rounding in double precision leaves no correct digit in the solution of "
+          "the "
+          "contact network, so the columns solved and error_bound are empty\n",
           row.name);
   print_table(chain_table(command.chain, rows), command.printing);
   return kDone;
@@ -31,9 +32,9 @@ int run_chain(const ChainCommand& command) {
 }  // namespace
 
 Command add_chain(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "chain",
-      "Compute the compliances of a chain of equal disks, by closed formulas and by solving the network");
+  CommandLine app = program.add_subcommand("chain",
+                                           "Compute the compliances of a chain of equal disks, by closed "
+                                           "formulas and by solving the contact network");
   const auto command = std::make_shared<ChainCommand>();
   app.add_option("--n", command->chain.n,
                  fmt::format("number of disks, from {} to {}", kChainLength.least, kChainLength.most))
@@ -45,9 +46,9 @@ Command add_chain(CommandLine program) {
       .required();
   app.add_option("--kr", command->chain.k.rolling, "rolling stiffness K_R of the contacts (force * length)")
       .required();
-  app.add_option(
-         "--bend", command->chain.bend,
-         "angle between successive branch vectors (degrees); there are no closed formulas for a bent chain")
+  app.add_option("--bend", command->chain.bend,
+                 "angle between successive segments of the chain, which join the centres of touching disks "
+                 "(degrees); there are no closed formulas for a bent chain")
       .show_default();
   add_printing_options(app, command->printing);
   return {app, [command] { return run_chain(*command); }};

@@ -26,8 +26,8 @@ struct CompareCommand {
   Printing printing;
 };
 
-/// Returns whether the inputs are the directories of two runs, which are compared step by step. With a single
-/// directory, each of its states is compared with the state before it.
+/// Returns whether the inputs are the directories of two runs. Two runs are compared step by step. If a single
+/// directory is given, each of its states is compared with the state before it.
 bool are_two_runs(const std::vector<std::string>& inputs) {
   return inputs.size() == 2 && std::ranges::all_of(inputs, [](const std::string& input) {
            return input != "-" && std::filesystem::is_directory(input);
@@ -47,7 +47,8 @@ int run_compare(CompareCommand command) {
   CompareTables side;
   std::optional<std::pair<std::string, AnyState>> reference;
   const int code = for_each_file(states_of_inputs(command.files), [&](const std::string& file) {
-    // If a state cannot be read, the state after it is not compared with any, unless all are compared with the first.
+    // `reference` is the state with which the next one is compared: the state before it or, with --against-first, the
+    // first state. It is empty if the state before could not be read; the next state is then not compared.
     std::optional<std::pair<std::string, AnyState>> before = reference;
     if (!command.against_first) reference.reset();
     std::pair<std::string, AnyState> now(file, read_state(file));
@@ -56,8 +57,8 @@ int run_compare(CompareCommand command) {
     std::visit(
         [&]<int Old, int New>(const State<Old>& p, const State<New>& q) {
           if constexpr (Old != New) {
-            throw InputError(file, fmt::format("this is a state in {}D, but {} is in {}D: states of different "
-                                               "dimension cannot be compared",
+            throw InputError(file, fmt::format("this is a state in {}D, but {} is in {}D: states can only be "
+                                               "compared if they have the same dimension",
                                                New, before->first, Old));
           } else {
             rows.push_back(compare_row(before->first, p, file, q, command.options, side));
@@ -86,9 +87,10 @@ Command add_compare(CommandLine program) {
   app.add_flag("--against-first", command->against_first,
                "compare each state with the first state, not with the state before it");
   app.add_option("--rigid-tolerance", command->options.rigid_tolerance,
-                 "tolerance below which the motion of two grains in contact counts as that of a rigid body, "
-                 "for the distance between the two points that touched (in largest diameters) and for the "
-                 "difference of the rotations (radians)")
+                 "two grains in contact count as parts of one rigid cluster if their relative motion is below "
+                 "this tolerance: "
+                 "the distance between the two points that touched (in largest diameters) and the "
+                 "difference of the rotations of the two grains (radians)")
       .positive()
       .show_default();
   app.add_option("--displacements", command->displacements,

@@ -25,10 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Name of the column of wall times in path.csv, which is not compared because it differs between any two runs.
+/// Name of the column of path.csv with the wall times of the steps. It is not compared, because wall times differ
+/// between any two runs.
 constexpr const char* kTiming = "seconds";
 
-/// Files of one run: the state file of each step, and the row of each step in path.csv.
+/// The files of one run that are compared: the state file of each step, and the table path.csv with the row of each
+/// step.
 struct RunFiles {
   std::map<int, std::string> states;
   CsvTable path;
@@ -47,12 +49,13 @@ struct StepComparison {
   int step = 0;
   std::string before, after;  ///< state files of the step in the two runs; empty if there is none
   bool identical = false;
-  std::vector<std::string> differing;  ///< columns of path.csv whose values differ
-  std::optional<double> largest;       ///< largest relative difference between the values of a column
+  std::vector<std::string> differing;  ///< columns of path.csv whose values differ in this step
+  /// Largest relative difference between the two values of a column; absent if no numbers differ.
+  std::optional<double> largest;
 };
 
-/// Column of the second path.csv that has the name of a column of the first, and the factor that converts its values to
-/// the unit of the first.
+/// The column in the path.csv of the second run that corresponds to a column in the path.csv of the first run, because
+/// both have one name. The factor converts the values of the second column to the unit of the first.
 struct Counterpart {
   int column;
   double factor;
@@ -67,11 +70,13 @@ std::optional<Counterpart> counterpart(const CsvTable& of, const std::string& he
   return std::nullopt;
 }
 
-/// Compares two values of a column, and adds the column to the row if they differ.
+/// Compares the values a and b that a column of path.csv has in the two runs, and adds the column to `row.differing` if
+/// they differ.
 /// @param factor  factor that converts b to the unit of a
 void compare_values(const std::string& column, const std::string& a, const std::string& b, double factor,
                     StepComparison& row) {
-  constexpr double kConverted = 1e-12;  // tolerated relative rounding error of a conversion of units
+  // Relative rounding error that is tolerated after b is converted to the unit of a.
+  constexpr double kConverted = 1e-12;
   if (a == b && factor == 1.0) return;
   const auto x = parse_number<double>(a), its = parse_number<double>(b);
   const double y = factor * its.value_or(0.0);
@@ -106,8 +111,9 @@ std::string verdict(const std::vector<StepComparison>& rows) {
   const auto first = std::ranges::find_if(rows, [](const StepComparison& r) { return !r.identical; });
   if (first == rows.end() && n_rows == static_cast<std::ptrdiff_t>(rows.size()))
     return fmt::format(
-        "equal: {} states are equal byte by byte, and path.csv is equal except for the column {}", rows.size(),
-        kTiming);
+        "equal: all {} states are equal byte by byte, and the tables path.csv are equal except for the column "
+        "{}",
+        rows.size(), kTiming);
   return fmt::format(
       "different{}: {} of {} states are equal byte by byte, and {} rows of path.csv are equal except for the "
       "column {}",

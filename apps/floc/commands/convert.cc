@@ -94,14 +94,14 @@ ImportOptions import_options(const ConvertArguments& arguments) {
   options.units = arguments.units;
   options.drop_tensile = arguments.drop_tensile;
   if (options.dimension && !options.cell.empty() && *options.dimension != static_cast<int>(options.cell.size()))
-    throw InputError(
-        "--dimension",
-        fmt::format("the dimension is {}, but --cell has {} lattice vectors: expected one vector per dimension",
-                    *options.dimension, options.cell.size()));
+    throw InputError("--dimension", fmt::format("the dimension of the packing is {}, but --cell has {} lattice "
+                                                "vectors: expected one lattice vector per dimension",
+                                                *options.dimension, options.cell.size()));
   return options;
 }
 
-/// Completes a state with its provenance and with quantities that an analysis needs but the file does not contain.
+/// Completes a state that was read from a file of another program: adds its provenance, and the quantities that floc
+/// needs but the file does not contain, such as the contact law and the imposed stress.
 template <int Dim>
 void complete(const std::string& in, const Imported& imported, const ConvertArguments& arguments,
               State<Dim>& state) {
@@ -143,7 +143,10 @@ int convert(const std::string& in, const std::string& out, const ExportFormat& t
       imported.state);
   if (arguments.strict && !summary.inconsistencies.empty()) {
     for (const std::string& doubt : summary.inconsistencies) spdlog::error("{}: {}", in, doubt);
-    spdlog::error("{}: not converted, because --strict accepts no inconsistencies in the file", in);
+    spdlog::error(
+        "{}: this file was not converted, because --strict accepts no inconsistencies in it; they are listed "
+        "above",
+        in);
     return kVerificationFailed;
   }
   return_freed_memory();
@@ -160,15 +163,17 @@ int run_convert(const ConvertArguments& arguments) {
   const std::string& out = arguments.files.back();
   if (!std::filesystem::is_directory(out)) {
     if (inputs.size() > 1)
-      throw InputError(out, fmt::format("this is not a directory, but {} packings are to be written: give an "
-                                        "existing directory as the last argument",
-                                        inputs.size()));
+      throw InputError(
+          out, fmt::format("this is not a directory, but the {} input files need one output file each: give an "
+                           "existing directory as the last argument",
+                           inputs.size()));
     return convert(inputs[0], out, find_export_format(arguments.to, out), arguments);
   }
   const ExportFormat& to = find_export_format(arguments.to.empty() ? "state" : arguments.to, out);
   if (inputs.size() > 1 && !arguments.contacts.empty())
     throw InputError("--contacts",
-                     "a file of contacts belongs to a single packing: convert the packings one by one");
+                     "the file of contacts belongs to a single packing, but several packings are to be "
+                     "converted: convert them one by one");
   return for_each_file(inputs, [&](const std::string& in) {
     const std::string name = std::filesystem::path(in).stem().string() + to.extension;
     return convert(in, (std::filesystem::path(out) / name).string(), to, arguments);
@@ -184,8 +189,8 @@ std::string keywords(const std::vector<Format>& formats) {
 }
 
 void add_reading_options(CommandLine app, ConvertArguments& arguments) {
-  // A default is given in brackets at the end of each help text. Some defaults depend on the format of the file IN and
-  // are set by the reader of that format, so most variables are empty here.
+  // Each help text ends with the default of its option, in brackets. Most variables are empty here nevertheless,
+  // because some defaults depend on the format of the file IN; the reader of that format sets them.
   app.add_option(
       "--from", arguments.from,
       "format of the file IN: " + keywords(import_formats()) + " [recognised from the name and content of IN]");
@@ -197,23 +202,26 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
       "--cell", arguments.cell,
       "lattice vectors of the periodic cell, separated by semicolons, e.g. \"9.5,0;0.06,9.57\" (length)");
   app.add_option("--columns", arguments.columns,
-                 "NAME=COLUMN,...: columns of a csv file of grains, e.g. x=X,y=Y,radius=R")
+                 "NAME=COLUMN,...: header of the column that contains each quantity, for a csv file of grains, "
+                 "e.g. x=X,y=Y,radius=R")
       .joined(',');
   app.add_option("--contacts", arguments.contacts,
                  "file of the contacts: csv with the columns id1, id2 and optionally image1.., normal_force, "
                  "shear_force1.., rolling_moment.., twisting_moment; or a LAMMPS dump of style local; or YADE "
                  "interactions [contacts are found from the positions and radii]");
-  app.add_option("--contact-columns", arguments.contact_columns,
-                 "NAME=COLUMN,...: columns of the file of contacts, e.g. "
-                 "id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...")
+  app.add_option(
+         "--contact-columns", arguments.contact_columns,
+         "NAME=COLUMN,...: header of the column that contains each quantity, for the file of contacts, e.g. "
+         "id1=c_pair[1],id2=c_pair[2],force1=c_force[1],...")
       .joined(',');
   app.add_option("--stress", arguments.stress,
                  "diagonal components of the imposed stress, separated by commas, positive in compression [the "
                  "stress given in IN or, without it, the stress carried by the contacts]");
   app.add_option(
          "--tolerance", arguments.tolerance,
-         "tolerance of the equilibrium of IN, for net forces in units of F1, net moments in units of F1 a, and "
-         "errors of the stress in units of F1/a^(d-1); F1 is the larger of the pull-off force F0 and P a^(d-1) "
+         "tolerance to which the packing in IN is taken to be in equilibrium: largest net force in units of "
+         "F1, net moment in units of F1 a, and "
+         "error of the stress in units of F1/a^(d-1); F1 is the larger of the pull-off force F0 and P a^(d-1) "
          "(P: pressure, a: largest diameter, d: dimension) [1e-3; for the format jambashbulk 1e-5]")
       .positive();
   app.add_flag("--drop-tensile", arguments.drop_tensile,

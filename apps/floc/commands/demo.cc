@@ -20,15 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of a file or directory that is installed with floc, in ../share/floc relative to the directory of
-/// the program.
+/// Returns the path of a file or directory that is installed with floc. It is relative to the directory of the program:
+/// ../share/floc/NAME.
 /// @throws InputError if it does not exist
 std::string shipped(const std::string& name) {
   const fs::path path = (fs::path(this_program()).parent_path() / "../share/floc" / name).lexically_normal();
   if (!fs::exists(path))
-    throw InputError(
-        path.string(),
-        "not found; floc demo needs the scenes and tables that are installed with floc: install floc again");
+    throw InputError(path.string(),
+                     "this file or directory does not exist, but floc demo needs it; it is installed with "
+                     "floc: install floc again");
   return path.string();
 }
 
@@ -41,11 +41,13 @@ int step(const std::string& about, const std::vector<std::string>& arguments, bo
   return run_floc(arguments, {"", shown ? "" : "/dev/null", "", false});
 }
 
-/// Prints the parameters of the consolidation law, fitted to this sample and to the mean of eight samples. The value of
-/// a parameter that a single sample does not determine is left empty.
+/// Prints the parameters of the consolidation law from two fits: to the sample of this demonstration, and to the mean
+/// of eight samples, which are installed with floc. If a parameter is not determined by the single sample, its value is
+/// left empty.
 void print_laws(const std::string& directory, const std::string& tables) {
   fmt::print(stderr,
-             "\n== Parameters of the consolidation law, fitted to the mean of eight such samples and to this "
+             "\n== Parameters of the consolidation law, fitted to the mean of eight samples like this one, and "
+             "to this "
              "sample\n   floc fit consolidation {}\n   floc fit consolidation {}\n",
              tables, directory);
   const ConsolidationFit eight = consolidation_fit({tables}), one = consolidation_fit({directory});
@@ -76,7 +78,8 @@ int run_demo(const std::string& directory) {
                   {"run", scene, "-o", directory, "--resume"}, false);
   if (code == kDone)
     code = step(
-        "Bulk modulus B and shear modulus G in units of F0/a, and bounds of B in rows where bounds_hold is "
+        "Bulk modulus B and shear modulus G in units of F0/a (F0: pull-off force, a: diameter), and bounds of "
+        "B, which are valid in rows where bounds_hold is "
         "true",
         {"moduli", directory, "--columns", "P_star,phi,z,B_reuss,B_S,B,B_voigt,G,G_voigt,bounds_hold",
          "--format", "table"},

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPointsPerCentimetre = 72.0 / 2.54;
-constexpr int kPictures = 4;  ///< number of states that are drawn from a directory if --steps is not given
+constexpr int kPictures = 4;  ///< number of states of a directory that are drawn if --steps is not given
 
 struct DrawArguments {
   std::vector<std::string> inputs;
@@ -41,7 +41,7 @@ struct DrawArguments {
   bool image = false;
   bool vectors = false;
   std::string view, slab;
-  std::optional<Slab> cut;  ///< slab of the cell that is drawn, parsed from `slab`
+  std::optional<Slab> cut;  ///< slab of the cell whose grains are drawn, parsed from `slab`
   Printing printing;
 };
 
@@ -57,7 +57,7 @@ PictureFormat format_named(const std::string& keyword) {
   return keyword == "pdf" ? PictureFormat::pdf : keyword == "png" ? PictureFormat::png : PictureFormat::svg;
 }
 
-/// Output of the pictures: one file, stdout, or a directory with one file per state.
+/// Where the pictures are written: to one file, to stdout, or to a directory with one file per state.
 struct Target {
   bool directory = false;
   bool standard_output = false;
@@ -79,13 +79,14 @@ Target target_of(const DrawArguments& arguments) {
   if (target.standard_output || target.directory) return target;
   if (arguments.as.empty() && extension != ".svg" && extension != ".pdf" && extension != ".png")
     throw InputError("-o " + arguments.output,
-                     "the format of the picture cannot be told from this name: expected a name that ends in "
+                     "the name of the picture does not say its format: expected a name that ends in "
                      ".svg, .pdf or .png, a directory, or - for stdout");
   if (arguments.as.empty()) target.suffix = extension;
   return target;
 }
 
-/// Returns the numbers in the text "A,B,..."; returns nothing if their number is not `count` or one is invalid.
+/// Parses the text "A,B,..." as `count` numbers. Returns nothing if the text contains another number of items, or an
+/// item that is not a number.
 std::optional<std::vector<double>> numbers_of(const std::string& text, std::size_t count) {
   std::vector<double> numbers;
   std::size_t begin = 0;
@@ -123,12 +124,12 @@ void read_sight(DrawArguments& arguments) {
   arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
 }
 
-/// The picture of a state, and the values of the state in the output table.
+/// A picture of a state, with the cells that the row of this state has in the printed table.
 template <int Dim>
 struct Drawn {
   std::string file;
   PackingPicture<Dim> picture;
-  std::vector<TableValue> cells;  ///< values of the columns P_star, phi and z of the output table
+  std::vector<TableValue> cells;  ///< cells of the columns P_star, phi and z
 };
 
 void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
@@ -140,7 +141,9 @@ void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPi
                                         short_number(arguments.cut->from), short_number(arguments.cut->to)));
 }
 
-/// Makes the picture of a state. @param other  state with which it is compared, if --compare is given
+/// Makes the picture of a state.
+/// @param other  state that --compare names, whose contacts and grains are compared with those of `state`; absent
+/// without --compare
 template <int Dim>
 Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const DrawArguments& arguments,
                       const std::optional<AnyState>& other) {
@@ -180,7 +183,7 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   table.rows.push_back(std::move(row));
 }
 
-/// Gives all pictures of a strip a common colour scale.
+/// Gives all pictures of a strip one colour scale, from zero to the largest value in any of the pictures.
 template <int Dim>
 void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;
@@ -192,7 +195,7 @@ void write_picture(const Target& target, const std::string& path, const std::str
   write_bytes_atomically(target.standard_output ? "-" : path, bytes);
 }
 
-/// Draws states, either as one picture per state or as a strip of all states.
+/// Draws several states, either each in its own picture or all side by side in one picture, a strip.
 class Drawer {
  public:
   Drawer(const DrawArguments& arguments, const Target& target) : arguments_(arguments), target_(target) {
@@ -206,7 +209,7 @@ class Drawer {
     auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
     if (!others.empty())
       throw InputError(
-          file, fmt::format("this is a state in {}D, but the states before it are not: all states of a strip "
+          file, fmt::format("this is a state in {}D, but the states before it are not: all states of a picture "
                             "must have the same dimension (-o DIR/ draws each state as a separate picture)",
                             Dim));
     const std::string path = target_.of(arguments_, file);
@@ -217,7 +220,8 @@ class Drawer {
       strip.push_back(std::move(drawn.picture));
   }
 
-  /// Writes the picture of the strip, if there is one, and prints the table.
+  /// Writes the strip, unless each state has its own picture. Then prints the table of the states, unless stdout
+  /// contains the picture.
   void finish() {
     write_strip<2>();
     write_strip<3>();
@@ -270,7 +274,7 @@ Command add_draw(CommandLine program) {
   const auto arguments = std::make_shared<DrawArguments>();
   app.add_option("STATE", arguments->inputs,
                  "state files (- for a state on stdin), or directories of floc run (see --steps); several "
-                 "states are drawn as a strip")
+                 "states are drawn side by side in one picture, a strip")
       .required();
   app.add_option("-o,--output", arguments->output,
                  "picture to write: F.svg, F.pdf or F.png; a directory for a separate picture of each state; - "
@@ -279,15 +283,16 @@ Command add_draw(CommandLine program) {
   const Option forces =
       app.add_option("--forces", arguments->forces,
                      "forces to draw. equilibrium: contact forces of the state; increment: changes of the "
-                     "contact forces in a small step of stress, with the contacts in colour that store 95 % of "
-                     "its elastic energy; particle-pressure: grains coloured by their pressure; phases: grains "
+                     "contact forces in a small stress increment, where the contacts that store 95 % of "
+                     "the elastic energy of the increment are in colour; particle-pressure: grains coloured by "
+                     "their pressure; phases: grains "
                      "with positive and with negative pressure, and the contacts between grains of the same "
                      "sign; none: no forces [equilibrium]")
           .one_of({"equilibrium", "increment", "particle-pressure", "phases", "none"});
   app.add_option("--step", arguments->step,
-                 "type of the stress step for --forces increment: isotropic or deviatoric [isotropic]")
+                 "type of the stress increment for --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});
-  // Option --compare excludes --forces, because its picture shows displacements instead of forces.
+  // The option --compare excludes --forces, because its picture shows displacements of the grains instead of forces.
   app.add_option("--compare", arguments->compare,
                  "STATE2: draw the contacts that are lost and gained between STATE and STATE2, and the "
                  "non-affine displacements of the grains")

@@ -44,8 +44,8 @@ Table grain_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Returns the table of the contacts. Rolling and twisting moments are listed only if the contact law has this
-/// resistance, because `floc convert` rejects moments for other laws.
+/// Returns the table of the contacts. It contains rolling and twisting moments only if the contact law resists rolling
+/// or twisting, because `floc convert` rejects these moments for other contact laws.
 template <int Dim>
 Table contact_table(const Packing<Dim>& packing) {
   const bool rolls = packing.law.has_rolling(), twists = packing.law.has_twisting();
@@ -53,8 +53,8 @@ Table contact_table(const Packing<Dim>& packing) {
   const auto numbered = [&table](const char* name, int n) {
     for (int a = 1; a <= n; ++a) table.columns.push_back(fmt::format("{}{}", name, a));
   };
-  // The columns have the names that `floc convert --contacts` expects, so that an exported table can be imported again.
-  // In 2D the rolling moment is a scalar, so the name of its column has no index.
+  // The columns have the names that `floc convert --contacts` expects, so that floc can read the table again. In 2D the
+  // rolling moment is a scalar, so the name of its column ends without an index.
   numbered("image", Dim);
   table.columns.emplace_back("normal_force");
   numbered("shear_force", Dim);
@@ -80,8 +80,8 @@ Table contact_table(const Packing<Dim>& packing) {
   return table;
 }
 
-/// Returns the command line of `floc convert` that restores the state from the two tables. Its options contain the
-/// quantities that are in neither of the tables.
+/// Returns the command line of `floc convert` that restores the state from the two tables, of grains and of contacts.
+/// Its options give the quantities that neither of the tables contains: cell, contact law, stress, units and tolerance.
 template <int Dim>
 std::string convert_command(const ExportArguments& arguments, const State<Dim>& state) {
   std::vector<std::string> vectors;

@@ -17,12 +17,13 @@ namespace floc {
 namespace {
 
 struct HelpArguments {
-  std::vector<std::string> table;  ///< words of the name of the table
+  std::vector<std::string> table;  ///< words of the table name, such as "fit", "consolidation"
   Printing printing;
 };
 
-/// Returns the table with this name and the tables of its subcommands, or all tables if the name is empty.
-/// @throws InputError if there is no such table; the message names the table with the most similar name
+/// Returns the descriptions of the tables whose names begin with `name`, such as "moduli" and "moduli --increments" for
+/// the name "moduli", or of all tables if `name` is empty.
+/// @throws InputError if there is no such table; the message contains the most similar table name
 std::vector<DescribedTable> tables_named(const std::string& name) {
   std::vector<DescribedTable> found;
   std::vector<std::string> names;
@@ -31,14 +32,13 @@ std::vector<DescribedTable> tables_named(const std::string& name) {
     if (name.empty() || table.name == name || table.name.starts_with(name + " ")) found.push_back(table);
   }
   if (found.empty())
-    throw InputError("floc help columns", "no table is named \"" + name + "\"; the nearest is \"" +
+    throw InputError("floc help columns", "no table is named \"" + name + "\"; the most similar name is \"" +
                                               nearest_name(name, names) + "\"");
   return found;
 }
 
-/// Prints name, unit and meaning of the columns of the tables with this name. A name such as "moduli" includes tables
-/// such as "moduli --increments"; an empty name means all tables.
-/// @throws InputError if there is no such table; the message names the table with the most similar name
+/// Prints name, unit and meaning of each column of the tables that tables_named() returns for `name`.
+/// @throws InputError if there is no such table; the message contains the most similar table name
 void print_column_reference(const std::string& name, const Printing& printing) {
   const std::vector<DescribedTable> tables = tables_named(name);
   Table all{{"table", "column", "unit", "meaning"}, {}};

@@ -4,12 +4,12 @@
 
 namespace floc {
 
-/// Adds the command `floc help columns [TABLE]`. The help text of a command is printed by its option --help, to which
-/// arguments_of_help() translates `floc help COMMAND`.
+/// Adds the command `floc help columns [TABLE]`. The help of another command needs no code here: arguments_of_help()
+/// turns `floc help COMMAND` into `floc COMMAND --help`.
 Command add_help(CommandLine program);
 
-/// Rewrites a command line such as "floc help fit elastic" as "floc fit elastic --help", and "floc help" as "floc
-/// --help". Returns other command lines, including those of `floc help columns`, unchanged.
+/// Returns the command line "floc help fit elastic" as "floc fit elastic --help", and "floc help" as "floc --help". Any
+/// other command line, including that of `floc help columns`, is returned unchanged.
 std::vector<char*> arguments_of_help(int argc, char** argv);
 
 }  // namespace floc

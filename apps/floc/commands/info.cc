@@ -18,8 +18,8 @@ struct InfoArguments {
   bool scene = false;
 };
 
-/// Prints the table of the states. In the format "table" every value is printed on its own line, with the name of its
-/// column, because a state has more columns than fit on a line.
+/// Prints the table of the states. In the format "table" each value is printed on its own line, after the name of its
+/// column, because the row of a state is wider than a terminal.
 void print(const Table& table, const Printing& printing) {
   if (chosen_format(printing.format) != TableFormat::table) return print_table(table, printing);
   const Table shown = with_chosen_columns(table, printing, false);
@@ -60,7 +60,7 @@ Command add_info(CommandLine program) {
   const auto arguments = std::make_shared<InfoArguments>();
   add_states_argument(app, arguments->files);
   add_printing_options(app, arguments->printing);
-  app.add_flag("--scene", arguments->scene, "print only the scene file from which the state was made");
+  app.add_flag("--scene", arguments->scene, "print only the scene file with which the state was made");
   return {app, [arguments] { return info(*arguments); }};
 }
 

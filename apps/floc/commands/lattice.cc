@@ -34,15 +34,15 @@ void say(const std::string& line) {
   std::cerr << line << '\n';
 }
 
-/// Number of nodes per mean grain diameter below which a warning is printed, because errors of several per cent are
-/// expected.
+/// A warning is printed if the lattice has fewer nodes per mean grain diameter than this number, because the computed
+/// moduli and forces then have errors of several per cent.
 constexpr double kCoarse = 8.0;
-/// Largest number of nodes of a sample that is broken without the option --yes.
+/// Largest number of lattice nodes of a sample that --strength breaks without the option --yes.
 constexpr int kBrokenUnasked = 20000;
 
-/// Returns the memory that a solution is expected to take (bytes). The numbers are those measured with 1e5 nodes, 2.5
-/// kB per node in 2D and 2.3 kB in 3D, plus a margin. In 2D the memory of the factor per node grows with the logarithm
-/// of the number of nodes.
+/// Returns the memory that the solution of a lattice is expected to take (bytes). The coefficients are those measured
+/// with 1e5 nodes, 2.5 kB per node in 2D and 2.3 kB in 3D, plus a margin. In 2D the memory of the Cholesky factor, per
+/// node, grows with the logarithm of the number of nodes.
 double expected_memory(int dimension, double n_nodes) {
   if (dimension == 3) return 2600.0 * n_nodes;
   return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
@@ -54,7 +54,7 @@ void refuse_too_large(int dimension, double n_nodes) {
   if (needed <= available) return;
   throw InputError("floc lattice",
                    fmt::format("a lattice of {:.3g} nodes takes about {:.1f} GB of memory, but only {:.1f} GB "
-                               "are free: choose a larger --spacing or a smaller --per-diameter",
+                               "are free: give a larger --spacing or a smaller --per-diameter",
                                n_nodes, needed / 1e9, available / 1e9));
 }
 
@@ -90,12 +90,12 @@ CementedSample<Dim> make_sample(const LatticeArguments& arguments, const Packing
   row.bridge_width = sample.bridge_width;
   row.n_bridges = sample.n_bridges;
   if (row.nodes_a_diameter < kCoarse)
-    say(
-        fmt::format("floc: warning: a lattice with {:.1f} nodes per mean diameter is coarse: with 9 nodes, "
-                    "Young's modulus is 12 % too low, and the forces between grains have a correlation "
-                    "coefficient of 0.95 with those of a fine lattice; use 15 nodes per diameter for forces "
-                    "and moduli, and 35 for the tails of the stress distribution",
-                    row.nodes_a_diameter));
+    say(fmt::format(
+        "floc: warning: a lattice with {:.1f} nodes per mean grain diameter is coarse: even with 9 nodes, "
+        "Young's modulus is 12 % too low, and the forces between grains have a correlation "
+        "coefficient of 0.95 with those of a fine lattice; give --per-diameter 15 for forces "
+        "and moduli, and 35 for the tails of the stress distribution",
+        row.nodes_a_diameter));
   return sample;
 }
 
@@ -106,7 +106,8 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
   if (network.n_directions < Dim)
     throw InputError(
         "floc lattice",
-        fmt::format("grains and matrix do not percolate: they {}; a larger --matrix or --bridge-gap connects "
+        fmt::format("the sample cannot carry a load, because its grains and matrix {}; give a larger --matrix "
+                    "or --bridge-gap to connect "
                     "more grains",
                     boundary_of(arguments) != LatticeBoundary::periodic
                         ? std::string("do not connect the boundaries that hold the sample")
@@ -123,26 +124,27 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
   return network;
 }
 
-/// Returns the settings of the solver.
-/// @param telling  whether the progress of the solver is printed; the solver reads it in each round, so it must outlive
-/// the settings
+/// Returns the settings of the solver of the lattice.
+/// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable, which
+/// the solver reads in each round; it must outlive the settings
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;
   settings.tolerance = arguments.tolerance.value_or(Dim == 2 ? 1e-10 : 1e-9);
   settings.observe = [&telling](const RelaxationRound& r) {
     if (!telling) return;
-    say(
-        fmt::format("round {} of the solver: {} bare contacts are open, {} opened or closed, {} steps of "
-                    "conjugate gradients{}, relative imbalance {:.1e}",
-                    r.round, r.n_open, r.n_changed, r.n_steps, r.factorized ? " with a new factorization" : "",
-                    r.imbalance));
+    say(fmt::format(
+        "round {} of the solver: {} bare contacts are open, {} opened or closed in this round, {} steps of "
+        "conjugate gradients{}, imbalance of the forces {:.1e} of the load",
+        r.round, r.n_open, r.n_changed, r.n_steps, r.factorized ? " with a new factorization" : "",
+        r.imbalance));
   };
   return settings;
 }
 
-/// Returns the normal forces that the contacts of a packing would carry under a load if they were elastic beams of
-/// equal stiffness. The forces of the lattice are compared with the forces of this simple model.
+/// Returns the normal forces that the contacts of a packing would carry under a load if all contacts were elastic beams
+/// of equal stiffness. `floc lattice` compares the forces between the grains of its lattice with those of this simple
+/// model.
 /// @param width  width of the beams (length)
 template <int Dim>
 std::vector<double> bonded_forces(const Packing<Dim>& packing, const LatticeLoad<Dim>& load, double width) {
@@ -165,9 +167,10 @@ std::vector<double> normal_forces(const std::vector<Contact<Dim>>& contacts) {
   return normal;
 }
 
-/// Computes the forces between the grains, and their correlation with the forces of a model of equal beams and, if
-/// --compare is given, with the forces of another state.
-/// @return the packing with these forces as contact forces
+/// Computes the normal forces between the grains, and their correlation with the forces of a model of equal beams,
+/// bonded_forces(). If --compare names a state, also computes their correlation with the contact forces of that state.
+/// @param sign  1 if the load is compressive, -1 if it is tensile
+/// @return the packing of the grains, with the computed forces as contact forces
 template <int Dim>
 Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim>& state,
                               const LatticeLoad<Dim>& load, LoadedSample<Dim>& loaded, double sign,
@@ -186,9 +189,10 @@ Packing<Dim> add_grain_forces(const LatticeArguments& arguments, const State<Dim
     const AnyState other = read_state(arguments.compare);
     const State<Dim>* same = std::get_if<State<Dim>>(&other);
     if (same == nullptr || same->packing.grains.size() != state.packing.grains.size())
-      throw InputError(arguments.compare, fmt::format("this state does not have the grains of the lattice: "
-                                                      "expected a state of the same {} grains in {}D",
-                                                      state.packing.grains.size(), Dim));
+      throw InputError(arguments.compare,
+                       fmt::format("this state, given with --compare, does not have the grains of the lattice: "
+                                   "expected a state of the same {} grains in {}D",
+                                   state.packing.grains.size(), Dim));
     row.pearson_state =
         agreement(forces, same->packing.contacts, normal_forces(same->packing.contacts)).pearson;
   }
@@ -211,9 +215,10 @@ void write_packing(const std::string& path, const LatticeArguments& arguments, c
   write_state(path, state);
 }
 
-/// Returns bounds of the bulk and shear modulus of the sample, computed from the moduli of its phases. The moduli of a
-/// phase are those of a lattice that has the stiffness of this phase everywhere: in 2D the closed formulas for the
-/// triangular lattice, in 3D computed by solving the lattice of the sample with one stiffness.
+/// Returns bounds of the bulk and shear moduli of a sample that consists of grains, matrix and voids. They follow from
+/// the volume fractions and the moduli of these phases. The moduli of a phase are those of a lattice whose elements all
+/// have the stiffness of this phase: in 2D from the closed formulas for the triangular lattice, in 3D by solving the
+/// lattice of the sample with a single stiffness.
 template <int Dim>
 CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                           const RelaxationSettings& settings) {
@@ -244,18 +249,20 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
                           Dim);
 }
 
-/// Rejects the breaking of a large sample without --yes, because each broken element needs a new solution.
-/// @throws InputError that gives the expected time of the breaking
+/// Checks that a sample with more than kBrokenUnasked nodes is broken only if --yes is given, because each broken
+/// element needs a new solution.
+/// @throws InputError that gives the expected wall time, if --yes is missing
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;
-  /// Estimates for the expected time: number of elements that break until the stress has fallen, per node along a side
-  /// of the sample; and time of one solution, per node (s).
+  /// Estimates from which the expected time follows: the number of elements that break until the stress has fallen, per
+  /// node along a side of the sample, and the time of one solution per node (s).
   constexpr double kBrokenAcross = 10.0, kSecondsPerNode = 1e-5;
   const auto n = static_cast<double>(row.n_nodes);
   const double minutes = kBrokenAcross * std::pow(n, 1.0 - 1.0 / row.dimension) * kSecondsPerNode * n / 60.0;
-  throw InputError("floc lattice", fmt::format("breaking a sample of {} nodes takes about {:.0f} minutes, to "
-                                               "within a factor of three: give --yes to break it nevertheless",
-                                               row.n_nodes, std::max(1.0, minutes)));
+  throw InputError("floc lattice",
+                   fmt::format("breaking a sample of {} lattice nodes takes about {:.0f} minutes, to "
+                               "within a factor of three: give --yes to break the sample nevertheless",
+                               row.n_nodes, std::max(1.0, minutes)));
 }
 
 template <int Dim>
@@ -267,8 +274,8 @@ void break_sample(const LatticeArguments& arguments, const LatticeLoad<Dim>& loa
   auto last = Clock::now();
   options.observe = [&last](const Breakage& b, int n) {
     if (seconds_since(last) > 2.0) {
-      say(fmt::format("{} elements have broken; the last one at strain {:.4g} and stress {:.4g}", n, b.strain,
-                      b.stress));
+      say(fmt::format("{} elements have broken so far; the last one broke at strain {:.4g} and stress {:.4g}",
+                      n, b.strain, b.stress));
       last = Clock::now();
     }
     return true;
@@ -294,7 +301,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   describe(arguments, state, row);
   const LatticeLoad<Dim> load = load_of<Dim>(arguments);
   const ElementStiffness stiffness = stiffness_of(arguments);
-  // Options that are used only after the solution are checked before it, because the solution can take minutes.
+  // The options --strength and those of the pictures are used only after the solution. They are checked before it,
+  // because the solution can take minutes.
   if (!arguments.strength.empty()) (void)strength_of(arguments);
   check_lattice_pictures(arguments, state.packing.cell);
   const CementedSample<Dim> sample = make_sample(arguments, state.packing, row);
@@ -307,7 +315,7 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   row.seconds_lattice = seconds_since(start);
   say(
       fmt::format("lattice of {} nodes, {} elements and {} unknowns; volume fractions: grains rho_p = {:.4f}, "
-                  "matrix rho_m = {:.4f}; {:.1f} nodes per mean diameter",
+                  "matrix rho_m = {:.4f}; {:.1f} nodes per mean grain diameter",
                   row.n_nodes, row.n_elements, row.n_unknowns, row.grain_content, row.matrix_content,
                   row.nodes_a_diameter));
 
@@ -318,21 +326,23 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
   row.n_open = solution.n_open();
   row.strain.assign(solution.strain.begin(), solution.strain.end());
   row.stress.assign(solution.stress.begin(), solution.stress.end());
-  // If the solution has not converged, there are no valid stresses: the row is printed, but no file is written.
+  // If the solution has not converged, its stresses are not valid: the row of the table is printed, but no other file
+  // is written.
   if (!solution.report.holds || !solution.report.converged) {
-    say(solution.report.holds ? fmt::format("floc: {}: the solution has not converged: the forces on the nodes "
-                                            "are out of balance by {:.1e} of the load",
-                                            arguments.file, solution.report.imbalance)
-                              : fmt::format("floc: {}: the sample has no strength under this load: bare "
-                                            "contacts open until parts of it move freely",
-                                            arguments.file));
+    say(solution.report.holds
+            ? fmt::format("floc: {}: the solution has not converged: the forces on the nodes "
+                          "are out of balance by {:.1e} of the load",
+                          arguments.file, solution.report.imbalance)
+            : fmt::format(
+                  "floc: {}: the sample cannot carry this load: contacts between grains without matrix (bare "
+                  "contacts) open until parts of the sample move freely",
+                  arguments.file));
     row.seconds = seconds_since(start);
     print_table(table_of(row), arguments.printing);
     return kNotConverged;
   }
   LoadedSample<Dim> loaded{sample, network, solution, node_stress(sample.lattice, network, solution), {}};
-  // In the distributions, stresses with the sign of the load count as positive, for loads in tension as well as in
-  // compression.
+  // The distributions count stresses with the sign of the load as positive, whether the load is compression or tension.
   const double sign = solution.stress[row.axis] < 0.0 ? -1.0 : 1.0;
   row.all = stress_distribution(stresses_of(loaded, row.axis, std::nullopt), sign);
   row.grain = stress_distribution(stresses_of(loaded, row.axis, Phase::grain), sign);
@@ -348,8 +358,8 @@ int run_lattice(const LatticeArguments& arguments, const State<Dim>& state) {
     write_packing(arguments.output, arguments, state, packing_of(sample.lattice, network, solution), "lattice");
   write_lattice_files(arguments, row, loaded);
   if (!arguments.strength.empty()) {
-    // Each broken element needs a new solution. break_sample() reports the broken elements, so the rounds of the solver
-    // are no longer printed.
+    // The solver computes a new solution after each broken element. Its rounds are no longer printed, because
+    // break_sample() prints how many elements have broken.
     telling = false;
     break_sample(arguments, load, solver, loaded, row);
     write_fracture_files(arguments, row, loaded);

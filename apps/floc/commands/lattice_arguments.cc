@@ -37,16 +37,16 @@ void refuse_faults(const std::string& option, const std::vector<std::string>& fa
 
 void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("STATE", a.file, "state file of the grains, or - for a state on stdin").required();
-  app.add_option("--matrix", a.matrix, "volume fraction of the matrix")
+  app.add_option("--matrix", a.matrix, "volume fraction of the matrix, the solid between the grains")
       .required()
       .within(CementOptions::kContent);
   app.add_option(
       "--stiffness", a.stiffness,
       "grain=K,matrix=K,interface=K,contact=K: stiffness of the elements inside grains, inside the matrix, "
       "between a grain and the matrix, and between two grains (force/length) [grain and matrix 1; interface 2 "
-      "K K'/(K + K') from the stiffnesses of grain and matrix; contact as for grain]");
-  // Some defaults differ between 2D and 3D. They are set later, when the dimension of the state is known, so the
-  // variables of these options are empty here.
+      "K K'/(K + K') with the stiffnesses K of grains and K' of matrix; contact as for grain]");
+  // Some defaults differ between 2D and 3D. They are set when the dimension of the state is known, so the variables of
+  // these options are empty here.
   app.add_option("--per-diameter", a.per_diameter,
                  "number of lattice nodes per mean grain diameter [15 in 2D, 6.5 in 3D]")
       .positive();
@@ -55,46 +55,54 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
       .positive()
       .excludes("--per-diameter");
   app.add_option("--bridge-gap", a.bridge_gap,
-                 "largest gap between two grains that a bridge of matrix connects, in mean diameters [0.05]")
+                 "largest gap between two grains across which a bridge of matrix connects them, in mean "
+                 "diameters [0.05]")
       .non_negative();
   app.add_option("--contacts", a.contacts,
                  "elements between two grains without matrix between them (bare contacts): unilateral "
                  "(compression only), bilateral (also tension) or none (no force) [unilateral]")
       .one_of({"unilateral", "bilateral", "none"});
   app.add_option("--patch", a.patch,
-                 "half width of bare contacts: elements of a contact that are farther than this from the line "
-                 "between the centres of its two grains are left out, in units of 2 R1 R2/(R1 + R2) with the "
-                 "radii R1 and R2 [no limit]")
+                 "half width of bare contacts, in units of 2 R1 R2/(R1 + R2) with the radii R1 and R2 of the "
+                 "two grains: "
+                 "elements of a contact that are farther from the line between the centres of the grains "
+                 "are left out [no limit]")
       .non_negative();
-  app.add_option("--shear", a.shear,
-                 "ratio K_T/K_N of the tangential to the normal stiffness of the elements [0, which means "
-                 "central springs]")
+  app.add_option(
+         "--shear", a.shear,
+         "ratio K_T/K_N of the tangential to the normal stiffness of the elements [0, so that the elements are "
+         "central springs]")
       .non_negative();
   app.add_option("--bending", a.bending,
                  "bending stiffness K_R of the elements, given as the ratio K_R/(K_N h^2) with their normal "
                  "stiffness K_N and the spacing h of the nodes [0]")
       .non_negative();
-  app.add_flag("--by-facet", a.by_facet,
-               "take the values of --stiffness as moduli E (stress); an element then has the stiffness E times "
-               "its facet over its length");
+  app.add_flag(
+      "--by-facet", a.by_facet,
+      "take the values of --stiffness as moduli E (stress); the stiffness of an element is then E A/L, with "
+      "the area A of the facet between its two nodes and its length L");
   app.add_option(
       "--jitter", a.jitter,
       "in 3D, largest random displacement of a node from a regular lattice, in units of the spacing [0.35]");
   app.add_option("--seed", a.seed, "in 3D, seed of the random displacements of the nodes [1]");
-  app.add_option("--load", a.load,
-                 "load on the sample: compression or tension (a stress of 1 along --axis), or "
-                 "stress:S11,S22,... or strain:E11,E22,... with the components in the order 11,22,12 (2D) or "
-                 "11,22,33,23,13,12 (3D) [compression]");
-  app.add_option("--axis", a.axis, "axis of the load: x, y or z [the last one]").one_of({"x", "y", "z"});
-  app.add_option("--boundary", a.boundary,
-                 "boundary of the sample: periodic, plates (frictionless plates across the axis, other sides "
-                 "free), bonded-plates (plates that hold the sample), or uniform-strain (all nodes at the "
-                 "border move with a uniform strain) [periodic]")
-      .one_of({"periodic", "plates", "bonded-plates", "uniform-strain"});
-  app.add_flag("--moduli", a.moduli, "compute all elastic moduli of the loaded sample, and bounds of them");
   app.add_option(
-         "--tolerance", a.tolerance,
-         "largest imbalance of the forces in the solution, relative to the load [1e-10 in 2D, 1e-9 in 3D]")
+      "--load", a.load,
+      "load on the sample: compression or tension (a stress of magnitude 1 along the axis of --axis), or "
+      "stress:S11,S22,... or strain:E11,E22,... with the components in the order 11,22,12 (2D) or "
+      "11,22,33,23,13,12 (3D) [compression]");
+  app.add_option("--axis", a.axis, "axis of the load: x, y or z [the last one]").one_of({"x", "y", "z"});
+  app.add_option(
+         "--boundary", a.boundary,
+         "boundary of the sample: periodic, plates (two frictionless plates perpendicular to the axis, other "
+         "sides "
+         "free), bonded-plates (plates to which the sample sticks), or uniform-strain (all nodes at the "
+         "border move with a uniform strain) [periodic]")
+      .one_of({"periodic", "plates", "bonded-plates", "uniform-strain"});
+  app.add_flag("--moduli", a.moduli,
+               "compute all elastic moduli of the loaded sample, and bounds of its bulk and shear modulus");
+  app.add_option("--tolerance", a.tolerance,
+                 "largest imbalance of the forces on the nodes in the solution, relative to the load [1e-10 in "
+                 "2D, 1e-9 in 3D]")
       .positive();
   app.add_option(
       "--compare", a.compare,
@@ -108,8 +116,9 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option(
       "--pdf", a.pdf,
       "csv file to write: distributions of the stresses of the nodes and of the forces between grains");
-  app.add_option("--bin-width", a.bin_width,
-                 "bin width of the distributions of --pdf and --plot, in units of the mean [0.1]")
+  app.add_option(
+         "--bin-width", a.bin_width,
+         "bin width of the distributions of --pdf and --plot, in units of the mean stress or force [0.1]")
       .positive();
   app.add_option(
       "--plot", a.plot,
@@ -121,19 +130,21 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
                  "largest stress of the colour scale of --map, in units of the mean stress [4]")
       .positive();
   app.add_option("--phases", a.phases, "picture to write (F.svg, F.pdf or F.png): grains, matrix and voids");
-  app.add_option("--cut", a.cut,
-                 "AXIS,FRACTION: in 3D, plane through the sample that the pictures show, by its normal axis "
-                 "and its position as a fraction of the cell [y,0.5]");
+  app.add_option(
+      "--cut", a.cut,
+      "AXIS,FRACTION: in 3D, section through the sample that the pictures show: the axis perpendicular to it "
+      "and its position along this axis, as a fraction of the cell [y,0.5]");
   app.add_option("--pixels", a.pixels,
-                 "number of pixels per node in pictures; fewer if a side would exceed 3000 pixels [4]")
+                 "number of pixels per lattice node in pictures; fewer if a side of the picture would exceed "
+                 "3000 pixels [4]")
       .within(LatticeSheetOptions::kPixels);
-  // With --strength the command also breaks the sample; the options that follow apply only to the breaking.
+  // With --strength, floc lattice also breaks the sample. The options that follow apply only then.
   app.add_option(
       "--strength", a.strength,
       "grain=F,matrix=F,interface=F,contact=F: break the sample, one element at a time; F is the tension at "
       "which an element of this kind breaks (force), and kinds that are not named never break");
   app.add_option("--end-at", a.end_at,
-                 "fraction of the largest stress; the breaking ends when the stress has fallen below it [0.2]")
+                 "the breaking ends when the stress has fallen below this fraction of the largest stress [0.2]")
       .within(FractureOptions::kShare);
   app.add_option("--curve", a.curve,
                  "csv file to write, with one row per broken element: strain, stress and the element");
@@ -203,7 +214,7 @@ int axis_of(const LatticeArguments& a, int dimension) {
   if (a.axis.empty()) return dimension - 1;
   const int axis = a.axis[0] - 'x';
   if (axis >= dimension)
-    throw InputError("--axis " + a.axis, "the state is two-dimensional and has no such axis: expected x or y");
+    throw InputError("--axis " + a.axis, "the state is two-dimensional and has no axis z: expected x or y");
   return axis;
 }
 

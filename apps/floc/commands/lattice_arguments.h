@@ -17,7 +17,7 @@ struct LatticeArguments {
   std::string file;
   double matrix = 0.0;
   std::string stiffness;
-  std::optional<double> per_diameter;  ///< nodes per mean diameter of the grains; default: 15 in 2D, 6.5 in 3D
+  std::optional<double> per_diameter;  ///< nodes per mean grain diameter; if absent, 15 in 2D, 6.5 in 3D
   std::optional<double> spacing;
   double bridge_gap = 0.05;
   std::string contacts = "unilateral";
@@ -35,9 +35,10 @@ struct LatticeArguments {
   std::string compare;
   std::string output, stress, forces, pdf, plot, map, phases;
   double bin_width = 0.1;
-  double largest = 0.0;  ///< largest stress of the colour scale of --map, in units of the mean; 0 means 4
+  /// Stress at the end of the colour scale of --map, in units of the mean stress; 0 means the default, 4.
+  double largest = 0.0;
   std::string cut = "y,0.5";
-  double pixels = 4.0;  ///< pixels per node in pictures
+  double pixels = 4.0;  ///< pixels per lattice node in pictures
   std::string strength;
   double end_at = 0.2;
   std::string curve, cracks;
@@ -48,23 +49,23 @@ struct LatticeArguments {
 /// Adds the arguments and options of `floc lattice` to its command line.
 void add_lattice_options(CommandLine app, LatticeArguments& arguments);
 
-/// Parses text such as "grain=100,matrix=1".
-/// @param option  name of the option, for messages
-/// @param names   names that the text may contain
-/// @return for each of `names`, in their order, the number given for it
+/// Parses text such as "grain=100,matrix=1", a list of items NAME=NUMBER.
+/// @param option  name of the option whose value is `text`, for messages
+/// @param names   names that may occur in `text`
+/// @return one number for each of `names`, in their order; absent if the name does not occur in `text`
 /// @throws InputError if a name is not one of `names` or is given twice, or if a number is not valid
 std::vector<std::optional<double>> named_numbers(const std::string& option, const std::string& text,
                                                  const std::vector<std::string>& names);
 
-// The following functions convert options to arguments of the library. They throw an InputError that lists all invalid
-// values.
+// Each of the following functions converts options to an argument of the library. If options have invalid values, the
+// function throws an InputError that lists all of them.
 ElementStiffness stiffness_of(const LatticeArguments& arguments);
 ElementStrength strength_of(const LatticeArguments& arguments);
 LatticeBoundary boundary_of(const LatticeArguments& arguments);
 int axis_of(const LatticeArguments& arguments, int dimension);
 
-/// Returns the load that --load describes. The keywords compression and tension mean a stress of magnitude 1 along the
-/// axis of --axis.
+/// Returns the load that the option --load describes. Its keywords compression and tension mean a stress of magnitude 1
+/// along the axis that the option --axis names.
 template <int Dim>
 LatticeLoad<Dim> load_of(const LatticeArguments& arguments);
 

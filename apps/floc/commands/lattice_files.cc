@@ -41,8 +41,8 @@ std::vector<std::pair<int, int>> stress_components() {
   return {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 }
 
-/// Returns the table of all nodes that belong to an element, with their position, phase and stress. They are numbered
-/// from 0 in the same order as the grains in the state file of --output.
+/// Returns the table of --stress: a row for each node that belongs to an element, with position, phase and stress. The
+/// rows are numbered from 0, in the same order as the grains in the state file of --output, which are these nodes.
 template <int Dim>
 Table node_table(const LoadedSample<Dim>& of) {
   Table table;
@@ -67,7 +67,7 @@ Table node_table(const LoadedSample<Dim>& of) {
   return table;
 }
 
-/// A distribution of stresses or forces that is written to a table or plotted.
+/// Named values of stress or force, with the summary of their distribution, for a table or a plot.
 struct Named {
   std::string name;
   std::vector<double> values;
@@ -85,8 +85,8 @@ std::vector<Named> distributions(const LatticeRow& row, const LoadedSample<Dim>&
 Table distribution_table(const std::vector<Named>& all, double width) {
   Table table{{"of", "low", "high", "count", "n", "density", "unit", "n_outside"}, {}};
   for (const Named& named : all) {
-    // Values are divided by `unit`, so that values with the sign of the load are positive. The unit is zero if there
-    // are no values with this sign.
+    // The histogram contains values divided by `unit`, the mean of the values with the sign of the load, so that these
+    // values become positive. If there are none, `unit` is zero.
     const double unit = named.distribution.unit;
     if (unit == 0.0) continue;
     const ForceDistribution h = distribution_of(named.values, unit, width);
@@ -100,10 +100,13 @@ Table distribution_table(const std::vector<Named>& all, double width) {
   return table;
 }
 
-/// Returns the two ends of the line that shows a fitted exponential tail, from its threshold to the largest value. The
-/// density of the tail is multiplied by the fraction of all values that belong to the tail.
-/// @param n     number of all values
-/// @param sign  factor of the abscissas: 1 for values with the sign of the load, -1 for the others
+/// Returns the two end points of the line that shows a fitted exponential tail, from the threshold of the tail to the
+/// largest value. The tail is a distribution of the values above the threshold only, so its density is multiplied by
+/// their fraction of all values.
+/// @param n        number of all values
+/// @param largest  largest value, in the unit of the tail
+/// @param sign     factor of the abscissas: 1 for a tail of values with the sign of the load, -1 for a tail of the
+/// other values
 std::vector<std::vector<double>> tail_points(const StressTail& tail, int n, double largest, double sign) {
   std::vector<std::vector<double>> rows;
   if (!tail.beta) return rows;
@@ -120,11 +123,12 @@ Plot stress_plot(const LatticeRow& row, const std::vector<Named>& all, double wi
   const char* axis_names[] = {"11", "22", "33"};
   for (std::size_t s = 0; s < all.size(); ++s) {
     const StressDistribution& d = all[s].distribution;
-    // The unit is zero if no value has the sign of the load; x = stress/unit is then undefined.
+    // The unit is zero if no value has the sign of the load. The abscissa x = stress/unit is then undefined, and
+    // nothing is plotted.
     if (d.unit == 0.0) continue;
     const ForceDistribution h = distribution_of(all[s].values, d.unit, width);
     std::vector<std::vector<double>> points;
-    // Empty bins are not plotted, because the axis of densities is logarithmic.
+    // Empty bins are not plotted, because the axis of the probability density is logarithmic.
     for (int b = 0; b < static_cast<int>(h.counts.size()); ++b)
       if (h.counts[b] > 0) points.push_back({h.middle(b), h.density(b)});
     const int of_points = plot.add(all[s].name + ": x density", std::move(points));
@@ -155,11 +159,11 @@ PictureFormat format_of(const std::string& path) {
   if (extension == ".png") return PictureFormat::png;
   if (extension == ".svg") return PictureFormat::svg;
   throw InputError(path,
-                   "the format of the picture cannot be told from this name: expected a name that ends in "
+                   "the name of the picture does not say its format: expected a name that ends in "
                    ".svg, .pdf or .png");
 }
 
-/// Parses the value of the option --cut. @throws InputError if it is invalid
+/// Parses the value of the option --cut, AXIS,FRACTION. @throws InputError if it is invalid
 LatticeSheetOptions section_of(const std::string& cut) {
   LatticeSheetOptions sheet;
   const std::size_t axis =
@@ -239,9 +243,9 @@ void check_lattice_pictures(const LatticeArguments& arguments, const Cell<Dim>& 
     if (!path.empty()) (void)format_of(path);
   if (!arguments.plot.empty()) format_of(arguments.plot);
   if (arguments.strength.empty() && !(arguments.curve.empty() && arguments.cracks.empty()))
-    throw InputError(
-        "floc lattice",
-        "the options --curve and --cracks show broken elements and need --strength, which is not given");
+    throw InputError("floc lattice",
+                     "the options --curve and --cracks show broken elements, but nothing breaks without "
+                     "--strength: give --strength too");
 }
 
 template <int Dim>

@@ -31,14 +31,16 @@ int run_modes(const ModesCommand& command) {
 }  // namespace
 
 Command add_modes(CommandLine program) {
-  CommandLine app = program.add_subcommand("modes",
-                                           "Compute the softest eigenmodes and the mechanisms of saved states: "
-                                           "eigenvalue, participation, coupling to strain");
+  CommandLine app = program.add_subcommand(
+      "modes",
+      "Compute the softest eigenmodes of the stiffness matrix and the mechanisms of saved states: "
+      "eigenvalue, participation ratio, coupling to strain");
   const auto command = std::make_shared<ModesCommand>();
   add_states_argument(app, command->files);
   app.add_option("--count", command->count,
-                 "number of modes to compute [all with an eigenvalue below the largest ratio of normal force "
-                 "to distance of the centres over the contacts, but at least 10 and at most 100]")
+                 "number of modes to compute [all modes with eigenvalues below max |F_N|/r, the largest ratio "
+                 "over the contacts of normal force F_N "
+                 "to distance r of the centres, but at least 10 and at most 100]")
       .positive();
   add_printing_options(app, command->printing);
   return {app, [command] { return run_modes(*command); }};

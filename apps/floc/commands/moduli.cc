@@ -25,13 +25,14 @@ struct ModuliCommand {
   std::string strains = "diagonal";
   std::string method = "factor";
   std::string solver = "automatic";
-  std::optional<double> memory;  ///< largest memory that a Cholesky factor may take (GB)
-  std::vector<std::string>
-      accuracy;  ///< required relative errors "X", or "B=X", "G=X"; if empty, `method` is used
+  /// Largest memory that a Cholesky factor of the stiffness matrix may take (GB).
+  std::optional<double> memory;
+  /// Required relative errors of the moduli: "X", or "B=X", "G=X"; if empty, `method` is used.
+  std::vector<std::string> accuracy;
   bool force = false;
-  std::string
-      increments;  ///< name of the csv file for the force increments of every contact; if empty, it is not written
-  std::string output;  ///< name of the file for the table; if empty, the table is printed on stdout
+  /// Name of the csv file for the force increments of every contact; if empty, no file is written.
+  std::string increments;
+  std::string output;  ///< name of the file for the table of moduli; if empty, the table is printed on stdout
   Printing printing;
 };
 
@@ -51,7 +52,8 @@ ModuliTableOptions options_of(const ModuliCommand& command) {
   return options;
 }
 
-/// Returns whether all rows reach the required accuracy. Prints an error for the first row that does not.
+/// Returns whether the moduli in all rows reach the required accuracy. Prints an error for the first row that does not
+/// reach it.
 bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<ModuliAccuracy>& accuracy) {
   return std::ranges::all_of(rows, [&](const ModuliRow& row) {
     const std::string fault = accuracy_fault(row, accuracy);
@@ -60,9 +62,9 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Returns whether the moduli of a state are to be computed. Without `force` this is the case for equilibria only, and
-/// an error is printed for any other state. With `force` it is the case for every state, and a warning is printed
-/// unless the state is in equilibrium.
+/// Returns whether the moduli of a state are to be computed. They are computed for every state in equilibrium. For a
+/// state that is not in equilibrium, they are computed only with `force`, and a warning is printed; otherwise an error
+/// is printed.
 bool accepts_state(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
   if (force) {
     std::visit([&](const auto& state) { warn_unless_in_equilibrium(file, state, remarks); }, any);
@@ -75,7 +77,7 @@ bool accepts_state(const std::string& file, const AnyState& any, bool force, con
   return faults.empty();
 }
 
-/// Writes a table to a file in the format given by `--format`, or as csv without this option.
+/// Writes a table to a file, in the format that the option `--format` gives, or as csv without this option.
 /// @throws IoError if the file cannot be written
 void write_file(const std::string& path, const Table& table, const Printing& printing) {
   std::ostringstream text;
@@ -93,7 +95,7 @@ void print_rows(const ModuliCommand& command, const ModuliTableOptions& options,
     write_file(command.output, table, command.printing);
 }
 
-/// Computes the moduli of all states, one after another, in this process.
+/// Computes the moduli of all states, one state after another, in this process alone.
 int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   ModuliRows computation(options);
   std::vector<ModuliRow> rows;
@@ -116,8 +118,8 @@ int run_alone(const ModuliCommand& command, const ModuliTableOptions& options) {
   return code;
 }
 
-/// Computes the moduli of all states, one after another, in parallel on all processes of mpirun. Only the first process
-/// prints the table.
+/// Computes the moduli of all states, one state after another, each on all processes of mpirun together. Only the first
+/// process prints the table.
 int run_together(const ModuliCommand& command, const ModuliTableOptions& options) {
   const std::unique_ptr<ParallelSolver> solver = load_parallel_solver();
   std::vector<ModuliRow> rows;
@@ -151,8 +153,9 @@ Command add_moduli(CommandLine program) {
   const auto command = std::make_shared<ModuliCommand>();
   add_states_argument(app, command->files);
   app.add_option("--strains", command->strains,
-                 "strain components that the cell may have: diagonal (shear strains are held at zero) or full "
-                 "(all components, which adds the shear moduli)")
+                 "strains of the cell for which moduli are computed: diagonal (only extensions along the axes; "
+                 "shear strains are held at zero) or full "
+                 "(also shear strains, which adds their moduli)")
       .one_of({"diagonal", "full"})
       .show_default();
   app.add_flag("--prestress", command->options.moduli.prestress,
@@ -163,14 +166,17 @@ Command add_moduli(CommandLine program) {
                                           "is printed, with a warning if it is larger")
                                .show_default();
   const Option method =
-      app.add_option("--method", command->method,
-                     "method of solution. factor: Cholesky factor in double precision; single-factor: Cholesky "
-                     "factor in single precision, with iterative refinement; iterative: conjugate gradients to "
-                     "--tolerance, started from the solution of the previous state; bounds: mean of the lower "
-                     "and upper bound. The last three methods are approximate; their errors are printed")
+      app.add_option(
+             "--method", command->method,
+             "method by which moduli are computed. factor: Cholesky factor of the stiffness matrix in double "
+             "precision; single-factor: Cholesky "
+             "factor in single precision, with iterative refinement; iterative: conjugate gradients to the "
+             "accuracy of "
+             "--tolerance, started from the solution of the previous state; bounds: mean of the lower "
+             "and upper bounds of the moduli. The last three methods are approximate; their errors are printed")
           .one_of({"factor", "single-factor", "iterative", "bounds"})
           .show_default();
-  // Option --accuracy selects the method and its tolerance, so it excludes the options --method and --tolerance.
+  // The option --accuracy selects the method and its tolerance, so it excludes the options --method and --tolerance.
   const Option accuracy =
       app.add_option("--accuracy", command->accuracy,
                      "X, or B=X,G=X: largest acceptable relative errors of both moduli, or of B and G; the "
@@ -184,24 +190,28 @@ Command add_moduli(CommandLine program) {
                  "max(F0, P a^(d-1)) (F0: pull-off force, P: pressure, a: largest diameter, d: dimension)")
       .show_default();
   app.add_option("--rolling-stiffness", command->options.rolling_stiffness,
-                 "rolling stiffness K_R to use for all touching contacts, in place of the one of the state "
-                 "(force * length); one row is printed per value")
+                 "rolling stiffness K_R to use for all touching contacts, in place of the rolling stiffness in "
+                 "the state "
+                 "(force * length); one row is printed for each value")
       .delimiter(',')
       .excludes(method)
       .excludes(accuracy)
       .one_argument_each();
-  app.add_option("--increments", command->increments,
-                 "csv file to write, with one row per contact: increments of its forces per unit of isotropic "
-                 "and of deviatoric stress, their elastic energy, its rank by energy, and whether the contact "
-                 "is a dead end or part of a backbone");
+  app.add_option(
+      "--increments", command->increments,
+      "csv file to write, with one row per contact: increments of the contact forces per unit of isotropic "
+      "and of deviatoric stress, the elastic energy of these increments, the rank of the contact by this "
+      "energy, and whether the contact "
+      "is a dead end or part of a backbone");
   app.add_flag("--force", command->force, "accept states that are not in equilibrium [they are rejected]");
   app.add_option(
          "--solver", command->solver,
-         "linear solver. cholmod: Cholesky factorization; petsc: iterative, needs less memory, can run on all "
-         "processes of mpirun; automatic: cholmod if its factor fits into memory, otherwise petsc")
+         "linear solver. cholmod: Cholesky factorization; petsc: iterative solver, which needs less memory and "
+         "can run on all "
+         "processes of mpirun; automatic: cholmod if its Cholesky factor fits into memory, otherwise petsc")
       .one_of({"automatic", "cholmod", "petsc"})
       .show_default();
-  // The unit of this variable is GB, that of the library option is bytes; options_of() converts it.
+  // command->memory is in GB, ModuliTableOptions::memory in bytes; options_of() converts it.
   app.add_option("--memory", command->memory,
                  "largest memory of a Cholesky factor with --solver automatic, above which petsc is used (GB) "
                  "[0.7 of the free memory]")

@@ -17,12 +17,14 @@ struct NetworkCommand {
   std::string unit = "mean";
   std::vector<std::string> without;  ///< groups of columns that are left empty: "mechanics"
   std::vector<std::string> with;     ///< groups of columns that are added: "bonds", "phases"
-  /// Names of the files of further tables; a table with an empty name is not written.
+  /// Names of the csv files of the tables that are written in addition to the printed table; a table with an empty name
+  /// is not written.
   std::string distributions, pressures, exponents, bond_pressures, neighbours, clusters;
   Printing printing;
 };
 
-/// Converts the command line to the options of the library, with the groups of columns and the tables that it selects.
+/// Converts the command line to the options of the library: which groups of columns and which further tables are
+/// computed.
 NetworkTableOptions options_of(const NetworkCommand& command) {
   NetworkTableOptions options = command.options;
   options.unit = force_unit_named(command.unit);
@@ -68,33 +70,36 @@ void add_bond_options(CommandLine app, NetworkCommand& command) {
   app.add_option("--with", command.with,
                  "columns to add. bonds: numbers of contacts in compression, in tension and near zero force, "
                  "and estimates of the tensile strength; phases: clusters of grains with positive and with "
-                 "negative pressure, compared with random permutations of the signs")
+                 "negative particle pressure, compared with clusters after random permutations of the signs")
       .delimiter(',')
       .one_of({"bonds", "phases"});
-  // The variables contain the defaults of BondTableOptions, which show_default() adds to the help.
+  // The variables of the following options contain the defaults of BondTableOptions, which show_default() adds to the
+  // help text.
   app.add_option("--near-zero", command.options.bonds.near,
                  "magnitude below which a normal force counts as near zero, in units of F0")
       .non_negative()
       .show_default();
-  app.add_option(
-         "--shuffles", command.options.bonds.phase_structure.n_shuffles,
-         "number of random permutations of the signs of the grains that --with phases uses for comparison")
+  app.add_option("--shuffles", command.options.bonds.phase_structure.n_shuffles,
+                 "number of random permutations of the signs of the particle pressures with which --with "
+                 "phases compares the clusters")
       .within(PhaseOptions::kShuffles)
       .show_default();
   app.add_option(
       "--exponents", command.exponents,
-      "csv file to write: exponents b of exponential distributions exp(-b x) of normal forces and particle "
-      "pressures, fitted by maximum likelihood to the positive, the negative and all values");
+      "csv file to write: exponents b of exponential distributions exp(-b x), fitted by maximum likelihood to "
+      "the "
+      "magnitudes x of the positive, of the negative and of all normal forces and particle pressures");
   app.add_option("--pressure-pdf", command.bond_pressures,
-                 "csv file to write: distribution of the particle pressures, in units of F0/<d>^(d-1) (F0: "
-                 "pull-off force, <d>: mean diameter) or, without adhesion, of the pressure P");
+                 "csv file to write: distribution of the particle pressures, in units of F0/<d>^(D-1) (F0: "
+                 "pull-off force, <d>: mean diameter, D: dimension) or, without adhesion, of the pressure P");
   app.add_option("--pressure-bin-width", command.options.bonds.bin_width,
                  "bin width of the distribution of --pressure-pdf, in the unit of its pressures")
       .positive()
       .show_default();
-  app.add_option("--like-neighbours", command.neighbours,
-                 "csv file to write: mean magnitude of the particle pressure against the fraction of "
-                 "neighbours with a pressure of the same sign");
+  app.add_option(
+      "--like-neighbours", command.neighbours,
+      "csv file to write: mean magnitude of the particle pressure of grains, against the fraction of their "
+      "neighbours with a pressure of the same sign");
   app.add_option("--clusters", command.clusters,
                  "csv file to write: sizes of the clusters of grains with positive and with negative pressure");
 }
@@ -107,16 +112,17 @@ Command add_network(CommandLine program) {
                                            "forces, particle pressures, load-carrying structure");
   const auto command = std::make_shared<NetworkCommand>();
   add_states_argument(app, command->files);
-  // The defaults of --zero-force and --least-contacts depend on the state, so their variables are empty here.
+  // The defaults of --zero-force and --least-contacts depend on the state, so the variables of these options are empty
+  // here.
   app.add_option(
          "--zero-force", command->options.zero_force,
          "magnitude below which a normal force counts as zero, in units of max(F0, P a^(d-1)) (F0: pull-off "
          "force, P: pressure, a: largest diameter, d: dimension) [the force tolerance of the state]")
       .non_negative();
-  app.add_option(
-         "--least-contacts", command->options.least_contacts,
-         "smallest number of contacts with a force above --zero-force that a grain of the force-carrying "
-         "structure must have [2 if any contact carries a tangential force, otherwise d+1]")
+  app.add_option("--least-contacts", command->options.least_contacts,
+                 "smallest number of contacts with a force above --zero-force that a grain needs to belong to "
+                 "the force-carrying "
+                 "structure [2 if any contact carries a tangential force, otherwise d+1 with the dimension d]")
       .within(kLeastContacts);
   app.add_option("--pdf", command->distributions,
                  "csv file to write, with one row per bin: distributions of the normal forces (with sign), of "

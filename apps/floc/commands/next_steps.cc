@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Returns whether the consolidation law can be fitted to each of the tables path.csv of a run or an ensemble, and to
-/// their mean.
+/// Returns whether `floc fit consolidation` can fit the consolidation law to these tables path.csv: to each of them
+/// and, if there are several, to their mean.
 bool can_be_fitted(const std::vector<std::string>& tables) {
   try {
     const ConsolidationFitOptions asked;
@@ -23,13 +23,13 @@ bool can_be_fitted(const std::vector<std::string>& tables) {
     return std::all_of(samples.begin(), samples.end(), [&](const ConsolidationSample& sample) {
       return fit_of(sample, asked, options).found();
     });
-  } catch (const InputError&) {  // the pressure of a table does not rise
+  } catch (const InputError&) {  // the pressure does not rise in one of the tables
     return false;
   }
 }
 
-/// Returns whether a table path.csv contains a state that was recorded before it reached equilibrium. The commands
-/// `floc verify` and `floc moduli` would reject this state.
+/// Returns whether a table path.csv contains a state that was recorded before it had reached equilibrium, because the
+/// run was stopped. `floc verify` and `floc moduli` would reject this state.
 bool has_stopped(const std::string& table) {
   const CsvTable rows = CsvTable::read(table);
   const int ending = rows.column("ending");
@@ -38,7 +38,7 @@ bool has_stopped(const std::string& table) {
   return false;
 }
 
-/// Returns the text with quotation marks and escapes, if necessary, so that a shell reads it as one word.
+/// Returns a text as one word of a shell command, in quotation marks and with escapes if it needs them.
 std::string one_word(const std::string& text) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-=:,@%";
   if (text.find_first_not_of(kPlain) == std::string::npos) return text;

@@ -32,11 +32,11 @@ struct PlotArguments {
   std::string kind = "normal";
   std::string unit = "mean";
   std::string columns;
-  ColumnNames names;  ///< names of the columns to read, parsed from `columns`
+  ColumnNames names;  ///< headers of the columns to read, parsed from `columns`
   Printing printing;
 };
 
-/// Result of making a plot: the exit code of the program, and the plot unless no input could be read.
+/// A plot with the exit code of `floc plot`. The plot is absent if no input could be read.
 struct Made {
   int code = kDone;
   std::optional<Plot> plot;
@@ -87,15 +87,17 @@ std::string unit_of_table(const CsvTable& table) {
                      std::abs(number("P") - number("P_star")) < 0.1 * std::abs(number("P")));
 }
 
-/// Returns whether the bounds in a row of a table of `floc moduli` hold, as given by its column bounds_hold. Tables of
-/// floc 0.2 and earlier do not have this column; for them the bounds are taken to hold if no force acts across a gap.
+/// Returns whether the bounds of the moduli in a row of a table of `floc moduli` are valid, which the column
+/// bounds_hold says. Tables of floc 0.2 and earlier do not have this column; their bounds are taken as valid if no
+/// force acts across a gap.
 bool bounds_hold(const CsvTable& table, int row) {
   if (table.has("bounds_hold")) return table.text(row, table.column("bounds_hold")) == "true";
   return !table.has("n_distant") || table.number(row, table.column("n_distant")) == 0.0;
 }
 
-/// Returns whether the stiffness matrix of the state in a row has no negative eigenvalue. Some methods do not count
-/// these eigenvalues and leave the column empty, which is taken as zero.
+/// Returns whether the state in a row of a table of `floc moduli` is stable: the column n_negative, the number of
+/// negative eigenvalues of its stiffness matrix, is zero. An empty cell, left by methods that do not count these
+/// eigenvalues, is taken as zero.
 bool is_stable(const CsvTable& table, int row) {
   if (!table.has("n_negative")) return true;
   const int column = table.column("n_negative");
@@ -116,8 +118,8 @@ Made moduli(const PlotArguments& arguments) {
       const auto x = [&](int k) {
         return table.is_empty(i, columns[k]) ? std::nan("") : table.number(i, columns[k]);
       };
-      // An unloaded packing has no Reuss bound. Its reduced pressure is set to zero, so that it does not appear on the
-      // logarithmic axis of pressures.
+      // A row without Reuss bound is that of an unloaded packing. Its reduced pressure is set to zero, so that it is
+      // left out of the plot, whose axis of pressures is logarithmic.
       const ModuliPoint point{x(4) > 0.0 ? x(0) : 0.0, x(1), x(2), x(3), x(4), x(5), x(6)};
       points.push_back(point.with_bounds(bounds_hold(table, i), is_stable(table, i)));
     }
@@ -138,11 +140,9 @@ Made moduli(const PlotArguments& arguments) {
 
 Made coordination_of_path(const PlotArguments& arguments) {
   if (arguments.inputs.size() != 1)
-    throw InputError(
-        "--show coordination",
-        fmt::format(
-            "this plot shows a single run: expected one directory of floc run or one table, got {} inputs",
-            arguments.inputs.size()));
+    throw InputError("--show coordination", fmt::format("this plot shows a single run: expected one directory "
+                                                        "of floc run or one table path.csv, got {} inputs",
+                                                        arguments.inputs.size()));
   const std::string& input = arguments.inputs.front();
   const bool is_directory = input != "-" && fs::is_directory(input);
   return {kDone, coordination_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
@@ -150,25 +150,23 @@ Made coordination_of_path(const PlotArguments& arguments) {
 
 Made test_of_path(const PlotArguments& arguments) {
   if (arguments.inputs.size() != 1)
-    throw InputError(
-        "--show test",
-        fmt::format(
-            "this plot shows a single run: expected one directory of floc run or one table, got {} inputs",
-            arguments.inputs.size()));
+    throw InputError("--show test", fmt::format("this plot shows a single run: expected one directory of floc "
+                                                "run or one table path.csv, got {} inputs",
+                                                arguments.inputs.size()));
   const std::string& input = arguments.inputs.front();
   const bool is_directory = input != "-" && fs::is_directory(input);
   return {kDone, axial_test_plot(CsvTable::read(is_directory ? table_of_run(input) : input))};
 }
 
-/// Returns the state files to plot. Without --steps these are three states of each directory, evenly spread from the
-/// first to the last.
+/// Returns the files of the states to plot: the states that --steps selects or, without --steps, three states of each
+/// directory, evenly spread from the first to the last.
 std::vector<std::string> states_of(const PlotArguments& arguments) {
   return drawn_states(arguments.inputs, arguments.steps, 3);
 }
 
-/// Returns the files of three states of a run whose force distributions can be compared: the first state of the loading
-/// that has a pressure, the state of the highest pressure, and the state half way between them. States without pressure
-/// are left out, because all their forces are residual.
+/// Returns the files of the three states of a run whose force distributions are compared: the first state under
+/// pressure, the state of the highest pressure, and the state half way between them. States without pressure are left
+/// out, because the forces in them are only residual forces.
 std::vector<std::string> loading_states(const std::string& directory) {
   const std::vector<PathRow> rows = read_path(table_of_run(directory), {}).rows;
   const auto highest = static_cast<int>(std::ranges::max_element(rows, {}, &PathRow::P_star) - rows.begin());
@@ -180,7 +178,7 @@ std::vector<std::string> loading_states(const std::string& directory) {
   return states_of_inputs({directory}, steps);
 }
 
-/// Returns the state files whose force distributions are plotted.
+/// Returns the files of the states whose force distributions are plotted.
 std::vector<std::string> force_states(const PlotArguments& arguments) {
   if (!arguments.steps.empty()) return states_of(arguments);
   std::vector<std::string> files;
@@ -192,8 +190,8 @@ std::vector<std::string> force_states(const PlotArguments& arguments) {
   return files;
 }
 
-/// Returns the name of a state in the legend of a plot: its reduced pressure, followed by its branch of the load path
-/// unless this is the first loading.
+/// Returns the name of a state in the legend of a plot: its reduced pressure and, unless the state belongs to the first
+/// loading, the name of its branch of the load path.
 std::string name_of_state(const AnyState& any) {
   return std::visit(
       [](const auto& state) {
@@ -238,7 +236,8 @@ Made pressures(const PlotArguments& arguments) {
       throw InputError(
           file,
           "the particle pressures of this state have another unit than those of the states before it, because "
-          "only some of the states have adhesion: plot states with and without adhesion separately");
+          "only some of the states have adhesion: plot the states with adhesion and those without it "
+          "separately");
     samples.push_back(std::move(sample));
     return int{kDone};
   });
@@ -267,8 +266,7 @@ Made scattering_of_states(const PlotArguments& arguments) {
   return made;
 }
 
-constexpr int kDirections =
-    36;  // number of bins of a rose diagram, which cover 180 degrees with five degrees each
+constexpr int kDirections = 36;  // number of bins of a rose diagram; they cover 180 degrees, five degrees each
 
 Made fabric(const PlotArguments& arguments) {
   Made made;
@@ -330,7 +328,9 @@ Command add_plot(CommandLine program) {
   app.add_option(
          "--show", arguments->show,
          "quantity to plot. consolidation: inverse solid fraction 1/Phi against reduced pressure P* of runs, "
-         "the fitted law with its regimes, unloading branches and elastic lines; moduli: elastic moduli and "
+         "with "
+         "the fitted consolidation law and its regimes, unloading branches and elastic lines; moduli: elastic "
+         "moduli and "
          "their bounds, of states or of a table of floc moduli; coordination: coordination numbers of a run by "
          "sign of the normal force; forces: distributions of contact forces of states; pressures: "
          "distributions of particle pressures of states; scattering: scattered intensity I(k) of states and "
@@ -354,7 +354,7 @@ Command add_plot(CommandLine program) {
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {
-            // The default of --show depends on the inputs, so it is set here, after parsing.
+            // The default of --show depends on the inputs, so it is set here, after the command line has been parsed.
             if (arguments->show.empty())
               arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
             arguments->names = parse_column_names(arguments->columns, {"P_star", "phi", "void_ratio", "branch"},

@@ -39,13 +39,13 @@ struct ReportArguments {
   Printing printing;
 };
 
-/// Data of a run that are shown in its report. They are read once and used by all sections.
+/// The data of a run that its report shows. They are read once and used in all sections of the report.
 template <int Dim>
 struct ReportedRun {
   std::string directory;
   PathTable path;
   std::vector<std::string> files;
-  std::vector<State<Dim>> shown;  ///< states that are shown in pictures and distributions
+  std::vector<State<Dim>> shown;  ///< states whose pictures and distributions are shown
   std::vector<std::string> shown_files;
   std::optional<State<Dim>> first;
   std::vector<ModuliPoint> moduli;
@@ -54,12 +54,13 @@ struct ReportedRun {
                     "unstable", "bounds hold"},
                    {}};
   std::vector<std::string> warnings;
-  std::map<std::string, std::vector<int>>
-      state_warnings;  ///< for each warning, the numbers of the states that it concerns
+  /// Numbers of the states to which each warning applies.
+  std::map<std::string, std::vector<int>> state_warnings;
 };
 
-/// Returns the indices of three states of the first loading: the loosest one, the densest one, and the one half way
-/// between them in the order of the path. If the path contains no loading, returns the index of its last state.
+/// Returns the indices of three states of the first loading: the first and loosest one, the last and densest one, and
+/// the one half way between them along the load path. If the path contains no loading, returns the index of its last
+/// state only.
 std::set<std::size_t> shown_states(const PathTable& path) {
   std::set<std::size_t> shown;
   const Loading loading = first_loading(path.rows);
@@ -92,11 +93,12 @@ void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
     run.state_warnings["not in equilibrium: " + message].push_back(state.path.step);
 }
 
-/// Unit of pressures and moduli in reduced units, as text for HTML.
+/// Unit of pressures and moduli in packings in reduced units, as text for HTML.
 template <int Dim>
 constexpr const char* kPressureUnit = Dim == 2 ? "F0/a" : "F0/a²";
 
-/// Reads the table and all states of a run. @throws InputError unless the table path.csv has one row per state
+/// Reads the table path.csv and all states of a run.
+/// @throws InputError unless the table has one row per state and all states have the dimension Dim
 template <int Dim>
 ReportedRun<Dim> read_run(const std::string& directory) {
   ReportedRun<Dim> run;
@@ -113,9 +115,11 @@ ReportedRun<Dim> read_run(const std::string& directory) {
     const AnyState any = read_state(run.files[k]);
     const auto* found = std::get_if<State<Dim>>(&any);
     if (found == nullptr)
-      throw InputError(run.files[k],
-                       fmt::format("this state is not in {}D like {}: expected the states of a single run", Dim,
-                                   run.files.front()));
+      throw InputError(
+          run.files[k],
+          fmt::format(
+              "this state is not in {}D, but {} is: expected a directory with the states of a single run", Dim,
+              run.files.front()));
     const State<Dim>& state = *found;
     require_periodic(state.packing, "a report is made", run.files[k]);
     add_state(state, run);
@@ -151,8 +155,9 @@ std::string provenance_section(const ReportedRun<Dim>& run) {
   return "<h2>Provenance</h2>\n" + html_table(table);
 }
 
-/// Returns the scene of a run, which is stored as text in its states. If the run started from a saved state, the file
-/// of that state may no longer exist. It is replaced by the first state of the run, which has the same grains.
+/// Returns the scene of a run, the text of which is stored in its states. If the run started from a saved state, the
+/// scene names the file of that state, which may no longer exist. The scene is then changed to name the first state of
+/// the run instead, which has the same grains.
 template <int Dim>
 Scene scene_of(const ReportedRun<Dim>& run) {
   std::vector<std::string> changes;
@@ -171,7 +176,8 @@ std::string groups_section(ReportedRun<Dim>& run) {
     for (const DerivedGroup& group : derived_groups(scene_of(run)))
       if (group.name != "cost") table.rows.push_back({group.name, group.value, group.meaning});
   } catch (const InputError& error) {
-    run.warnings.push_back(std::string("this version of floc cannot read the scene of the states: ") +
+    run.warnings.push_back(std::string("the dimensionless groups are left out, because this version of floc "
+                                       "cannot read the scene of the run: ") +
                            error.what());
     return "";
   }
@@ -288,7 +294,8 @@ int report_of(const ReportArguments& arguments) {
 }
 
 int report(const ReportArguments& arguments) {
-  table_of_run(arguments.directory);  // throws InputError for an ensemble, with a message that names a sample
+  // Throws InputError if the directory is that of an ensemble; the message names one of its samples.
+  table_of_run(arguments.directory);
   const AnyState first = read_state(states_of_run(arguments.directory).front());
   return std::holds_alternative<State<2>>(first) ? report_of<2>(arguments) : report_of<3>(arguments);
 }

@@ -34,7 +34,7 @@ void interrupt(int) {
   g_interrupted = 1;
 }
 
-/// Prints the outcome of a run and the commands that may follow. @return exit code of the program
+/// Prints the outcome of a run and the commands that a user may run next. @return exit code of floc
 template <int Dim>
 int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::string& directory) {
   switch (report.outcome) {
@@ -54,22 +54,23 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
   return kDone;
 }
 
-/// Size of the smallest block of memory that the allocator returns to the system as soon as the block is freed (bytes).
-/// By default glibc keeps freed blocks of up to 32 MB. A large packing would then occupy the memory of its neighbour
-/// lists, its saved states and its files all at the same time.
+/// Makes freed memory available for other purposes at once: the allocator returns every freed block of at least this
+/// size (bytes) to the system. By default glibc keeps freed blocks of up to 32 MB. A large packing would then occupy
+/// the memory of its neighbour lists, of its saved states and of its files all at the same time.
 constexpr int kReturnedBlock = 1 << 22;
 
 template <int Dim>
 int run_scene(const Scene& scene, const SceneRunOptions& asked) {
-  // From here on, a signal must not end the process at once, because it has to leave the directory of the run in a
-  // consistent state.
+  // From here on, SIGINT and SIGTERM must not end the process at once: the run first completes the files in its
+  // directory, so that they are consistent.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   SceneRun<Dim> scene_run(scene, asked);
 
   if (!scene.start.empty()) fmt::print(stderr, "starting state: {}\n", scene.start);
   if (!scene.accuracy.empty())
-    fmt::print(stderr, "settings chosen for the required accuracy: {}\n", scene.accuracy);
+    fmt::print(stderr, "numerical settings chosen for the accuracy that the scene requires: {}\n",
+               scene.accuracy);
   RunMonitor monitor(static_cast<int>(scene_run.run.plan().size()));
   DriveOptions<Dim> watch;
   watch.stop = [] { return g_interrupted != 0; };
@@ -95,7 +96,7 @@ int run_scene(const RunArguments& arguments) {
 int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
-  // Faults that would occur in every sample are reported here once, before any sample starts.
+  // Faults of the options that would stop every sample are reported here once, before any sample starts.
   const RunOptions options = checked_options(scene, arguments.run);
   if (!scene.is_random())
     throw InputError("--seeds " + arguments.seeds,
@@ -106,8 +107,8 @@ int run_seeds(const RunArguments& arguments) {
   tell_unused_threads(scene, arguments.run);
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
-  // The samples get the number of threads that they can use, so that none of them repeats the message about unused
-  // threads.
+  // Each sample gets only as many threads as it can use. Otherwise each sample would repeat the message of
+  // tell_unused_threads().
   args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
   if (arguments.run.until) args.insert(args.end(), {"--until", std::to_string(*arguments.run.until)});
   if (arguments.run.track_contacts)
@@ -129,21 +130,22 @@ Command add_run(CommandLine program) {
   app.add_option("-o,--output", arguments->run.directory,
                  "directory for the state files, the table path.csv and the checkpoint of the run")
       .required();
-  // If neither --resume nor --overwrite is given, a directory that contains a run is rejected.
+  // If neither --resume nor --overwrite is given, floc run rejects an output directory that already contains a run.
   const Option resume =
       app.add_flag("--resume", arguments->run.resume,
-                   "continue the run in the output directory; starts a new run if there is none");
+                   "continue the run in the output directory, or start a new run if there is none");
   app.add_flag("--overwrite", arguments->run.overwrite, "replace the run in the output directory")
       .excludes(resume);
   const Option seed =
       app.add_option("--seed", arguments->run.seed,
                      "seed of the random numbers, used instead of the key run.seed of the scene");
-  // Option --seed excludes --seeds, because every sample of an ensemble has a different seed.
+  // The option --seed excludes --seeds, because every sample of an ensemble has its own seed.
   const Option seeds = app.add_option("--seeds", arguments->seeds,
                                       "A..B: run an ensemble with one sample for each seed from A to B, each "
                                       "in its own subdirectory seed-N")
                            .excludes(seed);
-  app.add_option("--jobs", arguments->jobs, "number of samples that run at the same time")
+  app.add_option("--jobs", arguments->jobs,
+                 "largest number of samples of the ensemble that run at the same time")
       .needs(seeds)
       .within(kJobs);
   app.add_option("--threads", arguments->run.threads,

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Time between two checks whether a sample has ended (microseconds). It is short compared with the run of a sample,
-/// which takes seconds at least.
+/// Time between two checks whether any of the running samples has ended (microseconds). It is short compared with the
+/// run of a sample, which takes at least seconds.
 constexpr useconds_t kPause = 20000;
 
 class Ensemble {
@@ -36,7 +36,7 @@ class Ensemble {
     seed_of_[start_floc(args, {"", "", sample + ".log", append_})] = seed;
   }
 
-  /// Waits until one of the running samples has ended. Signals that arrive meanwhile are passed on to all samples.
+  /// Waits until one of the running samples has ended. If a signal arrives meanwhile, it is passed on to all samples.
   void wait() {
     int status = 0;
     pid_t ended = 0;

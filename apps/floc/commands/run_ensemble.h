@@ -9,18 +9,18 @@
 namespace floc {
 
 /// Parses a range of seeds "A..B".
-/// @throws InputError unless A and B are whole numbers with A <= B
+/// @throws InputError unless A and B are whole numbers with A <= B, and the range contains at most a million seeds
 SeedRange parse_seeds(const std::string& text);
 
-/// Runs one sample per seed, each in its own process, with the directory DIR/seed-N and the log file DIR/seed-N.log,
-/// where N is the seed. The signals SIGINT and SIGTERM are passed on to these processes, so that every sample writes
-/// its checkpoint.
+/// Runs an ensemble: one sample per seed, each in its own process, with the directory DIR/seed-N and the log file
+/// DIR/seed-N.log, where DIR is the directory of the ensemble and N the seed. The signals SIGINT and SIGTERM are passed
+/// on to these processes, so that every sample writes its checkpoint.
 ///
-/// @param claim      claim on the directory DIR; no further sample is started after DIR has been renamed or replaced
+/// @param claim      lock of the directory DIR; after DIR has been renamed or replaced, no more samples are started
 /// @param directory  path of DIR
 /// @param jobs       largest number of samples that run at the same time
 /// @param arguments  arguments of `floc run` that all samples share, without directory and seed
-/// @param append     whether to append to existing log files instead of replacing them
+/// @param append     whether messages are appended to existing log files; otherwise these files are replaced
 /// @return the worst of the exit codes of the samples
 /// @throws IoError if DIR is renamed during the runs
 int run_ensemble(const ClaimedDirectory& claim, const std::string& directory, const SeedRange& seeds, int jobs,

@@ -18,24 +18,24 @@ constexpr double kSecondsBetweenLines = 10.0;
 template <int Dim>
 std::string phase_of(const Run<Dim>& run) {
   if (run.point().aggregating)
-    return fmt::format("aggregation of the grains into one cluster, {} clusters left", run.n_clusters());
+    return fmt::format("the grains aggregate into one cluster, {} clusters are left", run.n_clusters());
   const RelaxationReport report = run.report();
   const bool finishing = report.phase == "finishing";
   std::string text = fmt::format("{}, {}", report.phase, report.blocking);
   if (finishing && report.decay_rate > 0.0)
-    text += fmt::format(", the residual decays at a rate of {:.2g} per unit of time", report.decay_rate);
+    text += fmt::format(", the force residual decays at a rate of {:.2g} per unit of time", report.decay_rate);
   return text;
 }
 
-/// Returns the kind of the end of a relaxation, and, for a packing between walls, the number of mechanisms if they
-/// prevent an equilibrium.
+/// Returns how a relaxation ended, as a keyword. If mechanisms of a packing between walls prevent an equilibrium, their
+/// number is added.
 std::string ending_of(const RelaxationReport& report) {
   if (report.n_mechanisms <= 0) return report.ending;
   return fmt::format("{}, not in equilibrium because of {} mechanisms", report.ending, report.n_mechanisms);
 }
 
-/// Formats a simulated time. Its size is about 1e-4 s in scenes in SI units, and up to thousands of units of time in
-/// reduced units.
+/// Returns a simulated time as text with a suitable number of digits. Such times are about 1e-4 s in SI units, and up
+/// to thousands of units of time in reduced units.
 std::string time_text(double time) {
   return time < 100.0 ? fmt::format("{:.3g}", time) : fmt::format("{:.0f}", time);
 }
@@ -45,8 +45,8 @@ std::string time_text(double time) {
 RunMonitor::RunMonitor(int n_steps)
     : n_steps_(n_steps), terminal_(isatty(STDERR_FILENO) == 1), last_line_(Clock::now()) {}
 
-/// Returns the expected wall time of the remaining steps (s), computed from the mean time of the completed steps. Steps
-/// in which the packing collapses take longer, but they cannot be predicted.
+/// Returns the expected wall time of the steps that remain (s): their number times the mean time of the completed
+/// steps. Steps in which the packing collapses take longer, but they cannot be predicted.
 double RunMonitor::expected_seconds_left(int steps_left) const {
   return seconds_done_ / steps_done_ * steps_left;
 }
@@ -70,8 +70,8 @@ void RunMonitor::chunk(const Run<Dim>& run) {
 
 template <int Dim>
 void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds) {
-  if (state.path.branch !=
-      "assembly") {  // the assembly is not counted, because it takes longer than a step of the load path
+  // The assembly takes longer than a step of the load path, so it is left out of the mean time of a step.
+  if (state.path.branch != "assembly") {
     ++steps_done_;
     seconds_done_ += seconds;
   }

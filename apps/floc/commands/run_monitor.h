@@ -12,11 +12,12 @@ class RunMonitor {
  public:
   explicit RunMonitor(int n_steps);
 
-  /// Reports the present pressure, solid fraction and residual of a run whose grains are still moving, if enough time
-  /// has passed since the last report.
+  /// Reports the present pressure, solid fraction and residual of a run while its grains are moving. Does nothing if
+  /// too little time has passed since the last report.
   template <int Dim>
   void chunk(const Run<Dim>& run);
-  /// Reports a state that the run has recorded at the end of a step. @param seconds  wall time of the step (s)
+  /// Reports a state that the run has recorded at the end of a step.
+  /// @param seconds  wall time of the step (s)
   template <int Dim>
   void equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds);
 

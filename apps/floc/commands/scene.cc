@@ -33,7 +33,8 @@ int check_scene(const SceneArguments& arguments) {
   for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.printing);
   if (!scene.start.empty()) spdlog::info("starting state: {}", scene.start);
-  if (!scene.accuracy.empty()) spdlog::info("settings chosen for the required accuracy: {}", scene.accuracy);
+  if (!scene.accuracy.empty())
+    spdlog::info("numerical settings chosen for the accuracy that the scene requires: {}", scene.accuracy);
   const std::vector<std::string> warnings = scene_warnings(scene);
   for (const std::string& warning : warnings) spdlog::warn("{}: warning: {}", arguments.path, warning);
   spdlog::info("{}: the scene has no faults{}", arguments.path,
@@ -43,7 +44,8 @@ int check_scene(const SceneArguments& arguments) {
   return kDone;
 }
 
-/// Writes a new scene to the file NAME.toml, or to stdout if the name is "-". @throws InputError if the file exists
+/// Writes a template of a scene to the file NAME.toml, or to stdout if the name is "-".
+/// @throws InputError if the file exists already
 int start_scene(const std::string& name) {
   if (name == "-") {
     write_bytes_atomically(name, starting_scene("powder"));
@@ -55,14 +57,15 @@ int start_scene(const std::string& name) {
   std::FILE* file = std::fopen(path.c_str(), "wx");
   if (!file && errno == EEXIST)
     throw InputError(path.string(),
-                     "this file exists already and is not replaced: choose another name for the new scene");
+                     "this file exists already and is not replaced: give another name for the new scene");
   if (!file) throw IoError(path.string(), std::strerror(errno));
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (std::fclose(file) != 0 || !written)
     throw IoError(path.string(), "the file cannot be written completely; the disk may be full");
   spdlog::info(
-      "wrote {0}, a copy of the scene of a cohesive powder that floc demo runs (the content does not depend on "
-      "the name; data/scenes contains scenes of other materials); you may run next: floc scene check {0}, floc "
+      "wrote {0}, a copy of the scene that floc demo runs, a cohesive powder (its content does not depend on "
+      "the name of the file; data/scenes contains scenes of other materials); you may run next: floc scene "
+      "check {0}, floc "
       "run {0} -o {1}",
       path.string(), path.stem().string());
   return kDone;

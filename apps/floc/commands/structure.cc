@@ -17,12 +17,14 @@ struct StructureCommand {
   std::vector<std::string> files;
   StructureTableOptions options;
   std::string profile_axis;  ///< axis of the profile, "x", "y" or "z"; if empty, the last axis
-  /// Names of the files of further tables; a table with an empty name is not written.
+  /// Names of the csv files of the tables that are written in addition to the printed table; a table with an empty name
+  /// is not written.
   std::string intensity, pairs, gaps, pores, map, prediction, porosity, profile;
   Printing printing;
 };
 
-/// Converts the command line to the options of the library. A further table is computed only if its file is named.
+/// Converts the command line to the options of the library. Each table other than the printed one is computed only if a
+/// file is named for it.
 /// @throws InputError that names the invalid option
 StructureTableOptions options_of(const StructureCommand& command) {
   StructureTableOptions options = command.options;
@@ -87,10 +89,10 @@ Command add_structure(CommandLine program) {
       .positive()
       .show_default();
   app.add_option("--cells-per-wave", command->options.scattering.cells_per_wave,
-                 "number of mesh cells per wavelength at the largest wave number (at least 4)")
+                 "number of mesh cells per wavelength at the largest wave number of I(k) (at least 4)")
       .within(ScatteringOptions::kCellsPerWave)
       .show_default();
-  // Each of the following tables is computed only if its file is named: see options_of().
+  // Each table that follows is computed only if its option names a file: see options_of().
   app.add_option("--intensity", command->intensity,
                  "csv file to write, with one row per bin of the wave number k: scattered intensity I(k)");
   app.add_option("--pair-correlation", command->pairs,
@@ -99,12 +101,13 @@ Command add_structure(CommandLine program) {
       .positive()
       .show_default();
   app.add_option("--gaps", command->gaps,
-                 "csv file to write: mean number z(h) of neighbours within a gap h, with rattlers where they "
-                 "are, and with rattlers pushed against other grains");
-  app.add_option(
-      "--prediction", command->prediction,
-      "csv file to write, with one row per state: pressure P and coordination z that the first state would "
-      "have if it were uniformly compressed or expanded to the solid fraction of that state");
+                 "csv file to write: mean number z(h) of neighbours within a gap h, once with rattlers at "
+                 "their positions in the state, "
+                 "once with rattlers pushed against other grains");
+  app.add_option("--prediction", command->prediction,
+                 "csv file to write, with one row per state: its pressure P and coordination z, and those that "
+                 "the first state would "
+                 "have if it were uniformly compressed or expanded to the solid fraction of this state");
   app.add_option("--pores", command->pores,
                  "csv file to write, with one row per pore (in 3D, per ball that fits in the voids): its "
                  "position and size");
@@ -118,8 +121,8 @@ Command add_structure(CommandLine program) {
       .within(kMapSide)
       .show_default();
   app.add_option("--porosity", command->porosity,
-                 "csv file to write: porosity in cubes around the centre of the cell against their size, and "
-                 "in copies of the cell shrunk about its centre");
+                 "csv file to write: porosity in cubes of different sizes around the centre of the cell, and "
+                 "in copies of the cell that are shrunk about its centre");
   app.add_option("--probes", command->options.n_probes, "number of different sizes of the cubes of --porosity")
       .within(kPorosityProbes)
       .show_default();

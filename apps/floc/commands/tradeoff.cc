@@ -33,16 +33,17 @@ std::vector<std::string> observable_names() {
   return names;
 }
 
-/// Returns a table cell with the result of a comparison of n values; the cell is undefined if n is 0 or the result is
-/// not finite.
+/// Returns the table cell of an error that was found by comparing n values. The cell is undefined if n is 0 or the
+/// error is not finite.
 TableValue of_compared(int n, double value) {
   return n > 0 && std::isfinite(value) ? TableValue{value} : TableValue{};
 }
 
-/// Name and dimensionless stiffness of the scene that was run, for the rows of the table.
+/// Name and dimensionless contact stiffness of the scene that was run. Each row of the table contains both.
 struct StudiedScene {
   std::string name;
-  double kappa;  ///< dimensionless stiffness of the contacts: a K_N/F0, or K_N/P without adhesion
+  /// Dimensionless contact stiffness: a K_N/F0, or K_N/P without adhesion (a: diameter, F0: pull-off force).
+  double kappa;
 };
 
 std::vector<TableValue> row_of(const StudiedScene& run, const MeasuredSetting& m, const std::string& observable,
@@ -105,13 +106,14 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
   const std::vector<std::string> names = observable_names();
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
-    // The Pareto front is determined for each observable separately, because a setting may be on the front of one
-    // observable and not on that of another.
+    // The Pareto front contains the numerical settings for which no other setting is both cheaper and more accurate. It
+    // is determined for each observable separately, because a setting may be on the front of one observable and not on
+    // that of another.
     const std::vector<bool> front = pareto_front(tradeoff, k);
     for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
       const MeasuredSetting& m = tradeoff.settings[i];
       const ObservableError& e = m.errors[k];
-      // A setting has no row if no values of this observable could be compared.
+      // A setting for which no values of this observable could be compared has no row.
       if (e.before.n + e.after.n + e.mean.n > 0) table.rows.push_back(row_of(run, m, names[k], e, front[i]));
     }
   }
@@ -124,7 +126,8 @@ double stiffness_of(const Scene& scene) {
   return 0.0;
 }
 
-/// Prints the table. On a terminal only the first columns are printed, which fit its width, unless columns are chosen.
+/// Prints the table. On a terminal, only its first columns are printed, as many as fit the width of the terminal,
+/// unless the user has chosen columns.
 void print_tradeoff(Table table, const Printing& printing) {
   constexpr std::size_t kShort = 11;
   if (chosen_format(printing.format) == TableFormat::table && printing.columns.empty()) {
@@ -144,14 +147,14 @@ int run_tradeoff(TradeoffCommand& command) {
             scene.dimension));
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study_tradeoff(scene, command.options);
-  std::cerr << "two settings are not varied: power control, which the setting equilibrium.finish = dynamic "
-               "switches on, and the precision of the force computation, which is always double\n";
+  std::cerr << "floc tradeoff does not vary two settings: power control, which equilibrium.finish = dynamic "
+               "switches on, and the precision in which forces are computed, which is always double\n";
   for (const std::string& message : tradeoff.left_out)
     std::cerr << "left out of the study: " << message << '\n';
   if (tradeoff.settings.empty()) {
     std::cerr << "floc: " << command.scene
-              << ": no results could be compared, because not even one sample was completed at the strictest "
-                 "settings; try a larger --budget\n";
+              << ": no results could be compared, because not even one sample was completed with the strictest "
+                 "numerical settings; give a larger --budget\n";
     return kNotConverged;
   }
   print_tradeoff(table_of({scene.name, stiffness_of(scene)}, tradeoff, command.observables), command.printing);
@@ -178,7 +181,8 @@ Command add_tradeoff(CommandLine program) {
   app.add_option("--set", command->overrides,
                  "KEY=VALUE: set one key of the scene to another value, e.g. grains.count=200")
       .one_argument_each();
-  app.add_option("--observables", command->observables, "results to compare: phi, B, lambda, ... [all]")
+  app.add_option("--observables", command->observables,
+                 "results whose errors are compared: phi, B, lambda, ... [all]")
       .delimiter(',')
       .one_argument_each()
       .one_of(observable_names());

@@ -18,15 +18,16 @@ struct VerifyArguments {
   Printing printing;
 };
 
-/// Appends the row of one state to the table, and prints on stderr each criterion that the state violates, with the
-/// grains or contacts that violate it.
+/// Adds the row of a state to the table. Prints on stderr each criterion that the state violates, with
+/// the grains or contacts that violate it.
+/// @param criteria  result of verify_state()
 /// @return exit code for this state
 int report(const std::string& file, const std::vector<Criterion>& criteria, Table& table) {
   for (const Criterion& c : criteria) {
     if (c.holds && !c.where.empty()) spdlog::info("{}: criterion {}: {}", file, c.name, c.where);
     if (c.holds) continue;
     const std::string measured =
-        c.by_value ? fmt::format("measured {:.3g}, limit {:.3g}: ", *c.value, c.limit) : "";
+        c.by_value ? fmt::format("value {:.3g}, limit {:.3g}: ", *c.value, c.limit) : "";
     spdlog::error("{}: criterion {} does not hold: {}{}", file, c.name, measured, c.where);
   }
   add_verification_row(file, criteria, table);
@@ -46,8 +47,9 @@ int verify(const VerifyArguments& arguments) {
 }  // namespace
 
 Command add_verify(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "verify", "Check whether a saved state is in equilibrium, by recomputing all forces from the file");
+  CommandLine app = program.add_subcommand("verify",
+                                           "Check whether a saved state is in equilibrium, by recomputing all "
+                                           "forces from the positions and the contact law in the file");
   const auto arguments = std::make_shared<VerifyArguments>();
   add_states_argument(app, arguments->files);
   add_printing_options(app, arguments->printing);

@@ -250,10 +250,10 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
   const double unit = sample.over_adhesion ? pull_off_force(packing) / std::pow(diameter, Dim - 1)
                                            : static_stress(packing).trace() / Dim;
   if (sample.pressures.empty() || !(unit > 0.0) || (!sample.over_adhesion && pressure_is_noise(packing)))
-    throw InputError(
-        place,
-        "this state has no particle pressures to plot: no grain carries forces, or the packing has "
-        "neither adhesion nor a pressure that could be the unit");
+    throw InputError(place,
+                     "the particle pressures of this state cannot be plotted: either no grain carries a force, "
+                     "or the packing has "
+                     "neither adhesion nor a pressure by which they could be divided");
   for (double& p : sample.pressures) p /= unit;
   return sample;
 }

@@ -172,7 +172,8 @@ std::vector<CasePlan> plan_cases(const Campaign& campaign) {
     // A reference that applies to no case is an error, because nothing would be compared with it.
     if (!meant)
       throw InputError(
-          r.place, "when: no case of this campaign has these values: expected the values of at least one case");
+          r.place,
+          "when: no case of this campaign has the values of this key: give values of at least one case");
   }
   return plans;
 }

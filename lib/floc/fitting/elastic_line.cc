@@ -75,7 +75,7 @@ bool has_equal_secants(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const
   return low > (1.0 - kEqual) * part.B() && high < (1.0 + kEqual) * part.B();
 }
 
-/// Returns whether the solid fraction Phi falls from every point of a part of a branch to the next lower
+/// Returns whether the solid fraction `y` falls from each point of a part of a branch to the point at the next lower
 /// pressure.
 bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part) {
   return secants(P, y, part).first > 0.0;

@@ -22,11 +22,12 @@ class FrameTurn {
   FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
             const T& time_step)
       : n_(normal), across_(across) {
-    // The old normal is n0 = (n1 - w)/sqrt(1 + w^2), with n1 the new normal and w = across/(1 - along) = tilt across.
+    // The old normal is n0 = (n1 - w)/sqrt(1 + w^2), with the new normal n1 and the vector
+    // w = across/(1 - along) = tilt * across, of which s = w^2.
     const T tilt = T(1) + along * (T(1) + along * (T(1) + along));
     const T across_squared = across.squaredNorm();
     const T s = tilt * tilt * across_squared;
-    // With w = tilt across, the mean normal is (n0 + n1)/(1 + n0.n1) = n1 - w/(1 + sqrt(1 + w^2)) = n1 - lean across.
+    // The mean normal is (n0 + n1)/(1 + n0.n1) = n1 - w/(1 + sqrt(1 + s)) = n1 - lean * across: a series in s.
     lean_ = tilt * (T(0.5) - s * (T(0.125) - T(0.0625) * s));
     along_middle_ = along - lean_ * across_squared;
     mean_normal_ = n_ - lean_ * across;

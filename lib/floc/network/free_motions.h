@@ -24,7 +24,7 @@ enum class FreeMotionKind {
 struct FreeMotions {
   /// For each unknown of K, whether it is solved for. The others are set to zero: free motions make them arbitrary.
   std::vector<bool> kept;
-  /// For each grain, whether it is a dead end: it hangs on a single contact, or on a chain of grains that do so. Dead
+  /// For each grain, whether it is a dead end: it has a single contact, or would have one without other dead ends. Dead
   /// ends take no part in the response to a strain.
   std::vector<bool> dead_end;
   int n_alone = 0;         ///< number of grains that have no contact after the dead ends have been removed

@@ -289,7 +289,7 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
     if (!stability_.may_be_stable()) {
       unmet_ = {Demand::stability, static_cast<double>(*stability_.n_negative)};
     } else if (const LiquidChange change = share_liquid_once_more(); !change.nothing()) {
-      // The liquid is shared out anew at the beginning of every chunk of time steps.
+      // The liquid has been shared out anew. Where that has changed bridges, the packing is not at equilibrium yet.
       unmet_ = {Demand::liquid, static_cast<double>(change.n_changed())};
     } else {
       n_mechanisms_ = least_mechanisms(packing_);

@@ -11,7 +11,8 @@ struct CompactionEnd {
     /// The void ratio has changed by less than kSettledVoidRatio in the time kSettledTime (in T), every wall bears its
     /// pressure, and the structure that carries the pressure has no mechanism (motion without stiffness).
     settled,
-    /// The ratio of the kinetic energy of translations to the elastic energy is at most `energy_ratio`.
+    /// The ratio of the kinetic energy of translations to the elastic energy is at most the number
+    /// CompactionEnd::energy_ratio.
     energy_ratio,
   };
   Criterion criterion = Criterion::settled;

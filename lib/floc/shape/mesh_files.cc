@@ -141,7 +141,7 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
     }
     if (!is_open)
       lines.refuse(
-          fmt::format("the line begins with \"{}\": expected <, with which a shape begins", key.substr(0, 40)));
+          fmt::format("the line begins with \"{}\": expected \"<\", which begins a shape", key.substr(0, 40)));
     Mesh<3>& shape = shapes.back();
     if (key == ">") {
       is_open = false;

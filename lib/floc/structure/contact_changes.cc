@@ -15,8 +15,8 @@ namespace {
 /// Largest relative difference between the radii of a grain in two states that counts as rounding of numbers in files.
 constexpr double kSameRadius = 1e-9;
 
-/// Returns the integer matrix M that expresses the lattice vectors of the state after by those of the state before:
-/// after = M * before, up to a strain.
+/// Returns the integer matrix M that expresses the lattice vectors of the later state by those of the earlier one:
+/// later = M * earlier, up to a strain.
 template <int Dim>
 Mat<Dim> lattice_choice(const Cell<Dim>& before, const Cell<Dim>& after) {
   return (after.matrix * before.matrix.inverse()).array().round().matrix();

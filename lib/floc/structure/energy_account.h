@@ -45,8 +45,9 @@ class EnergyAccount {
   /// Adds one time step to the balance. @param now  the packing after the step, with its contacts and forces
   void advance(const Packing<Dim>& now, double time_step);
 
-  /// Replaces the contact law of the present packing, for a step of the load path that has another law. Springs
-  /// keep their forces, normal forces follow the new law, and the liquid is shared out again.
+  /// Replaces the contact law of the present packing, for a step of the load path that has another law. Tangential
+  /// and rolling springs keep their forces, normal forces are computed by the new law, and the liquid is shared out
+  /// again.
   void change_law(const Law& law);
   const Law& law() const { return previous_.law; }
 

@@ -10,11 +10,12 @@
 
 namespace floc {
 
-/// A column of a table: its name, and a function that computes its cell from a row.
+/// A column of a table: its name, and a function that computes the cell of this column from a Row, which contains all
+/// values of one table row.
 template <class Row>
 using Column = std::pair<std::string, std::function<TableValue(const Row&)>>;
 
-/// Returns a table with the given columns and one row for each of `rows`.
+/// Returns a table with these columns and one table row for each element of `rows`.
 template <class Row>
 Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
   Table table;
@@ -27,14 +28,16 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return table;
 }
 
-/// Sets the columns of a table to which several states add rows, if it has none yet.
-/// @throws InputError if the table already has other columns, because an earlier state has another dimension
+/// Gives a table the columns `names` if it has no columns yet. If an earlier state has already added rows, checks that
+/// the columns are these.
+/// @param file  file of the state that is about to add rows, for messages
+/// @throws InputError if the table has other columns, because the earlier state has another dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.columns.empty()) table.columns = names;
   if (table.columns != names)
-    throw InputError(
-        file,
-        "differs in dimension from the states before it: one table can only contain states of one dimension");
+    throw InputError(file,
+                     "this state differs in dimension from the states before it, but one table can only "
+                     "contain states of one dimension");
 }
 
 /// Returns an integer as a cell of a table.

@@ -24,8 +24,8 @@ std::vector<std::string> split(std::string_view text, char separator) {
   return parts;
 }
 
-/// Parses docs/columns.md: its headings (names of tables), its lines "On a terminal" and its rows "| name |
-/// unit | meaning |".
+/// Parses docs/columns.md. Its headings are the names of tables, its lines "On a terminal: ..." list the columns that
+/// are shown on a terminal, and its rows "| name | unit | meaning |" describe the columns.
 std::vector<DescribedTable> parse_reference(const std::string& text) {
   std::vector<DescribedTable> tables;
   std::istringstream lines(text);
@@ -35,7 +35,7 @@ std::vector<DescribedTable> parse_reference(const std::string& text) {
     if (line.starts_with(kOnTerminal))
       tables.back().on_terminal = split(std::string_view(line).substr(kOnTerminal.size()), ',');
     if (!line.starts_with("| ") || line.starts_with("| column |")) continue;
-    const std::vector<std::string> cells = split(line, '|');  // the first cell, before the first bar, is empty
+    const std::vector<std::string> cells = split(line, '|');  // cell 0, before the first bar, is empty
     tables.back().columns.push_back({cells.at(1), cells.at(2), cells.at(3)});
   }
   return tables;

@@ -5,25 +5,27 @@
 
 namespace floc {
 
-/// Description of a column of a table in docs/columns.md.
+/// Description of a column of a table, as docs/columns.md gives it.
 struct DescribedColumn {
-  std::string name;  ///< name or pattern: "C??" stands for all entries of C
-  std::string unit;  ///< unit; empty if there is none, as for a count or a name
+  std::string name;  ///< name, or pattern of several names such as "C??", with the wildcards `*` and `?`
+  std::string unit;  ///< unit; empty for a column without unit, such as a count or a name
   std::string meaning;
 };
 
-/// Description of a table that commands print or write.
+/// Description of a table that a command of floc prints or writes.
 struct DescribedTable {
   /// Name of the command, with the option that writes the table, such as "moduli --increments".
   std::string name;
-  std::vector<std::string> on_terminal;  ///< columns shown on a terminal, in order of priority; all if empty
+  /// Columns that are shown on a terminal, the most important ones first; if empty, all columns are shown.
+  std::vector<std::string> on_terminal;
   std::vector<DescribedColumn> columns;
 };
 
-/// Returns the descriptions of all tables in docs/columns.md, the text of which is compiled into the library.
+/// Returns the descriptions of all tables, from docs/columns.md. The text of this file is compiled into the library.
 const std::vector<DescribedTable>& described_tables();
 
-/// Returns the description with the fewest columns that includes all given columns; nullptr if there is none.
+/// Returns the description of the smallest table (with the fewest columns) that has all the given columns; nullptr if
+/// no described table has them.
 const DescribedTable* table_with(const std::vector<std::string>& columns);
 
 /// Returns whether a name matches a pattern with the wildcards `*` and `?`.

@@ -110,7 +110,7 @@ std::vector<Column<CompareRow>> compare_columns(const std::vector<CompareRow>& r
       {"n_rigid", [](const Row& r) { return count(r.n_clusters); }},
       {"rigid_share", [share](const Row& r) { return share(r.n_clustered, r.n_grains); }},
       {"rigid_largest", [](const Row& r) { return count(r.largest_cluster); }}};
-  // One table may contain pairs of states in 2D and in 3D. Rows of states in 2D leave the components of axis 3
+  // One table may compare states in 2D and states in 3D. Rows of states in 2D leave the strain components of axis 3
   // empty.
   int dimension = 2;
   for (const Row& r : rows) dimension = std::max(dimension, static_cast<int>(r.strain.rows()));

@@ -21,7 +21,8 @@ constexpr LeftOutStep kLeftOut[] = {
     {PathStep::first_loading, "before_loading", "before the branch \"load\""},
 };
 
-/// Applies the option --P0 X: the fitted window begins at the pressure of the curve that is nearest to X.
+/// Applies the option --P0: sets the fitted window to begin at the pressure of the curve that is nearest to P0, and to
+/// end at the last pressure. Does nothing if P0 is not positive.
 void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOptions& options) {
   if (P0 <= 0.0 || curve.P_star.empty()) return;
   const auto distance = [P0](double P) { return std::abs(std::log(P / P0)); };
@@ -41,8 +42,8 @@ const char* word_for(Weighting weighting) {
   }
 }
 
-/// Returns, as json, the two neighbouring pressures between which one regime of consolidation changes to the
-/// next, and the ends of the 95 % interval of this change.
+/// Returns, as json, where one regime of consolidation changes to the next: the two successive pressures of the curve
+/// between which it changes, and the ends of the 95 % interval of this place.
 Json change_as_json(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve) {
   if (!change) return nullptr;
   const auto pressure = [&](int i) {
@@ -57,8 +58,8 @@ Json change_as_json(const std::optional<ChangePoint>& change, const Consolidatio
           {"probability", change->places.empty() ? Json(nullptr) : Json(change->places.front().probability)}};
 }
 
-/// Returns the numbers of the table rows of the points [first, end). For a mean of several tables these are the
-/// indices of its pressures.
+/// Returns the numbers of the table rows that contain the points `first` to `end - 1` of a sample. The mean of several
+/// tables has no rows; for it these are the indices of its points.
 Json rows_of(const ConsolidationSample& sample, int first, int end) {
   Json rows = Json::array();
   for (int i = first; i < end; ++i)
@@ -153,7 +154,9 @@ ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs, const
     }
   std::vector<ConsolidationSample> samples;
   for (const PathTable& path : paths) samples.push_back(consolidation_sample(path, asked));
-  if (samples.empty()) throw InputError("fit", "no table was given: expected one or more tables of load paths");
+  if (samples.empty())
+    throw InputError("fit",
+                     "no table of a load path is given: give one or more tables, or directories of floc run");
   return fit_of(with_pooled(std::move(samples), options.hold_P0).back(), asked, options);
 }
 

@@ -11,7 +11,8 @@
 
 namespace floc {
 
-/// Options of a fit of the consolidation law to load paths, with the keywords of `floc fit consolidation`.
+/// Options of a fit of the consolidation law to load paths. Those that are texts have the keywords of the options of
+/// `floc fit consolidation`.
 struct ConsolidationFitOptions {
   std::string law = "full";
   std::string protocol;
@@ -25,59 +26,67 @@ struct ConsolidationFitOptions {
   std::string stress = "driven";
 };
 
-/// A consolidation curve with its name and the rows of its table. A mean of several samples has no rows.
+/// A sample: its consolidation curve, and where this was read from. For the mean of several samples, which is not read
+/// from a table, there are no rows.
 struct ConsolidationSample {
   std::string name;
   Loading loading;
-  std::vector<PathStep> steps;  ///< kinds of the steps of all rows of the table
-  std::string unit;             ///< unit of the pressures; empty if the table names none
-  /// Stress taken as the pressure of oedometric rows, "driven" or "mean"; empty without such rows.
+  std::vector<PathStep> steps;  ///< kind of step that leads to each row of the table
+  std::string unit;             ///< unit of the pressures; empty if the table does not say it
+  /// Stress that is taken as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the
+  /// axes); empty if the table has no such rows.
   std::string stress = {};
 };
 
-/// A kind of step of a load path whose rows are not fitted, with its json key and its description in messages.
+/// A kind of step of a load path, such as unloading, whose rows are left out of fits of the consolidation law; with its
+/// json key and its description in messages.
 struct LeftOutStep {
   PathStep step;
   const char *key, *description;
 };
-/// Returns all kinds of steps whose rows are not fitted.
+/// Returns all kinds of steps whose rows are left out of fits of the consolidation law.
 std::span<const LeftOutStep> left_out_steps();
 
-/// Returns the indices of the rows of a sample that are not fitted because their step is of a given kind.
+/// Returns the indices of the table rows of a sample that are not fitted because a step of the given kind leads to
+/// them.
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 
-/// Returns the curve of a path to fit: the first loading, or also later loading beyond the largest earlier
-/// pressure if the option `loading` is "virgin".
+/// Returns the rows of a load path to which the consolidation law is fitted, as a curve: the rows of the first loading.
+/// If the option `loading` is "virgin", the curve also contains the rows of later loadings at pressures above the
+/// largest pressure reached before.
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked);
 
-/// Converts keywords to the options of fit_consolidation(). @throws InputError with the name of an option that
-/// is not valid
+/// Converts the keywords of `floc fit consolidation` to the options of fit_consolidation().
+/// @throws InputError with the name of an option that is not valid
 ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked);
 
-/// Returns the curves to fit: all samples and, if there are several, their mean at the end.
-/// @param only_pooled  returns the mean alone
+/// Returns the samples to fit: all given samples and, if there are several, their mean as the last element.
+/// @param only_pooled  whether the mean is returned alone, without the samples
 std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled);
 
-/// Fits the consolidation law to one sample. @param options  options that all samples share
+/// Fits the consolidation law to one sample.
+/// @param asked    options as keywords; of these, `weights` and `P0` are applied to the sample here
+/// @param options  options that all samples share, from consolidation_options()
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options);
 
-/// Fits the consolidation law to load paths in one call, as `floc fit consolidation` does. If there are several
-/// samples, their mean is fitted.
+/// Fits the consolidation law to one or several load paths in a single call, as `floc fit consolidation` does. Several
+/// load paths are fitted by their mean.
 /// @param inputs   csv tables with the columns P_star and phi or void_ratio, or directories of floc run
-/// @param columns  names of these columns in the tables, if they differ
+/// @param columns  headers of these columns, if the tables have other headers
 /// @throws InputError if an input is not a load path or an option is not valid
 ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs,
                                    const ConsolidationFitOptions& options = {},
                                    const ColumnNames& columns = {});
 
-/// Returns the name of the largest part of the error of a parameter: the number of "samples" or of "points" on
-/// the curve, or the uncertain ends of the "regimes".
+/// Returns the main source of the standard error of a parameter, as the word "samples" (too few samples), "points" (too
+/// few points on the curve) or "regimes" (uncertain ends of the regimes).
+/// @param parts  parts of this standard error
 const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit);
 
-/// Returns the table of `floc fit consolidation` without rows.
+/// Returns the table of `floc fit consolidation`, with its columns and without rows.
 Table consolidation_table(const ConsolidationFitOptions& asked);
-/// Adds a row for each parameter of a fit to the table of `floc fit consolidation`.
+/// Adds a row for each fitted parameter to the table of `floc fit consolidation`.
 void add_rows(const ConsolidationSample& sample, const ConsolidationFit& fit,
               const ConsolidationFitOptions& asked, Table& table);
 

@@ -6,20 +6,23 @@
 namespace floc {
 namespace {
 
-/// Returns the moduli of the state to compare with a branch, in the unit of the table: the given state file,
-/// otherwise the state of a row of the path, if its file is in the directory of the table.
+/// Returns the moduli of the state with which a fit to a branch is compared, in the unit of the pressures of `path`.
+/// This is the state in the file `state`. If `state` is empty, it is the state that a row of the path names; nothing is
+/// returned if its file is not in the directory of the table.
+/// @param axis  driven axis of an oedometer test, from 0; -1 for other load paths
 std::optional<StateModuli> find_state(const std::string& state, const PathTable& path, int row, int axis) {
   const auto found = state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
   return found ? std::optional(in_unit_of(path, *found)) : std::nullopt;
 }
 
-/// Returns the modulus that relates the mean stress to ln Phi: B_uniaxial in an oedometer, otherwise B_S.
+/// Returns the modulus that relates the mean stress to ln Phi (Phi: solid fraction): B_uniaxial in an oedometer test,
+/// otherwise B_S.
 double bulk_modulus_of(const StateModuli& state) {
   return state.B_uniaxial.value_or(state.B_S);
 }
 
-/// Returns the index of the driven axis of a branch, from 0; -1 unless all its steps are oedometric with one
-/// driven axis.
+/// Returns the driven axis of a branch, from 0. Returns -1 unless all steps of the branch are those of an oedometer
+/// test with this one driven axis.
 int driven_axis_of(const PathTable& path, const Loading& branch) {
   int axis = driven_axis(path, branch.rows.back());
   for (std::size_t i = 1; i < branch.rows.size(); ++i)
@@ -27,14 +30,14 @@ int driven_axis_of(const PathTable& path, const Loading& branch) {
   return axis;
 }
 
-/// Returns a branch with the stress on the driven axis in place of the mean stress.
+/// Returns a branch with the stress on the driven axis in place of the mean stress as its pressures.
 Loading against_driven_stress(const PathTable& path, Loading branch) {
   for (std::size_t i = 0; i < branch.rows.size(); ++i)
     branch.curve.P_star[i] *= path.rows[static_cast<std::size_t>(branch.rows[i])].driven_over_mean;
   return branch;
 }
 
-/// Returns the points of a branch that were fitted: all points, or the straight part of a curved branch.
+/// Returns the points of a branch that were fitted: all points or, if the branch is curved, those of its straight part.
 Loading part_fitted(const Loading& branch, const ElasticFit& fit) {
   if (fit.n_points == 0) return branch;
   const auto part = [&](const auto& all) {
@@ -62,7 +65,7 @@ std::vector<std::string> ElasticBranch::warnings() const {
   if (!driven) return all;
   if (!driven->found()) all.push_back("the modulus M could not be fitted: " + driven->failure_reason);
   for (const std::string& warning : driven->warnings)
-    all.push_back("fit of the modulus M, against the driven stress: " + warning);
+    all.push_back("fit of the modulus M, against the stress on the driven axis: " + warning);
   return all;
 }
 
@@ -99,7 +102,7 @@ Json as_json(const PathTable& path, const ElasticBranch& branch) {
   object["sample"] = path.name;
   object["refusal"] = branch.fit.found() ? Json(nullptr) : Json(branch.fit.failure_reason);
   object["rows_used"] = branch.branch.rows;
-  // The pressure falls along an unloading branch, so that its last row has the lowest pressure.
+  // The pressure falls along an unloading branch, so the last row has the lowest pressure.
   object["window"] = Json{branch.branch.curve.P_star.back(), branch.branch.curve.P_star.front()};
   object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
   object["n_points"] = branch.branch.rows.size();
@@ -110,8 +113,7 @@ Json as_json(const PathTable& path, const ElasticBranch& branch) {
   object["rms"] = branch.fit.found() ? Json(branch.fit.rms) : Json(nullptr);
   object["secant_low"] = number_or_null(branch.fit.secant_low);
   object["secant_high"] = number_or_null(branch.fit.secant_high);
-  // Every key is present in every object, so that scripts may rely on it; a value that a branch does not have
-  // is null.
+  // Every object has every key, so that scripts may rely on them. A value that a branch does not have is null.
   object["state"] = nullptr;
   if (branch.state)
     object["state"] = {{"file", branch.state->file},

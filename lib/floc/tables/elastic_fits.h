@@ -14,34 +14,37 @@ namespace floc {
 /// An unloading branch of a load path and the elastic line fitted to it.
 struct ElasticBranch {
   Loading branch;
-  Loading fitted;  ///< points that were fitted: the whole branch, or the straight part of a curved branch
+  /// Points that were fitted: the whole branch or, if it is curved, its straight part.
+  Loading fitted;
   ElasticFit fit;
-  std::optional<StateModuli> state;  ///< moduli of a saved state, to compare with the fit
-  /// Fit against the stress on the driven axis, whose modulus is M; only for branches of an oedometer test.
+  std::optional<StateModuli> state;  ///< moduli of a saved state, with which the fit is compared
+  /// Fit of the modulus M against the stress on the driven axis; only for branches of an oedometer test.
   std::optional<ElasticFit> driven = {};
-  Loading driven_fitted = {};  ///< points of the branch that were fitted in `driven`
+  Loading driven_fitted = {};  ///< points to which `driven` was fitted
 
-  /// Returns the parameters of `fit`, followed by the modulus M of `driven`.
+  /// Returns the parameters of `fit` and, if `driven` exists, its modulus M.
   std::vector<FittedParameter> parameters() const;
-  /// Returns the warnings of both fits; the warnings of `driven` begin with the name of the modulus M.
+  /// Returns the warnings of `fit` and `driven`. Those of `driven` begin with the words "fit of the modulus M".
   std::vector<std::string> warnings() const;
 };
 
-/// Fits elastic lines to all unloading branches of a load path. The bulk modulus B is fitted against the mean
-/// stress, the modulus M of an oedometer test against the stress on the driven axis.
+/// Fits elastic lines to all unloading branches of a load path: the bulk modulus B against the mean stress and, in an
+/// oedometer test, also the modulus M against the stress on the driven axis. Compares each fit with the moduli of a
+/// saved state.
 /// @param path   load path, read with OedometerPressure::mean
-/// @param state  state file to compare with the fits. If it is empty, the state of the first row of each branch
-/// is used, or of the middle row of the straight part of a curved branch, if its file is in the directory of
-/// the table
+/// @param state  file of this state. If it is empty, each branch is compared with the state of its first row or, if the
+/// branch is curved, of the middle row of its straight part. This state must be in the directory of the table;
+/// otherwise the branch is not compared
 std::vector<ElasticBranch> elastic_branches(const PathTable& path, const std::string& state);
 
-/// Returns the root mean square distance of ln Phi of a branch from the elastic line through a state. The line
-/// is a function of the mean stress, with the slope 1/B_S, or 1/B_uniaxial in an oedometer test.
+/// Returns the distance of an unloading branch from the elastic line of a saved state: root mean square difference of
+/// ln Phi (Phi: solid fraction). The line passes through the state and gives ln Phi as a function of the mean stress;
+/// its slope is 1/B_S, or 1/B_uniaxial in an oedometer test.
 double distance_from(const StateModuli& state, const ConsolidationCurve& branch);
 
-/// Returns the table of `floc fit elastic` without rows.
+/// Returns the table of `floc fit elastic`, with its columns and without rows.
 Table elastic_table();
-/// Adds a row for each parameter of the fit of a branch, and for each modulus of the state to compare with.
+/// Adds a row for each parameter fitted to a branch, and for each modulus of the state with which it is compared.
 void add_rows(const PathTable& path, const ElasticBranch& branch, Table& table);
 
 /// Returns the fit of a branch as the json object that `floc fit elastic --format json` prints.

@@ -11,13 +11,13 @@ namespace floc {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns a number, or null if it is absent or not finite.
+/// Returns a number as json; null if it is absent or not finite.
 Json number_or_null(const std::optional<double>& x);
 
 /// Returns the parameters of a fit as a json object {name: {value, stderr, low95, high95, identified}}.
 Json parameters_as_json(const std::vector<FittedParameter>& parameters);
 
-/// Returns the table cells of one parameter of a fit: value, stderr, low95, high95, identified.
+/// Returns the table cells of one fitted parameter, in the order value, stderr, low95, high95, identified.
 std::vector<TableValue> parameter_cells(const FittedParameter& parameter);
 
 }  // namespace floc

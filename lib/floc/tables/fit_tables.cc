@@ -17,8 +17,9 @@
 namespace floc {
 namespace {
 
-/// Finds a column by its name, with or without a unit in brackets in the header. @throws InputError if two
-/// columns have this name
+/// Returns the column whose header is a name, or a name followed by a unit in brackets such as "P [kPa]". Returns
+/// nothing if there is no such column.
+/// @throws InputError if two columns have this name
 std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std::string& name) {
   std::optional<UnitColumn> found;
   for (const bool whole : {true, false}) {
@@ -27,10 +28,11 @@ std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std:
       const auto [bare, unit] = name_and_unit(header);
       if ((whole ? header : bare) != name) continue;
       if (found)
-        throw InputError(table.place(),
-                         fmt::format("columns {} and {} are both named \"{}\": rename or remove one of them, "
-                                     "or choose one by its whole header with --columns",
-                                     found->index + 1, i + 1, name));
+        throw InputError(
+            table.place(),
+            fmt::format("columns {} and {} of this table are both named \"{}\": rename or remove one of them, "
+                        "or choose one by its whole header with --columns",
+                        found->index + 1, i + 1, name));
       found = UnitColumn{i, unit};
     }
     if (found) break;
@@ -55,8 +57,8 @@ double solid_fraction_of(const std::string& place, double value, bool is_void_ra
   return is_void_ratio ? 1.0 / (1.0 + value) : value;
 }
 
-/// Returns the largest rounding error of a number in a text: half a unit in its last decimal place. A number
-/// with fewer than three decimals is treated as if it had three, because a number such as 0.5 may be exact.
+/// Returns the largest rounding error of a number that is given as text: half a unit in its last decimal place. A
+/// number with fewer than three decimals is treated as if it had three, because a number such as 0.5 may be exact.
 double rounding_of(std::string_view text) {
   constexpr double kThreeDecimals = 5e-4;
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
@@ -67,8 +69,8 @@ double rounding_of(std::string_view text) {
   return std::min(0.5 * std::pow(10.0, exponent), kThreeDecimals);
 }
 
-/// Reads the solid fractions of a table from its column phi or void_ratio. If the table has both columns and
-/// `--columns` names neither, they must not contradict each other.
+/// Reads the solid fractions of a table, from its column phi or void_ratio. If the table has both columns and
+/// `--columns` names neither of them, a row whose solid fraction and void ratio contradict each other is an error.
 class DensityColumns {
  public:
   DensityColumns(const CsvTable& table, const ColumnNames& columns) : table_(table) {
@@ -91,8 +93,8 @@ class DensityColumns {
   }
 
  private:
-  /// A column of solid fractions or void ratios, with the factor of its numbers: 0.01 for a header such as "phi
-  /// [%]".
+  /// A column of solid fractions or void ratios, and the factor by which its numbers are multiplied: 0.01 if its header
+  /// gives the unit percent, as in "phi [%]", otherwise 1.
   struct ShareColumn {
     int index;
     double unit;
@@ -124,9 +126,10 @@ class DensityColumns {
   std::optional<ShareColumn> phi_, void_ratio_;
 };
 
-/// Checks that the pressures along each branch of a load path grow, fall or stay constant as its name requires.
-/// @param place  returns the place of a row, for messages
-/// @throws InputError if a pressure contradicts its branch
+/// Checks that the pressures along each branch of a load path all grow, all fall or are all equal.
+/// @param pressure  name of the column of pressures, for messages
+/// @param place     function that returns where a row was read (file and line), for messages
+/// @throws InputError if a pressure breaks this rule
 void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                   const std::function<std::string(int)>& place) {
   if (const auto fault = path_fault(rows))
@@ -135,9 +138,10 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                                  rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
 }
 
-/// Adds a warning if all void ratios are so large that they may be percentages.
+/// Adds a warning to a load path if its void ratios are all so large that they are probably percentages.
 void check_for_percent(PathTable& path) {
-  constexpr double kLoosest = 10.0;  // void ratio of a very loose packing; the loosest soils have about 5
+  // Larger void ratios are probably percentages; the loosest soils have about 5.
+  constexpr double kLoosest = 10.0;
   double smallest = std::numeric_limits<double>::infinity();
   for (const PathRow& row : path.rows) smallest = std::min(smallest, 1.0 / row.phi - 1.0);
   if (path.rows.empty() || smallest < kLoosest) return;
@@ -147,8 +151,8 @@ void check_for_percent(PathTable& path) {
                   smallest));
 }
 
-/// Columns of a table of `floc run` that describe the kind of load of each row, and the ratio of the stress on
-/// the driven axis to the mean stress.
+/// Reads, from columns of a table of `floc run`, how each row was loaded, and the ratio of the stress on the driven
+/// axis to the mean stress.
 class LoadColumns {
  public:
   explicit LoadColumns(const CsvTable& table) : table_(table) {
@@ -164,7 +168,7 @@ class LoadColumns {
     return control == "oedometric" ? PathLoad::oedometric : PathLoad::other;
   }
 
-  /// Returns the ratio of the stress on the driven axis to the mean stress. @pre the row has a driven axis
+  /// Returns the ratio of the stress on the driven axis of a row to its mean stress. @pre the row has a driven axis
   double driven_over_mean(int row) const {
     const std::string name = fmt::format("stress_{}", static_cast<int>(table_.number(row, axis_)));
     return table_.number(row, table_.column(name)) / table_.number(row, mean_);
@@ -175,20 +179,21 @@ class LoadColumns {
   int control_ = -1, axis_ = -1, mean_ = -1;
 };
 
-/// Factors that convert the column P_star of a table of `floc run` to one unit of stress, that of the first
-/// rows under pressure. The unit of P_star depends on the force scale of the contact law, which a stage of the
-/// load path may change.
+/// Converts the reduced pressures in the column P_star of a table of `floc run` to one unit of stress. This is
+/// necessary because the unit of P_star depends on the force scale of the contact law, which a stage of the load path
+/// may change. All pressures are converted to the unit of the first rows under pressure.
 class PressureUnit {
  public:
-  /// @param name  name of the column of pressures   @param mapped  whether the user chose this column with
-  /// --columns
+  /// @param name    name of the column of pressures
+  /// @param mapped  whether the user chose this column with --columns; its values are then not converted
   PressureUnit(const CsvTable& table, const std::string& name, bool mapped) : table_(table) {
     if (mapped || name != "P_star" || !table.has("P") || !table.has("state")) return;
     reduced_ = table.column("P_star");
     stress_ = table.column("P");
   }
 
-  /// Returns the factor that converts P_star of a row, and adds a note if the unit changes at this row.
+  /// Returns the factor that converts P_star of a row. If the unit of P_star changes at this row, adds a note to
+  /// `notes`.
   double factor(int row, std::vector<std::string>& notes) {
     if (reduced_ < 0) return 1.0;
     const double reduced = table_.number(row, reduced_), stress = table_.number(row, stress_);
@@ -197,7 +202,8 @@ class PressureUnit {
     if (first_ == 0.0) first_ = last_ = unit;
     if (std::abs(unit / last_ - 1.0) > kSameUnit)
       notes.push_back(
-          fmt::format("row {}: the stress that P* = 1 stands for changes from {:.6g} to {:.6g}, because a "
+          fmt::format("row {}: the unit of the reduced pressure P* changes from a stress of {:.6g} to one of "
+                      "{:.6g}, because a "
                       "stage of the load path sets another force or stiffness of the contacts: P* is converted "
                       "to the unit of the first rows, {:.6g}",
                       row, last_, unit, first_));
@@ -209,7 +215,7 @@ class PressureUnit {
   static constexpr double kSameUnit = 1e-9;
   const CsvTable& table_;
   int reduced_ = -1, stress_ = -1;
-  // Stresses that P_star = 1 stands for, in the first rows and in the last row read.
+  // Units of P_star (stress): in the first rows under pressure, and in the row for which factor() was called last.
   double first_ = 0.0, last_ = 0.0;
 };
 
@@ -266,7 +272,8 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     const PathLoad load = loads.load(i);
     double P = table.number(i, pressure.index) * unit.factor(i, path.notes);
     double driven_over_mean = 1.0;
-    if (load == PathLoad::other) P = std::max(P, 0.0);  // cohesive grains may carry a tension
+    if (load == PathLoad::other)
+      P = std::max(P, 0.0);  // cohesive grains may be under tension, which counts as pressure 0
     if (load == PathLoad::oedometric) {
       driven_over_mean = loads.driven_over_mean(i);
       if (oedometer == OedometerPressure::driven) P *= driven_over_mean;
@@ -277,8 +284,8 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
   }
   if (density.has_void_ratios_alone()) check_for_percent(path);
   if (!path.stress.empty())
-    path.notes.push_back(
-        fmt::format("the pressure P* of oedometric rows is computed from the {} stress", path.stress));
+    path.notes.push_back(fmt::format(
+        "in rows of an oedometer test, the reduced pressure P* is computed from the {} stress", path.stress));
   require_path(path.rows, name, [&table](int row) { return table.place(row); });
   return path;
 }

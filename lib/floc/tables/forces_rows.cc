@@ -95,9 +95,10 @@ std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, Static
     const std::size_t sample = std::min<std::size_t>(5, chosen.size());
     if (n + 1 == sample &&
         seconds / static_cast<double>(sample) * static_cast<double>(chosen.size()) > kLongSeconds)
-      remarks.remark(file,
-                     fmt::format("the ranges of {} contacts will take about {:.0f} s", chosen.size(),
-                                 seconds / static_cast<double>(sample) * static_cast<double>(chosen.size())));
+      remarks.remark(
+          file, fmt::format(
+                    "the smallest and largest forces of {} contacts will take about {:.0f} s to compute",
+                    chosen.size(), seconds / static_cast<double>(sample) * static_cast<double>(chosen.size())));
   }
   return out;
 }

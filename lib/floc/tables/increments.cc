@@ -28,13 +28,15 @@ Names column_names() {
   return names;
 }
 
-/// Number of columns of one stress increment (isotropic or deviatoric): normal force, shear force vector,
-/// rolling moment, energy, rank, and whether the contact is among those that store 95 % of the energy.
+/// Number of columns that a table of force increments has for one stress increment (isotropic or deviatoric). They are
+/// the normal force, the vector of the shear force, the rolling moment, the elastic energy, the rank by this energy,
+/// and whether the contact is among those that store 95 % of the energy.
 template <int Dim>
 constexpr int kStepColumns = 1 + Dim + kRotations<Dim> + 3;
 
-/// Appends the cells of one contact for one stress increment.
-/// @param c  index of the contact in the network; -1 for a contact of a rattler, which is not in the network
+/// Appends, to the cells of a contact, those for one stress increment (isotropic or deviatoric).
+/// @param step  response of the network to the stress increment; if absent, the cells are empty
+/// @param c     index of the contact in the network; -1 for a contact of a rattler, which is not in the network
 template <int Dim>
 void append_step(const std::optional<StepResponse<Dim>>& step, const ContactNetwork<Dim>& network, int c,
                  Values& values) {
@@ -58,7 +60,8 @@ void append_step(const std::optional<StepResponse<Dim>>& step, const ContactNetw
   values.emplace_back(step->rank[c] < step->n_holding);
 }
 
-/// Appends the increment of the twisting moment of one contact under one stress increment.
+/// Appends the increment of the twisting moment of a contact under one stress increment.
+/// @param c  index of the contact in the network; -1 for a contact of a rattler, which is not in the network
 template <int Dim>
 void append_twisting(const std::optional<StepResponse<Dim>>& step, int c, Values& values) {
   if (!step)

@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Adds the row of a state to the table of `floc info`: contents, residuals, place on the load path, and
-/// provenance. Sets the columns if the table has none.
-/// @param file  name of the state file, whose SHA-256 is a column
+/// Adds the row of a state to the table of `floc info`: contents, residuals, place on the load path, and provenance. If
+/// the table has no columns yet, adds them.
+/// @param file  name of the state file, whose SHA-256 is one of the columns
 /// @throws IoError if the file cannot be read
 void add_info_row(const std::string& file, const AnyState& state, Table& table);
 

@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Builder of a table with a single row, column by column.
+/// Builds a table with a single row, one column after another.
 class Cells {
  public:
   void add(const std::string& name, TableValue value) {
@@ -28,8 +28,8 @@ class Cells {
   std::vector<TableValue> values_;
 };
 
-/// Returns the names of the components of strain and stress: "11", "22", "12"; in 3D "11", "22", "33", "23",
-/// "13", "12".
+/// Returns the names of the components of strain and stress, by their axes: "11", "22", "12" in 2D, and "11", "22",
+/// "33", "23", "13", "12" in 3D.
 std::vector<std::string> component_names(int dimension) {
   if (dimension == 2) return {"11", "22", "12"};
   return {"11", "22", "33", "23", "13", "12"};

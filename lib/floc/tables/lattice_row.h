@@ -11,7 +11,7 @@
 
 namespace floc {
 
-/// One row of the table of `floc lattice`: a sample, its load and its response.
+/// The row of the table of `floc lattice`: a cemented sample, its load and its response to the load.
 struct LatticeRow {
   std::string file;
   int dimension = 2;
@@ -24,7 +24,8 @@ struct LatticeRow {
   int axis = 1;  ///< axis of the load, from 0
   int n_bare = 0, n_open = 0;
   SpringRelaxationReport report;
-  std::vector<double> strain, stress;  ///< components in the order of StrainSet::full
+  std::vector<double> strain,
+      stress;  ///< components in the order 11, 22, 12 (2D) or 11, 22, 33, 23, 13, 12 (3D)
   StressDistribution all, grain, matrix, forces;
   int n_pairs = 0;  ///< number of pairs of grains that exert forces on each other
   std::optional<double> pearson_bonded, pearson_state;
@@ -34,7 +35,7 @@ struct LatticeRow {
   double seconds_lattice = 0.0, seconds_solve = 0.0, seconds = 0.0;
 };
 
-/// Returns the table of `floc lattice` with this row.
+/// Returns the table of `floc lattice`, which has a single row.
 Table table_of(const LatticeRow& row);
 
 }  // namespace floc

@@ -44,8 +44,10 @@ void add_strain_mechanisms(const std::string& file, const StrainMechanisms& foun
   }
   if (!found.vanishing.empty())
     remarks.warn(
-        file, fmt::format("mechanisms strain the cell without elastic energy, so that these moduli vanish: {}",
-                          fmt::join(found.vanishing, ", ")));
+        file,
+        fmt::format(
+            "mechanisms let the cell change its shape without elastic energy, so these moduli are zero: {}",
+            fmt::join(found.vanishing, ", ")));
 }
 
 template <int Dim>
@@ -72,17 +74,20 @@ std::vector<std::string> words_on(const ContactNetwork<Dim>& network, const Modu
   std::vector<std::string> words;
   if (moduli.response.n_mechanisms > 0)
     words.push_back(fmt::format(
-        "{} mechanism(s) of the grains, {} of them due to how the contacts are connected, the others due to "
+        "the grains have {} mechanism(s): {} of them follow from how the contacts are connected, the others "
+        "from "
         "the positions of the grains",
         moduli.response.n_mechanisms, structural_mechanisms(network, StrainSet::diagonal).n_mechanisms));
   const int listed = static_cast<int>(std::count_if(soft.modes.begin(), soft.modes.end(),
                                                     [](const auto& m) { return m.kind != ModeKind::elastic; }));
   if (soft.n_below_near_bound > 0)
-    words.push_back(fmt::format(
-        "{} mode(s) have eigenvalues below max |F_N|/r = {:.3g}, {} of them are listed: prestress may matter; "
-        "without prestress B = {:.6g}, G = {:.6g}, with prestress B = {:.6g}, G = {:.6g}",
-        soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
-        *moduli.G_without_prestress, moduli.B, moduli.G));
+    words.push_back(
+        fmt::format("{} mode(s) have eigenvalues below max |F_N|/r = {:.3g} (F_N: normal force, r: distance of "
+                    "the centres), and {} of them are listed. They may be changed by prestress, the effect of "
+                    "the contact forces on the stiffness: "
+                    "without prestress B = {:.6g}, G = {:.6g}, with prestress B = {:.6g}, G = {:.6g}",
+                    soft.n_below_near_bound, soft.near_bound, listed, *moduli.B_without_prestress,
+                    *moduli.G_without_prestress, moduli.B, moduli.G));
   return words;
 }
 

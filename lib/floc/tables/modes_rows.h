@@ -12,30 +12,35 @@
 
 namespace floc {
 
-/// One row of `floc modes`: the number of free motions of one kind, a strain of the cell that costs no energy,
-/// or a mode of vibration. Free motions follow from the structure of the contact network alone.
+/// One row of the table of `floc modes`. It describes one of three things: all free motions of one kind, by their
+/// number; a strain of the cell that costs no energy (a mechanism); or a mode, that is, an eigenvector of the stiffness
+/// matrix. Free motions, such as those of rattlers, follow from the structure of the contact network alone.
 struct ModeRow {
   std::string file;
   std::string kind;
   std::int64_t count = 1;
   std::optional<double> eigenvalue, with_prestress, participation, softens_B, softens_G;
-  Eigen::VectorXd coupling;  // volume times stress per unit amplitude of the mode; empty for other rows
-  Eigen::VectorXd strain;    // strain of the cell by a mechanism; empty for other rows
+  /// Volume times stress per unit amplitude of a mode; empty in rows that do not describe a mode.
+  Eigen::VectorXd coupling;
+  /// Strain of the cell that costs no energy; empty in rows that do not describe one.
+  Eigen::VectorXd strain;
   std::vector<std::int64_t> grains;
 };
 
-/// Adds the rows of one state to the table of `floc modes`: free motions by kind, strains of the cell that cost
+/// Adds the rows of one state to the table of `floc modes`: its free motions by kind, the strains of its cell that cost
 /// no energy, and its softest modes.
-/// @param count  number of modes. If absent, all modes with eigenvalues below max |F_N|/r (normal force over
-/// distance of the grains) are added, but at least 10 and at most 100
-/// @return remarks on the mechanisms and on the modes below max |F_N|/r, for stderr
+/// @param count  number of modes to add. If absent, all modes with eigenvalues below max |F_N|/r (largest ratio of
+/// normal force to distance of the two grains over the contacts) are added, but at least 10 and at most 100
+/// @return messages about the mechanisms and about the modes with eigenvalues below max |F_N|/r, for stderr
 /// @throws InputError if the state has walls
 template <int Dim>
 std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim>& state,
                                         std::optional<int> count, std::vector<ModeRow>& rows,
                                         const Remarks& remarks = {});
 
-/// Returns the columns of the table of `floc modes` for these rows.
+/// Returns the columns of the table of `floc modes`. The couplings and strains have more columns if any of `rows` is in
+/// 3D.
+/// @param rows  all rows of the table
 std::vector<Column<ModeRow>> modes_columns(const std::vector<ModeRow>& rows);
 
 }  // namespace floc

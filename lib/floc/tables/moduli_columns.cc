@@ -27,8 +27,9 @@ std::string entry_name(int a, int b) {
   return fmt::format("C{}{}", a + 1, b + 1);
 }
 
-/// Returns the indices of the entries in the upper triangle of the stiffness matrix C other than C11, C22 and
-/// C12: first the diagonal, then row by row.
+/// Returns the indices of those entries of the stiffness matrix C that follow C11, C22 and C12 in the table: the rest
+/// of the upper triangle of C, first its diagonal, then its other entries row by row.
+/// @param size  number of rows of C
 std::vector<std::pair<int, int>> further_entries(int size) {
   std::vector<std::pair<int, int>> entries;
   for (int a = 2; a < size; ++a) entries.emplace_back(a, a);
@@ -42,28 +43,29 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
   return c(a, b);
 }
 
-/// Returns the mean of the shear entries of the stiffness matrix C: C33 for disks, C44, C55 and C66 for
-/// spheres. The cell is empty if C has no shear entries.
+/// Returns the mean of the diagonal entries of the stiffness matrix C that belong to shear strains: C33 for disks, C44,
+/// C55 and C66 for spheres. The cell is empty if C was computed without shear strains.
 TableValue shear_strain_modulus(const ModuliRow& r) {
   const Eigen::Index n_shear = r.moduli.C.rows() - r.dimension;
   if (n_shear <= 0) return {};
   return r.moduli.C.diagonal().tail(n_shear).mean();
 }
 
-/// Returns the compliance matrix, the inverse of the stiffness matrix C; nothing if C cannot be inverted. Shear
-/// strains are clamped, or relaxed if C has shear entries.
+/// Returns the compliance matrix, the inverse of the stiffness matrix C. Returns nothing if C cannot be inverted. If C
+/// was computed without shear strains, the compliance describes a cell that cannot shear; otherwise, one whose shear
+/// strains are free.
 std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
   const Eigen::FullPivLU<Eigen::MatrixXd> factor(r.moduli.C);
   if (!r.moduli.C.allFinite() || !factor.isInvertible()) return std::nullopt;
   return Eigen::MatrixXd(factor.inverse());
 }
 
-/// A column of the table of moduli: its name, and a function that computes its cell from a row.
+/// A column of the table of `floc moduli`: its name, and a function that computes its cell from a row.
 using ModuliColumn = Column<ModuliRow>;
 
 std::vector<ModuliColumn> contract_columns() {
-  // Only the method "factor" counts negative eigenvalues and mechanisms. Other methods leave these columns
-  // empty, because a zero would state that there are none.
+  // Only the method "factor" counts negative eigenvalues and mechanisms. With other methods the cells are empty,
+  // because a zero would state that there are none.
   const auto counted = [](const ModuliRow& r, int n) {
     return r.moduli.method == ModuliMethod::factor ? TableValue{std::int64_t{n}} : TableValue{};
   };
@@ -118,8 +120,8 @@ std::vector<ModuliColumn> network_columns() {
   const auto maybe = [](std::optional<double> NetworkMechanics::*member) -> Value {
     return [member](const NetworkMechanics& m) { return or_undefined(m.*member); };
   };
-  // These columns are empty in rows without network mechanics, whose moduli were not computed by the method
-  // "factor".
+  // These columns describe the mechanics of the contact network, which only --method factor computes. They are empty in
+  // rows that were computed by another method.
   const auto column = [](const char* name, const Value& value) -> ModuliColumn {
     return {name, [value](const ModuliRow& r) { return r.network ? value(*r.network) : TableValue{}; }};
   };
@@ -156,8 +158,8 @@ std::vector<ModuliColumn> budget_columns() {
           column("limited_by", [](const ErrorBudget& b) { return std::string(b.limit()); })};
 }
 
-/// Returns the columns of Young's modulus E_a along each axis a and Poisson's ratio nu_ab of each pair of axes
-/// a, b. They describe anisotropic states, for which B and G are only means over the axes.
+/// Returns the columns of Young's modulus E_a along each axis a, and of Poisson's ratio nu_ab for each pair of axes a
+/// and b. They are needed for anisotropic states, of which B and G are only means over the axes.
 std::vector<ModuliColumn> axis_columns(int dimension) {
   std::vector<ModuliColumn> columns;
   for (int a = 0; a < dimension; ++a)

@@ -13,14 +13,14 @@
 
 namespace floc {
 
-/// Returns the method with the given keyword of `floc moduli --method`.
+/// Returns the method that a keyword of `floc moduli --method` stands for.
 /// @pre the keyword is valid
 ModuliMethod moduli_method(const std::string& keyword);
-/// Returns the set of strains with the given keyword of `floc moduli --strains`: "diagonal" or "full".
+/// Returns the set of strains that a keyword of `floc moduli --strains` stands for: "diagonal" or "full".
 /// @pre the keyword is valid
 StrainSet strain_set(const std::string& keyword);
 
-/// One row of `floc moduli`: properties of a state and its moduli.
+/// One row of the table of `floc moduli`: properties of a state, and its moduli.
 struct ModuliRow {
   std::string file;
   std::string units;
@@ -29,31 +29,37 @@ struct ModuliRow {
   std::int64_t n_contacts;
   std::int64_t n_distant;
   double z;
-  double pressure;  ///< mean normal stress of the contacts (stress)
+  double pressure;  ///< mean normal stress that the contacts carry (stress)
   double reduced_pressure;
-  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent without walls
+  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Moduli moduli;
-  std::optional<NetworkMechanics> network;  ///< present if the method "factor" computed the moduli
-  std::optional<ErrorBudget> budget;        ///< present if the method "factor" computed the moduli
+  /// Mechanics of the contact network; absent unless the moduli were computed by --method factor.
+  std::optional<NetworkMechanics> network;
+  /// Error budget of the moduli; absent unless the moduli were computed by --method factor.
+  std::optional<ErrorBudget> budget;
   std::optional<int> n_near_mechanisms;
-  /// Bulk modulus with prestress (stress); only with --prestress or if there are near-mechanisms.
+  /// Bulk modulus with prestress, that is, with the effect of the contact forces on the stiffness (stress). Computed
+  /// only with --prestress, or if the network has near-mechanisms.
   std::optional<double> B_prestress;
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   MeanFieldEstimates mean_field;
-  double seconds;            ///< processor time for the moduli (s)
-  double seconds_row = 0.0;  ///< processor time for the whole row, including reading the state (s)
+  double seconds;            ///< processor time that the moduli took (s)
+  double seconds_row = 0.0;  ///< processor time that the whole row took, including reading the state (s)
 };
 
 /// Options on which the columns of the table of `floc moduli` depend.
 struct ModuliColumnChoice {
-  bool rolling_stiffness = false;  ///< rolling stiffnesses were given in place of those of the states
+  /// Whether the user gave rolling stiffnesses, which replace those of the states.
+  bool rolling_stiffness = false;
   bool prestress = false;
 };
 
-/// Returns the columns of the table of `floc moduli` for these rows. The order of the first columns never
-/// changes, because scripts may rely on it.
+/// Returns the columns of the table of `floc moduli`. The first columns never change their order, because scripts may
+/// rely on it.
+/// @param rows  all rows of the table; the size of the largest stiffness matrix in them decides which of its entries
+/// have columns
 std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
                                               const std::vector<ModuliRow>& rows);
 

@@ -21,7 +21,7 @@
 namespace floc {
 namespace {
 
-/// Returns a row with all properties of a state except its moduli.
+/// Returns a row of the table of `floc moduli` with all properties of a state except its moduli.
 template <int Dim>
 ModuliRow described(const std::string& file, const State<Dim>& state) {
   const Packing<Dim>& packing = state.packing;
@@ -41,30 +41,31 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
-/// Warns if the rounding of the positions of a state causes residual forces or stresses above its tolerances.
+/// Warns if the residual forces or stresses that rounding of the positions causes in a state reach the tolerances of
+/// its equilibrium.
 template <int Dim>
 void warn_of_rounding(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
   if (floor.force >= state.tolerance.force || floor.stress >= state.tolerance.stress)
-    remarks.warn(
-        file,
-        fmt::format(
-            "rounding of its positions leaves net forces of {:.1e} F1 and a stress error of {:.1e} F1/a (F1: "
-            "unit of force, a: largest diameter), not below the tolerances of equilibrium, {:.1e} and {:.1e}",
-            floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
-        std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
+    remarks.warn(file,
+                 fmt::format("rounding of the positions in this state causes net forces of {:.1e} F1 and a "
+                             "stress error of {:.1e} F1/a^(d-1) (F1: larger of the "
+                             "pull-off force and P a^(d-1), P: pressure, a: largest diameter, d: dimension), "
+                             "which reach the tolerances of equilibrium, {:.1e} and {:.1e}",
+                             floor.force, floor.stress, state.tolerance.force, state.tolerance.stress),
+                 std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
 }
 
-/// Warns if the stiffnesses of the contacts in a state differ from those by its contact law. The moduli are
-/// computed from the stiffnesses in the state.
+/// Warns if the contact stiffnesses that are stored in a state differ from those that its contact law gives. The moduli
+/// are computed from the stored stiffnesses.
 template <int Dim>
 void warn_of_stiffnesses(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const std::string differences = stiffness_differences(state.packing);
   if (!differences.empty()) remarks.warn(file, differences, first_number(differences));
 }
 
-/// Adds the mechanics of the contact network to a row whose moduli are known. Also adds a row for each contact
-/// to the table `increments`, unless it is null.
+/// Adds the mechanics of the contact network to a row that already contains the moduli. Also adds a row for each
+/// contact to the table `increments`, unless `increments` is null.
 template <int Dim>
 void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments,
                  const Remarks& remarks) {
@@ -80,8 +81,9 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   if (!vanishing.empty())
     remarks.warn(
         row.file,
-        fmt::format("mechanisms strain the cell without elastic energy, so that these moduli vanish: {}",
-                    fmt::join(vanishing, ", ")));
+        fmt::format(
+            "mechanisms let the cell change its shape without elastic energy, so these moduli are zero: {}",
+            fmt::join(vanishing, ", ")));
   row.n_near_mechanisms = count_near_mechanisms(network, response, options.largest_factor);
   if (options.prestress || row.n_near_mechanisms.value_or(0) > 0) {
     const Moduli with = options.prestress ? row.moduli
@@ -89,10 +91,11 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
                                                                options, row.moduli);
     if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
   }
-  row.moduli.response = {};  // frees the memory of the response, because rows are kept until all are printed
+  row.moduli.response = {};  // frees its memory, because all rows are kept until they are printed
 }
 
-/// Returns the options with the given rolling stiffness, if any, in place of that of the state.
+/// Returns the options with this rolling stiffness, which replaces that of the state. Without value, returns them
+/// unchanged.
 ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
   if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
   return options;
@@ -103,12 +106,15 @@ std::vector<std::optional<double>> rolling_of(const ModuliTableOptions& options)
   return {options.rolling_stiffness.begin(), options.rolling_stiffness.end()};
 }
 
-/// Checks that the moduli could be computed. @throws InputError if the method `bounds` does not apply to the
-/// state, NoResult if there are no moduli for another reason
+/// Checks that the moduli of a state could be computed.
+/// @throws InputError if the method `bounds` cannot be applied to the state
+/// @throws NoResult if the state has no moduli for another reason
 void require_moduli(const std::string& file, const Moduli& moduli) {
   if (moduli.failure.empty()) return;
   if (moduli.method == ModuliMethod::bounds)
-    throw InputError(file, fmt::format("--method bounds: expected another method, because {}", moduli.failure));
+    throw InputError(file,
+                     fmt::format("--method bounds cannot be applied to this state: {}; give another method",
+                                 moduli.failure));
   throw NoResult("no moduli: " + moduli.failure);
 }
 
@@ -116,8 +122,8 @@ bool by_factor(const ModuliTableOptions& options) {
   return options.moduli.method == ModuliMethod::factor && !options.accuracy;
 }
 
-/// Returns the options with the largest size of a factor: 70 % of the free memory, if none is given. The rest
-/// is for the matrix and workspace.
+/// Returns the options with the largest memory that a Cholesky factor of the stiffness matrix may take: the value that
+/// they give or, without one, 70 % of the free memory. The rest is for the matrix itself and for workspace.
 ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   constexpr double kShare = 0.7;
   if (options.solver == ModuliSolver::automatic && by_factor(options))
@@ -125,7 +131,7 @@ ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   return options;
 }
 
-/// Computes the moduli of a packing by PETSc.
+/// Computes the moduli of a packing with the iterative solver of PETSc.
 template <int Dim>
 Moduli by_petsc(const Packing<Dim>& packing, const ModuliOptions& options, ParallelSolver& solver) {
   return elastic_moduli(options.loaded_network(packing), packing.grains.position,
@@ -140,20 +146,23 @@ ModuliRows::ModuliRows(const ModuliTableOptions& options)
       space_(options_.moduli),
       last_row_(processor_seconds()) {}
 
-/// Computes the moduli of a packing whose factor of the stiffness matrix is predicted to be too large: by
-/// PETSc, which needs no factor, or else by the factor all the same.
+/// Computes the moduli of a packing whose stiffness matrix is predicted to have a Cholesky factor that is too large for
+/// the memory. Uses PETSc, which needs no factor; if floc was built without PETSc, tries to compute the factor
+/// nevertheless.
+/// @param bytes  predicted size of the factor (bytes)
 template <int Dim>
 std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Packing<Dim>& packing,
                                                double bytes, const ModuliOptions& options,
                                                const Remarks& remarks) {
   const std::string size = fmt::format(
-      "the factor of the stiffness matrix would take {:.3g} GB, more than the {:.3g} GB it may take",
+      "the Cholesky factor of the stiffness matrix would take {:.3g} GB of memory, but it may take only {:.3g} "
+      "GB",
       bytes / 1e9, options.largest_factor / 1e9);
   std::vector<Moduli> all;
   if (!has_parallel_solver()) {
     remarks.warn(file,
                  size +
-                     ", and this floc was built without PETSc, which needs no factor: trying to compute the "
+                     "; this floc was built without PETSc, which needs no factor, so it tries to compute the "
                      "factor nevertheless",
                  bytes);
     ModuliOptions unlimited = options;
@@ -162,7 +171,8 @@ std::vector<Moduli> ModuliRows::without_factor(const std::string& file, const Pa
       all.push_back(elastic_moduli(packing, with_rolling(unlimited, rolling)));
     return all;
   }
-  remarks.remark(file, size + ": solved by PETSc, which needs no factor (--solver petsc)", bytes);
+  remarks.remark(file, size + "; the moduli are computed by PETSc, which needs no factor (--solver petsc)",
+                 bytes);
   if (!solver_) solver_ = load_parallel_solver();
   for (const auto& rolling : rolling_of(options_))
     all.push_back(by_petsc(packing, with_rolling(options, rolling), *solver_));
@@ -257,21 +267,23 @@ std::vector<std::string> ModuliTableOptions::validate() const {
     for (const std::string& fault : with_rolling(moduli, kr).validate()) faults.push_back(fault);
   if (increments && moduli.method != ModuliMethod::factor)
     faults.push_back(
-        "increments: expects --method factor, because the forces of the other methods are approximate");
+        "increments: needs --method factor, because other methods compute only approximate forces");
   if (increments && rolling_stiffness.size() > 1)
     faults.push_back(
-        "increments: expects at most one rolling stiffness, because each contact has one set of forces in the "
-        "file");
+        "increments: expected at most one value of --rolling-stiffness, because the file contains one set of "
+        "forces for each "
+        "contact");
   if (accuracy)
     for (const std::string& fault : accuracy->validate()) faults.push_back(fault);
-  if (increments && accuracy) faults.push_back("increments: expects --method factor in place of --accuracy");
+  if (increments && accuracy) faults.push_back("increments: needs --method factor in place of --accuracy");
   if (solver != ModuliSolver::petsc) return faults;
   if (!by_factor(*this))
     faults.push_back(
-        "solver petsc: cannot be combined with --method or --accuracy; set its accuracy with --tolerance");
+        "solver petsc: cannot be combined with --method or --accuracy; give the required accuracy with "
+        "--tolerance");
   if (increments)
     faults.push_back(
-        "increments: expects --solver cholmod, because the forces of the other solvers are approximate");
+        "increments: needs --solver cholmod, because other solvers compute only approximate forces");
   return faults;
 }
 
@@ -283,8 +295,9 @@ std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& te
     const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
     const auto error = parse_number<double>(equals == std::string::npos ? text : text.substr(equals + 1));
     if (!error || (!name.empty() && name != "B" && name != "G"))
-      throw InputError("floc moduli",
-                       fmt::format("--accuracy {}: expected X, B=X or G=X with X a relative error", text));
+      throw InputError(
+          "floc moduli",
+          fmt::format("--accuracy {}: expected X, B=X or G=X, where X is a relative error such as 1e-3", text));
     if (name != "G") accuracy.B = *error;
     if (name != "B") accuracy.G = *error;
   }
@@ -294,13 +307,14 @@ std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& te
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
   if (strains == StrainSet::full &&
       std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
-    throw InputError(file, "has walls, which cannot shear the grains: use --strains diagonal");
+    throw InputError(file, "this state has walls, which cannot shear the grains: give --strains diagonal");
 }
 
 std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccuracy>& accuracy) {
   if (!accuracy || accuracy->met_by(row.moduli)) return "";
   return fmt::format(
-      "no method gives B and G as accurately as asked: the error bounds of the factor are {:.1e} for B = "
+      "no method computes B and G as accurately as --accuracy requires: even with --method factor the error "
+      "bounds are {:.1e} for B = "
       "{:.6g} and {:.1e} for G = {:.6g}",
       row.moduli.B_error, row.moduli.B, row.moduli.G_error, row.moduli.G);
 }

@@ -17,7 +17,7 @@ namespace floc {
 
 /// Solver of the linear systems from which moduli are computed.
 enum class ModuliSolver {
-  automatic,  ///< CHOLMOD, or PETSc in this process if the factor of CHOLMOD would not fit into memory
+  automatic,  ///< CHOLMOD, or PETSc in this process if the factor by CHOLMOD would not fit into memory
   cholmod,
   petsc,
 };
@@ -25,37 +25,39 @@ enum class ModuliSolver {
 /// Options of the table of `floc moduli`.
 struct ModuliTableOptions {
   ModuliOptions moduli;
-  /// Required relative errors; if given, the cheapest method that reaches them is used.
+  /// Required relative errors of the moduli. If given, the cheapest method that achieves them is used.
   std::optional<ModuliAccuracy> accuracy;
-  /// Rolling stiffnesses in place of those of the states (force * length); each gives a row of its own. If
-  /// empty, the stiffnesses of the states are used.
+  /// Rolling stiffnesses that replace those of the states (force * length). Each of them gives a row of its own. If
+  /// empty, the rolling stiffnesses of the states are used.
   std::vector<double> rolling_stiffness;
   ModuliSolver solver = ModuliSolver::automatic;
-  /// Largest factor of the stiffness matrix that the automatic solver may compute (bytes); 0.7 of the free
-  /// memory if absent.
+  /// Largest Cholesky factor of the stiffness matrix that ModuliSolver::automatic may compute (bytes). If absent, 0.7
+  /// of the free memory.
   std::optional<double> memory;
-  bool increments = false;  ///< adds the table of the force increments of every contact
+  bool increments = false;  ///< adds a table of the force increments of every contact
 
-  /// Returns the faults of the options, each as "name = value: requirement".
+  /// Returns the faults of the options, each as "name of the option: requirement", some with the value of the option.
+  /// Empty if there are none.
   std::vector<std::string> validate() const;
 };
 
-/// Parses required relative errors of the moduli: "X" for both, "B=X" or "G=X" for one. Returns nothing if
-/// there are no texts.
+/// Parses the values of the option --accuracy, required relative errors of the moduli: "X" for B and G, "B=X" or "G=X"
+/// for one of them. Returns nothing if `texts` is empty.
 /// @throws InputError with the text that is not valid
 std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& texts);
 
-/// Computes the rows of `floc moduli` for one state after the other, by the method that the options select.
+/// Computes the rows of the table of `floc moduli` for one state after another, by the method that the options select.
 class ModuliRows {
  public:
   /// @pre options.validate() returns no faults
   explicit ModuliRows(const ModuliTableOptions& options);
 
-  /// Computes the rows of one state: a row for each rolling stiffness in the options, or a single row if there
-  /// are none.
+  /// Computes the rows of one state: one row for each rolling stiffness in the options, or a single row if there are
+  /// none.
   /// @param file        name of the state in the table and in messages
-  /// @param increments  table that receives a row for every contact; null if it is not needed
-  /// @throws NoResult if the state has no moduli, InputError if the options cannot be applied to it
+  /// @param increments  table that receives a row for every contact; null if the options select no such table
+  /// @throws NoResult if the state has no moduli
+  /// @throws InputError if the options cannot be applied to the state
   template <int Dim>
   std::vector<ModuliRow> of(const std::string& file, const State<Dim>& state, Table* increments = nullptr,
                             const Remarks& remarks = {});
@@ -69,38 +71,39 @@ class ModuliRows {
                                      const ModuliOptions& options, const Remarks& remarks);
 
   ModuliTableOptions options_;
-  /// Solutions of earlier states, from which an iterative method starts.
+  /// Solutions of earlier states in 2D (plane_) and in 3D (space_), from which an iterative method starts.
   ModuliSequence<2> plane_;
   ModuliSequence<3> space_;
-  double last_row_;                         // processor time at the end of the last row (s)
-  std::unique_ptr<ParallelSolver> solver_;  // PETSc solver, created if a factor is too large for memory
+  double last_row_;                         // processor time of this process when the last row was complete (s)
+  std::unique_ptr<ParallelSolver> solver_;  // PETSc solver, created when a factor is too large for memory
 };
 
-/// Computes the rows of `floc moduli` for one state by PETSc, on all processes of the solver. All processes
-/// must call it with the same state, and all obtain equal rows.
-/// @param state  a copy of the state; its contacts are freed as soon as possible to save memory
+/// Computes the rows of the table of `floc moduli` for one state with the solver of PETSc, on all its processes. All
+/// processes must call this function with equal states, and all obtain equal rows.
+/// @param state  the state, as a copy whose contacts are freed as soon as possible, to save memory
 /// @throws NoResult if the state has no moduli
 template <int Dim>
 std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> state,
                                             const ModuliTableOptions& options, ParallelSolver& solver,
                                             const Remarks& remarks = {});
 
-/// Checks that the boundary of a state can impose a set of strains: walls cannot impose shear. @throws
-/// InputError if it cannot
+/// Checks that the boundary of a state can impose a set of strains on it. Walls cannot impose shear strains.
+/// @throws InputError if the boundary cannot impose them
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains);
 
-/// Returns a message if the moduli of a row miss the required accuracy; empty if they reach it.
+/// Returns a message if the moduli in a row do not have the required accuracy, otherwise an empty text.
 std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccuracy>& accuracy);
 
-/// Returns the table of `floc moduli` with rows that were computed with the given options.
+/// Returns the table of `floc moduli`.
+/// @param options  options with which the rows were computed
 Table moduli_table(const ModuliTableOptions& options, const std::vector<ModuliRow>& rows);
 
-/// Computes the table of `floc moduli` for one state in one call; docs/columns.md describes its columns. If the
-/// state is not in equilibrium, the remarks contain a warning. The force increments of contacts require the
-/// class ModuliRows.
+/// Computes the table of `floc moduli` for one state in a single call; docs/columns.md describes its columns. If the
+/// state is not in equilibrium, `remarks` receives a warning. The table of the force increments of contacts is not
+/// computed; it requires the class ModuliRows.
 /// @param file  name of the state in the table and in messages
-/// @throws InputError if an option is not valid or cannot be applied to the state; NoResult if the state has no
-/// moduli
+/// @throws InputError if an option is not valid or cannot be applied to the state
+/// @throws NoResult if the state has no moduli
 Table moduli_table(const AnyState& state, const ModuliTableOptions& options = {}, const std::string& file = "",
                    const Remarks& remarks = {});
 

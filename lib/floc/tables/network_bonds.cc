@@ -26,19 +26,22 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Values of one quantity in one unit, and the windows of values in which their exponential decay is fitted.
+/// The values of one quantity (normal force or particle pressure), expressed in one unit, and the windows of values to
+/// which exponential distributions are fitted. All values below are in this unit.
 struct Measured {
   std::string quantity, unit;
   double unit_size = 0.0;
-  std::vector<double> values;  ///< values of the quantity, in the unit
-  std::vector<double> from;    ///< thresholds at which windows begin, in the unit
-  /// Largest magnitude that a negative value can have, in the unit.
+  std::vector<double> values;  ///< values of the quantity
+  std::vector<double> from;    ///< magnitudes at which windows begin
+  /// Largest magnitude that a negative value can have. Windows of negative values end here.
   double end_of_negative = kEnd;
-  /// Ends of further windows for positive and negative values, in the unit.
+  /// Ends of additional windows, one for positive values and one for negative values; absent if there is no such
+  /// window.
   std::optional<double> window_plus, window_minus;
 };
 
-/// Returns the size of a unit as a table cell. It is empty for pooled samples, which all have different units.
+/// Returns the size of a unit as a table cell. The cell is empty for rows of all states together, because the size of
+/// the unit differs between states.
 TableValue size_or_none(double unit) {
   return unit > 0.0 ? TableValue{unit} : TableValue{};
 }
@@ -64,7 +67,9 @@ void add_exponents(const std::string& file, const Measured& of, Table& table) {
   }
 }
 
-/// Returns the thresholds and windows of a quantity in a unit, without its values.
+/// Returns the windows of values to which exponential distributions are fitted, for a quantity in a unit. The values
+/// themselves are left empty.
+/// @param near             magnitude below which a normal force counts as near zero, in units of F0
 /// @param end_of_negative  largest magnitude that a negative value can have, in the unit
 Measured limits_of(const std::string& quantity, const std::string& unit, double near, double end_of_negative) {
   constexpr double kBeyondTheMiddle = 0.1;
@@ -79,8 +84,10 @@ Measured limits_of(const std::string& quantity, const std::string& unit, double 
   return out;
 }
 
-/// Returns the normal forces in units of F0, of their mean magnitude and of P a^(Dim-1), and the particle
-/// pressures in units of p0 and of their mean magnitude.
+/// Returns the normal forces in three units (the pull-off force F0, their mean magnitude, and P a^(Dim-1) with the
+/// pressure P and the largest diameter a) and the particle pressures in two (p0 and their mean magnitude). Units that
+/// are zero are left out.
+/// @param unit_pressure  unit p0 of the particle pressures (stress)
 template <int Dim>
 std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<double>& pressure,
                                double unit_pressure, const ForceLimits& limits,
@@ -130,7 +137,8 @@ void add_phase_tables(const std::string& file, const PhaseStructure& phases, Bon
   }
 }
 
-/// Returns the lattice vectors along which the phase winds around the cell, such as "xy" or "z", or "none".
+/// Returns the lattice vectors along which a phase (the grains of positive or of negative pressure) winds around the
+/// periodic cell, as a text such as "xy" or "z", or "none".
 std::string axes_of(const PhaseGeometry& phase) {
   std::string axes;
   for (int a = 0; a < 3; ++a)
@@ -214,7 +222,7 @@ std::vector<Column<BondRow>> bond_columns(const BondTableOptions& options) {
     columns.emplace_back(
         name, [value](const Row& r) { return r.phases ? TableValue{value(*r.phases)} : TableValue{}; });
   };
-  // The column p0 is the unit of the particle pressures, whose signs define the phases.
+  // The particle pressures, whose signs define the phases, are given in units of p0.
   columns.emplace_back("p0", [](const Row& r) { return r.unit_pressure; });
   add("n_signed_bonds", [](const PhaseStructure& p) { return count(p.n_bonds); });
   add("like_share", [](const PhaseStructure& p) { return p.like_share; });

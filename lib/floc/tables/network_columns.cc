@@ -5,15 +5,15 @@
 namespace floc {
 namespace {
 
-/// Returns a function that computes a cell from an integer in an optional part of a row; the cell is empty if
-/// the part is absent.
+/// Returns a function that computes the cell of a column from a row: the integer `number` of the optional member `part`
+/// of the row. The cell is empty if this member is absent.
 template <class Part>
 auto count_of(std::optional<Part> NetworkRow::*part, int Part::*number) {
   return [=](const NetworkRow& r) { return r.*part ? count((*(r.*part)).*number) : TableValue{}; };
 }
 
-/// Returns a function that computes a cell from a number of the network mechanics; the cell is empty if it is
-/// absent.
+/// Returns a function that computes the cell of a column from a row: the member `number` of its network mechanics. The
+/// cell is empty if the mechanics or this member are absent.
 auto number_of(std::optional<double> NetworkMechanics::*number) {
   return [=](const NetworkRow& r) { return r.mechanics ? or_undefined((*r.mechanics).*number) : TableValue{}; };
 }
@@ -42,8 +42,8 @@ std::vector<Column<NetworkRow>> carrying_columns() {
       {"fabric", &CarryingForces::fabric},
       {"strong_fabric", &CarryingForces::strong_fabric},
       {"weak_fabric", &CarryingForces::weak_fabric}};
-  // Tables of disks also have the columns of axis 3, with empty cells, so that one table can contain states in
-  // 2D and in 3D.
+  // Tables of disks also have the columns of axis 3, with empty cells, so that a table can contain states in 2D and
+  // states in 3D.
   for (const auto& [name, fabric] : fabrics)
     for (int a = 0; a < 3; ++a)
       for (int b = a; b < 3; ++b)

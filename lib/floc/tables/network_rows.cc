@@ -18,9 +18,9 @@ namespace {
 
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
-/// Computes the degree of hyperstaticity of the force-carrying structure of a packing.
-/// @param network, response  contact network of the moduli and its response, which are reused if this network
-/// has the contacts of the structure
+/// Computes the degree of hyperstaticity of the force-carrying structure `held` of a packing.
+/// @param network, response  contact network from which the moduli were computed, and its elastic response; they are
+/// used again if this network has the contacts of `held`
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {
@@ -31,8 +31,9 @@ Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructur
   return force_indeterminacy(carrying, elastic_response(carrying, {}));
 }
 
-/// Adds the values that require the moduli to a row: mechanics of the network, correlation of forces,
-/// hyperstaticity.
+/// Adds to a row those values that need the elastic moduli: the mechanics of the network, the correlation of the forces
+/// with their increments, and the hyperstaticity.
+/// @param held  force-carrying structure of the packing
 template <int Dim>
 void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double tolerance, NetworkRow& row,
                    const Remarks& remarks) {
@@ -50,11 +51,12 @@ void add_mechanics(const State<Dim>& state, const CarryingStructure& held, doubl
   if (!vanishing.empty())
     remarks.warn(
         row.file,
-        fmt::format("mechanisms strain the cell without elastic energy, so that these moduli vanish: {}",
-                    fmt::join(vanishing, ", ")));
+        fmt::format(
+            "mechanisms let the cell change its shape without elastic energy, so these moduli are zero: {}",
+            fmt::join(vanishing, ", ")));
 }
 
-/// Removes the contacts with walls from a force-carrying structure; its grains stay in it.
+/// Removes the contacts with walls from a force-carrying structure. The grains in these contacts remain part of it.
 template <int Dim>
 CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure held) {
   const auto on_wall = [&](int k) { return packing.is_wall(packing.contacts[k].j); };
@@ -82,20 +84,21 @@ void add_distribution(const std::string& file, ForceKind kind, const ForceDistri
         {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
 }
 
-/// Returns the largest force P a^(Dim-1) that cannot be distinguished from zero, because of the tolerance of
-/// equilibrium.
+/// Returns the largest force P a^(Dim-1) that cannot be distinguished from zero, because the stress of the state is in
+/// equilibrium only to its tolerance (P: pressure, a: largest diameter).
 template <int Dim>
 double least_pressure_force(const State<Dim>& state) {
   return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;
 }
 
-/// Returns the reason why the normal forces of a state cannot be measured in a unit, for a warning.
+/// Returns, for a warning, the reason why the normal forces of a state cannot be expressed in a unit.
 const char* why_no_unit(ForceUnit unit) {
   switch (unit) {
     case ForceUnit::pull_off:
-      return "the pull-off force is F0 = 0, choose --unit mean";
+      return "the pull-off force F0 is zero: give --unit mean";
     case ForceUnit::pressure:
-      return "the pressure P is not positive beyond rounding and the tolerance of equilibrium, choose --unit "
+      return "the pressure P cannot be distinguished from zero, because of rounding or the tolerance of "
+             "equilibrium: give --unit "
              "mean";
     default:
       return "all normal forces are zero up to rounding";
@@ -113,8 +116,9 @@ void add_distributions(const std::string& file, const State<Dim>& state, const N
     const double size = no_pressure ? 0.0 : force_unit(packing, kind, unit);
     const ForceDistribution d = distribution_of(contact_forces(packing, kind), size, options.bin_width);
     if (d.n == 0 && kind == ForceKind::normal)
-      remarks.warn(
-          file, fmt::format("the normal forces cannot be measured in the chosen unit: {}", why_no_unit(unit)));
+      remarks.warn(file, fmt::format("the distribution of the normal forces is left out, because they cannot "
+                                     "be expressed in the chosen unit: {}",
+                                     why_no_unit(unit)));
     add_distribution(file, kind, d, side.distributions, remarks);
     side.pooled[kind].add(d);
   }

@@ -20,24 +20,25 @@ namespace floc {
 
 /// Options of the tables of `floc network`.
 struct NetworkTableOptions {
-  /// Largest normal force that counts as zero, in units of the force scale F1; the tolerance of the state if
-  /// absent.
+  /// Largest normal force that counts as zero, in units of the force scale F1 = max(F0, P a^(Dim-1)) (F0: pull-off
+  /// force, P: pressure, a: largest diameter). If absent, the force tolerance of the state.
   std::optional<double> zero_force;
-  /// Smallest number of contacts of a grain that carries force; least_contacts() if absent.
+  /// Smallest number of contacts that a grain needs to belong to the force-carrying structure. If absent,
+  /// least_contacts().
   std::optional<int> least_contacts;
-  bool mechanics = true;             ///< whether the columns that require the moduli are computed
+  bool mechanics = true;             ///< whether the columns that need the elastic moduli are computed
   bool distributions = false;        ///< whether the table of force distributions is written
   ForceUnit unit = ForceUnit::mean;  ///< unit of the forces in the table of force distributions
-  double bin_width = 0.1;            ///< bin width of the force distributions, in this unit
+  double bin_width = 0.1;            ///< bin width of the force distributions, in the unit `unit`
   bool pressures = false;            ///< whether the table of particle stresses is written
   BondTableOptions bonds;
 };
 
-/// Returns the unit of force with the given keyword of `floc network --unit`: "mean", "F0" or "P".
+/// Returns the unit of force that a keyword of `floc network --unit` stands for: "mean", "F0" or "P".
 /// @pre the keyword is valid
 ForceUnit force_unit_named(const std::string& keyword);
 
-/// One row of `floc network`: properties of the contact network of a state.
+/// One row of the table of `floc network`: properties of the contact network of a state.
 struct NetworkRow {
   std::string file;
   std::string units;
@@ -45,14 +46,15 @@ struct NetworkRow {
   int n_grains;
   double pressure;
   double reduced_pressure;
-  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent without walls
+  std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Coordination coordination;
   ForceMoments moments;
   PressurePhases phases;
   /// Mechanics of the contact network; absent if NetworkTableOptions::mechanics is false.
   std::optional<NetworkMechanics> mechanics;
-  /// Correlation of the static forces with the increments under isotropic stress; computed with the mechanics.
+  /// Correlation of the contact forces of the state with their increments under isotropic stress; computed only if
+  /// `mechanics` is present.
   ForceCorrelation correlation;
   std::optional<Indeterminacy> hyperstaticity;
   CarryingForces carrying;
@@ -63,10 +65,10 @@ struct NetworkRow {
   double seconds;
 };
 
-/// Distributions of the contact forces of all states together, by kind of force.
+/// Distributions of the contact forces of all states together, by kind of force (normal, tangential, rolling moment).
 using Pooled = std::map<ForceKind, ForceDistribution>;
 
-/// Further tables of `floc network`.
+/// Tables that `floc network` writes to files, in addition to the table of states that it prints.
 struct NetworkTables {
   Table distributions{{"file", "kind", "unit_force", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table pressures;
@@ -74,9 +76,9 @@ struct NetworkTables {
   BondTables bonds;
 };
 
-/// Computes the row of one state, and adds rows to the further tables `side` that the options select. Contacts
-/// with walls support grains and contribute to their pressure, but are not counted as contacts. For a state
-/// with walls the network mechanics are not computed.
+/// Computes the row of one state, and adds rows to the tables in `side` that the options select. For a state with
+/// walls, contacts with walls support grains and contribute to their pressure, but are not counted as contacts, and the
+/// network mechanics are not computed.
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
                        NetworkTables& side, const Remarks& remarks = {});
@@ -84,16 +86,17 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
 /// Returns the columns of the table of `floc network`.
 std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& options);
 
-/// Computes the table of `floc network` for one state in one call; docs/columns.md describes its columns.
+/// Computes the table of `floc network` for one state in a single call; docs/columns.md describes its columns.
 /// @param file     name of the state in the table and in messages
-/// @param further  receives the further tables that the options select; null if they are not needed
+/// @param further  receives the tables that the options select in addition to the returned table; null if they are not
+/// needed
 Table network_table(const AnyState& state, const NetworkTableOptions& options = {},
                     const std::string& file = "", NetworkTables* further = nullptr,
                     const Remarks& remarks = {});
 
-/// Adds the rows with the name "pooled", for all states together, to the further tables, if there are several
-/// states.
-/// @param n_states  number of states read
+/// Adds rows for all states together, with the name "pooled" instead of that of a state, to the tables in `side`. Does
+/// nothing if there are fewer than two states.
+/// @param n_states  number of states
 void add_pooled(const NetworkTableOptions& options, std::size_t n_states, NetworkTables& side,
                 const Remarks& remarks = {});
 

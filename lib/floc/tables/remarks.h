@@ -6,12 +6,14 @@
 
 namespace floc {
 
-/// Receiver of remarks of a computation about a file: warnings, and notes on methods that replaced the chosen
-/// method. The program prints remarks on stderr, and the Python package turns them into Python warnings.
+/// Passes on the remarks that a computation makes about a file. Remarks are warnings, and notes that another method
+/// replaced the one that was chosen. The program prints them on stderr, and the Python package turns them into Python
+/// warnings.
 class Remarks {
  public:
-  /// Function that receives a remark. @param severity  if remarks differ only in their numbers, the remark with
-  /// the largest severity is the most serious
+  /// Function that receives a remark.
+  /// @param severity  serves to compare remarks that differ only in their numbers: the remark with the largest severity
+  /// is the most serious one
   using Receiver = std::function<void(const std::string& file, const std::string& text, double severity)>;
 
   /// Creates an object that ignores all remarks.
@@ -29,7 +31,7 @@ class Remarks {
   Receiver receiver_;
 };
 
-/// Returns the first number in a text, which serves as the severity of a remark; 0 if there is no number.
+/// Returns the first number in the text of a remark, as its severity; 0 if there is no number.
 double first_number(const std::string& text);
 
 }  // namespace floc

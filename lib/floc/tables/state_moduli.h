@@ -7,32 +7,34 @@
 
 namespace floc {
 
-/// Moduli of a saved state. Its elastic line is ln Phi = ln phi + (P - pressure)/B.
+/// Moduli of a saved state, with its pressure and its solid fraction phi. Its elastic line gives the solid fraction Phi
+/// at other pressures P: ln Phi = ln phi + (P - pressure)/B.
 struct StateModuli {
   std::string file;
-  std::string unit;  ///< unit of the moduli and the pressure; empty for reduced units
+  std::string unit;  ///< unit of the moduli and of the pressure; empty for reduced units
   double B, B_S, pressure, phi;
-  /// Moduli for a strain along one axis only: stress on this axis over the strain (M), and mean stress over the
-  /// strain (B_uniaxial), both in `unit`; absent if no axis is given.
+  /// Moduli for a strain along one axis alone, as in an oedometer test: M is the stress on this axis over the strain,
+  /// B_uniaxial the mean stress over the strain, both in `unit`. Absent if no axis is given.
   std::optional<double> M = {}, B_uniaxial = {};
 };
 
-/// Reads a state file and computes its moduli.
+/// Reads a state file and computes the moduli of the state.
 /// @param axis  driven axis of an oedometer test, from 0; -1 if there is none
-/// @throws InputError if the file is not a state, or has no such axis
+/// @throws InputError if the file is not a state file, or if the state has fewer axes
 StateModuli moduli_of(const std::string& file, int axis = -1);
 
-/// Converts moduli to the unit of the pressures of a load path. If the path has no unit, the moduli are left
-/// unchanged.
-/// @throws InputError if the units cannot be converted, or the path has a unit and the state is in reduced units
+/// Converts the moduli of a state to the unit of the pressures of a load path. If the path does not say its unit, the
+/// moduli are not changed.
+/// @throws InputError if the units cannot be converted, or if the path has a unit and the state is in reduced units
 StateModuli in_unit_of(const PathTable& path, StateModuli moduli);
 
-/// Returns the driven axis of a row of a table of `floc run`, from 0; -1 if the load is not that of an
+/// Returns the driven axis of a row in the table of a load path of `floc run`, from 0; -1 if the row is not part of an
 /// oedometer test.
 int driven_axis(const PathTable& path, int row);
 
-/// Computes the moduli of the state that a row of a load path names, if its file is in the directory of the
-/// table.
+/// Computes the moduli of the state that a row of a load path names. Returns nothing if the file of this state is not
+/// in the directory of the table.
+/// @param axis  driven axis of an oedometer test, from 0; -1 if there is none
 std::optional<StateModuli> moduli_of_row(const PathTable& path, int row, int axis = -1);
 
 }  // namespace floc

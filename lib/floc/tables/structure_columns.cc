@@ -26,7 +26,7 @@ std::vector<Column<StructureRow>> structure_columns() {
                                       {"n_grains", [](const Row& r) { return r.n_grains; }},
                                       {"P_star", [](const Row& r) { return r.reduced_pressure; }},
                                       {"phi", [](const Row& r) { return r.solid_fraction; }}};
-  // The parameters of the fit are in the order I0, xi, dF.
+  // The parameters of the fit to the scattered intensity are in the order I0, xi, dF.
   append_parameter(1, "xi", columns);
   append_parameter(2, "dF", columns);
   append_parameter(0, "I0", columns);
@@ -37,8 +37,8 @@ std::vector<Column<StructureRow>> structure_columns() {
   columns.emplace_back("fit_high", of_fit([](const ScatteringFit& f) { return f.high; }));
   columns.emplace_back("fit_points", of_fit([](const ScatteringFit& f) { return count(f.n_points); }));
   columns.emplace_back("chi_square", of_fit([](const ScatteringFit& f) { return f.chi_square; }));
-  // The columns of the mesh and the pores are for disks only, those of the local solid fraction and the voids
-  // for spheres only.
+  // The columns of the mesh and of the pores have values only for disks, those of the local solid fraction and of the
+  // voids only for spheres.
   columns.emplace_back("mesh_spacing", [](const Row& r) { return or_undefined(r.mesh_spacing); });
   for (const int a : {0, 1})
     columns.emplace_back(fmt::format("mesh{}", a + 1),

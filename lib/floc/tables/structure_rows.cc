@@ -35,11 +35,12 @@ ScatteringFit fit_of(const Scattering& s, const StructureTableOptions& options, 
   return fit_scattering(points, options.fit_range[0] * unit, options.fit_range[1] * unit);
 }
 
-/// Adds the scattering intensity I(k) of a state to its table, and warns if its fit failed or did not identify
-/// a parameter.
+/// Adds the scattered intensity I(k) of a state to the table of intensities. Warns if the law of fractal aggregates
+/// could not be fitted to it, or if the fit did not identify one of its parameters.
 void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table,
             const Remarks& remarks) {
-  if (!fit.found()) remarks.remark(file, "no fit of the scattering intensity I(k): " + fit.failure_reason);
+  if (!fit.found())
+    remarks.remark(file, "no law could be fitted to the scattered intensity I(k): " + fit.failure_reason);
   for (const std::string& warning : fit.warnings) remarks.warn(file, warning, first_number(warning));
   const bool drawn = fit.found() && std::all_of(fit.parameters.begin(), fit.parameters.end(),
                                                 [](const FittedParameter& p) { return p.value.has_value(); });
@@ -53,14 +54,18 @@ void report(const std::string& file, const Scattering& s, const ScatteringFit& f
   }
 }
 
-/// Fits the scattering intensity I(k) of a state, and adds its rows to the table of intensities.
+/// Fits the law of fractal aggregates to the scattered intensity I(k) of a state, and adds the rows of the state to the
+/// table of intensities.
+/// @param diameter  largest diameter of the grains (length)
 void add_fit(const Scattering& s, double diameter, const StructureTableOptions& options, Series& series,
              StructureRow& row, const Remarks& remarks) {
   row.fit = fit_of(s, options, diameter);
   report(row.file, s, *row.fit, series.intensity, remarks);
 }
 
-/// Returns the average of the intensity over states; the first state determines its bins.
+/// Returns the average of the scattered intensity over states, which is created for the first state.
+/// @param edges     edges of the bins of wave number in this first state; they are used for all states
+/// @param diameter  largest diameter in this first state (length)
 ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
   if (!series.average) {
     series.diameter = diameter;
@@ -95,7 +100,8 @@ void add_scattering(const Packing<3>& packing, const StructureTableOptions& opti
   if (options.average) average_in(series, edges, diameter).add(packing, options.scattering.most_vectors);
 }
 
-/// Sets the columns of a table without rows, which depend on the dimension of the state.
+/// Sets the columns of a table that has no rows yet, because they depend on the dimension of the state. If the table
+/// has rows, checks that these are its columns.
 void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.rows.empty()) table.columns.clear();
   expect_columns(file, names, table);
@@ -110,7 +116,9 @@ void add_pores(const Packing<2>& packing, const StructureTableOptions& options, 
   }
   row.n_pores = static_cast<std::int64_t>(pores.pores.size());
   row.unbounded = pores.unbounded;
-  if (pores.unbounded) remarks.warn(row.file, "a pore winds around the cell: it has no size and is left out");
+  if (pores.unbounded)
+    remarks.warn(row.file,
+                 "one pore of this state winds around the periodic cell, so it has no size and is left out");
   if (!pores.pores.empty()) row.pore_size = pores.size, row.pore_mean_area = pores.mean_area;
   if (options.pores) {
     choose_columns(row.file, kPoreColumns, series.pores);
@@ -126,8 +134,8 @@ void add_pores(const Packing<2>& packing, const StructureTableOptions& options, 
 void require_map_size(const std::vector<int>& size) {
   for (const int side : size) require_in_range("map_size", side, kMapSide);
   if (!kMapCells.holds(std::int64_t{size[0]} * size[1]))
-    throw InputError("", fmt::format("map_size = {},{}: expected at most {} mesh cells in all", size[0],
-                                     size[1], kMapCells.most));
+    throw InputError("", fmt::format("map_size = {},{}: expected at most {} mesh cells in the whole map",
+                                     size[0], size[1], kMapCells.most));
 }
 
 void add_map(const std::string& file, const Packing<2>& packing, const StructureTableOptions& options,
@@ -175,8 +183,8 @@ void add_voronoi(const Packing<3>& packing, const StructureTableOptions& options
   }
 }
 
-/// Returns the factor (Phi/Phi0)^(1/Dim) by which lengths are scaled to compare a packing with the first
-/// packing, of solid fraction Phi0.
+/// Returns the factor by which lengths in a packing are multiplied to compare it with the first packing:
+/// (Phi/Phi0)^(1/Dim), with the solid fractions Phi of the packing and Phi0 of the first packing.
 template <int Dim>
 double rescaling(const Packing<Dim>& packing, const Series& series) {
   return std::pow(solid_fraction(packing) / *series.reference_phi, 1.0 / Dim);
@@ -195,15 +203,16 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Returns the gaps at which coordination numbers are computed: 0, and 1e-6 to 1 largest diameters, with ten
-/// values per decade (length).
+/// Returns the gaps (length) up to which neighbours are counted: 0, and 1e-6 to 1 times the largest diameter, with ten
+/// values per decade.
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
   return gaps;
 }
 
-/// Returns which grains are rattlers, by the tolerance with which the state was brought to equilibrium.
+/// Returns for each grain whether it is a rattler. Forces below the tolerance of the equilibrium of the state count as
+/// zero.
 template <int Dim>
 std::vector<bool> rattlers_of(const State<Dim>& state) {
   return find_rattlers(state.packing,
@@ -222,7 +231,7 @@ void add_gaps(const std::string& file, const State<Dim>& state, Series& series) 
     series.gaps.rows.push_back({file, gaps[k], z[k], pushed[k], scale * (a + gaps[k]) - a});
 }
 
-/// Returns the void ratio 1/Phi - 1; the cell is empty if Phi is zero.
+/// Returns the void ratio 1/Phi - 1 of a solid fraction Phi. The cell is empty if Phi is zero.
 TableValue void_ratio(double solid_fraction) {
   return solid_fraction > 0.0 ? TableValue{1.0 / solid_fraction - 1.0} : TableValue{};
 }
@@ -236,8 +245,8 @@ void add_porosity(const std::string& file, const Packing<Dim>& packing, const St
                           probe.in_cell ? TableValue{1.0 - *probe.in_cell} : TableValue{}});
 }
 
-/// Returns the number of contacts of each grain, including contacts with walls; attraction across a gap does
-/// not count.
+/// Returns the number of contacts of each grain. Contacts with walls are counted; attraction across a gap is not a
+/// contact.
 template <int Dim>
 std::vector<double> contacts_of_each(const Packing<Dim>& packing) {
   std::vector<double> n(packing.grains.size(), 0.0);
@@ -253,7 +262,7 @@ template <int Dim>
 void add_profile(const std::string& file, const Packing<Dim>& packing, const StructureTableOptions& options,
                  Table& table) {
   const int axis = options.profile_axis.value_or(Dim - 1);
-  if (axis >= Dim) throw InputError(file, "is 2D and has no axis z: --profile-axis must be x or y");
+  if (axis >= Dim) throw InputError(file, "this state is in 2D and has no axis z: give --profile-axis x or y");
   std::vector<std::vector<double>> values = {contacts_of_each(packing)};
   if (packing.walls.empty()) values.push_back(particle_pressure(packing));
   for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values))
@@ -268,14 +277,17 @@ void add_prediction(const std::string& file, const State<Dim>& state, Series& se
     series.affine = AffineReference<Dim>(state.packing, rattlers_of(state));
   const auto* reference = std::get_if<AffineReference<Dim>>(&series.affine);
   if (reference == nullptr)
-    throw InputError(file, "differs in dimension from the first state, from which predictions are computed");
+    throw InputError(file,
+                     "this state differs in dimension from the first state, from which its pressure and "
+                     "coordination are predicted");
   const double phi = solid_fraction(state.packing);
   const AffinePrediction p = reference->at(phi);
   series.prediction.rows.push_back({series.reference, file, phi, static_stress(state.packing).trace() / Dim,
                                     coordination(state.packing, 0.0).z, p.pressure, p.z, p.z_pushed});
 }
 
-/// Adds the quantities that require periodic images of the grains, and therefore a cell without walls.
+/// Adds the quantities that can be computed only in a periodic cell without walls, because they need the periodic
+/// images of the grains: scattered intensity, pores, map and Voronoi cells.
 template <int Dim>
 void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOptions& options, Series& series,
                             StructureRow& row, const Remarks& remarks) {
@@ -288,16 +300,17 @@ void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOpt
   }
 }
 
-/// Checks the tables that are selected for a state with walls, whose grains have no periodic images.
-/// @throws InputError with the name of a table that requires the images
+/// Checks that no selected table needs the periodic images of the grains, which a state with walls does not have.
+/// @throws InputError with the name of the first selected table that needs them
 template <int Dim>
 void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOptions& options,
                             const std::string& file) {
-  for (const auto& [table, asked] : {std::pair{"the scattering intensity I(k) is computed", options.intensity},
-                                     {"coordination numbers against the gap are computed", options.gaps},
-                                     {"pores are computed", options.pores},
-                                     {"a map of the solid fraction is computed", options.map},
-                                     {"the affine prediction is computed", options.prediction}})
+  for (const auto& [table, asked] :
+       {std::pair{"the scattering intensity I(k) is computed", options.intensity},
+        {"the numbers z(h) of neighbours within a gap h are computed", options.gaps},
+        {"pores are computed", options.pores},
+        {"a map of the solid fraction is computed", options.map},
+        {"the affine prediction is computed", options.prediction}})
     if (asked) require_periodic(packing, table, file);
   if (options.average) require_periodic(packing, "an average over states is computed", file);
 }
@@ -318,9 +331,9 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state,
   const Packing<Dim>& packing = state.packing;
   if (series.dimension == 0) series.dimension = Dim;
   if (options.average && series.dimension != Dim)
-    throw InputError(
-        file,
-        "differs in dimension from the states before it: an average can only contain states of one dimension");
+    throw InputError(file,
+                     "this state differs in dimension from the states before it, but an average can only "
+                     "contain states of one dimension");
   StructureRow row;
   row.file = file;
   row.dimension = Dim;

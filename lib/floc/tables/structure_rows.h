@@ -17,35 +17,36 @@ namespace floc {
 /// Options of the tables of `floc structure`.
 struct StructureTableOptions {
   ScatteringOptions scattering;
-  /// Range of wave numbers fitted, in units of 2 pi over the largest diameter.
+  /// Range of wave numbers k in which a law is fitted to the scattered intensity I(k), in units of 2 pi over the
+  /// largest diameter.
   std::vector<double> fit_range = {0.0, 1.0};
-  /// Adds a row for the average over all states, as samples of one ensemble.
+  /// Whether a row for the average over all states is added, which are taken as samples of one ensemble.
   bool average = false;
-  /// Further tables to write.
+  /// Tables that are computed in addition to the table of states; see Series.
   bool intensity = false, pairs = false, gaps = false, pores = false, map = false, prediction = false;
   bool porosity = false, profile = false;
-  /// Number of boxes about the centre of the cell in which the porosity is computed.
+  /// Number of cubes of different sizes around the centre of the cell in which the porosity is computed.
   int n_probes = 40;
-  std::optional<int> profile_axis;  ///< axis of the profile, from 0; the last axis if absent
+  std::optional<int> profile_axis;  ///< axis of the profile, from 0; if absent, the last axis
   int n_slices = 20;                ///< number of slices of the profile
-  /// Largest distance of the pair correlation g(r), in largest diameters.
+  /// Largest distance r of the pair correlation g(r), in largest diameters.
   double reach = 5.0;
   std::vector<int> map_size = {32, 32};  ///< number of mesh cells of the map along each lattice vector
 
-  /// Returns the faults of the options, each as "name = value: requirement".
+  /// Returns the faults of the options, each as "name of the option: requirement". Empty if there are none.
   std::vector<std::string> validate() const;
 };
 
-/// Local structure of a packing of spheres: the solid fraction of the Voronoi cells, and the balls that fit in
-/// the voids.
+/// Local structure of a packing of spheres: the solid fractions of the Voronoi cells of the grains, and the largest
+/// balls that fit in the voids between the grains.
 struct LocalStructure {
-  /// Mean and standard deviation of the local solid fraction over the grains.
+  /// Mean and standard deviation of the solid fraction of a Voronoi cell, over all grains.
   double mean = 0.0, deviation = 0.0;
   std::int64_t n_voids = 0;
-  double mean_void = 0.0, largest_void = 0.0;  ///< mean and largest radius of the balls (length)
+  double mean_void = 0.0, largest_void = 0.0;  ///< mean and largest radius of the balls in the voids (length)
 };
 
-/// One row of `floc structure`: the structure of a state, or the average over all states.
+/// One row of the table of `floc structure`: the structure of a state, or the average over all states.
 struct StructureRow {
   std::string file;
   int dimension = 0;
@@ -61,12 +62,14 @@ struct StructureRow {
   double seconds = 0.0;
 };
 
-/// Columns of the tables of pores and of the map, for disks. The tables of spheres have other columns.
+/// Columns of the table of pores and of the map of the local solid fraction, in 2D. In 3D these tables have other
+/// columns.
 inline const std::vector<std::string> kPoreColumns = {"file",    "x1", "x2", "area", "gyration_radius",
                                                       "n_grains"};
 inline const std::vector<std::string> kMapColumns = {"file", "k1", "k2", "x1", "x2", "solid_fraction"};
 
-/// Further tables of `floc structure`, and sums over the states for their average.
+/// Tables that `floc structure` writes to files, in addition to the table of states, and the sums from which the
+/// average over the states is computed.
 struct Series {
   Table intensity{{"file", "k", "I", "n_vectors", "I_fit"}, {}};
   Table pairs{{"file", "r", "g", "n_pairs", "r_rescaled"}, {}};
@@ -80,7 +83,8 @@ struct Series {
   int dimension = 0;                    ///< dimension of the first state
   std::string reference;                ///< file of the first state
   std::optional<double> reference_phi;  ///< solid fraction of the first state
-  /// Affine prediction from the first state for other solid fractions, if this table is selected.
+  /// First state, from which coordination and pressure at other solid fractions are predicted; empty unless the options
+  /// select the table `prediction`.
   std::variant<std::monostate, AffineReference<2>, AffineReference<3>> affine;
   std::optional<ScatteringAverage> average;
   double diameter = 0.0;  ///< largest diameter of the first state (length)
@@ -88,14 +92,16 @@ struct Series {
   StructureRow mean;  ///< sums over the states, from which averaged() computes the means
 };
 
-/// Computes the row of one state, and adds rows to the further tables in `series` that the options select. For
-/// a state with walls only the tables of g(r), porosity and profiles are possible.
-/// @throws InputError if the state has walls and another table is selected
+/// Computes the row of one state, and adds rows to the tables in `series` that the options select. For a state with
+/// walls, only the tables `pairs` (g(r)), `porosity` and `profile` are possible.
+/// @throws InputError if the state has walls and the options select another table
 template <int Dim>
 StructureRow structure_row(const std::string& file, const State<Dim>& state,
                            const StructureTableOptions& options, Series& series, const Remarks& remarks = {});
 
-/// Returns the row of the average over all states, as samples of one ensemble.
+/// Returns the row of the average over all states, which are taken as samples of one ensemble. Also adds the average
+/// intensity to `series.intensity`.
+/// @param rows  rows of the states
 StructureRow averaged(const std::vector<StructureRow>& rows, const StructureTableOptions& options,
                       Series& series, const Remarks& remarks = {});
 

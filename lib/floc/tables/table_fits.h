@@ -11,56 +11,64 @@
 #include "floc/tables/fit_parameters.h"
 #include "floc/tables/fit_tables.h"
 
-/// Tables and json objects of the commands `floc fit`.
+/// Fits of `floc fit` other than those of the consolidation law and of elastic moduli, as tables and as json objects.
 namespace floc {
 
-/// A reloading branch of a load path and the fit of its preconsolidation pressure.
+/// A reloading branch of a load path, and the preconsolidation pressure fitted to it.
 struct ReloadingFit {
   Reloading branch;
   PreconsolidationFit fit;
 };
-/// Fits the preconsolidation pressure of every reloading branch of a load path.
+/// Fits a preconsolidation pressure to every reloading branch of a load path.
 std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path);
-/// Returns the table of `floc fit preconsolidation` without rows.
+/// Returns the table of `floc fit preconsolidation`, with its columns and without rows.
 Table preconsolidation_table();
-/// Adds a row for each parameter of a fit to the table of `floc fit preconsolidation`.
+/// Adds a row for each fitted parameter to the table of `floc fit preconsolidation`.
 void add_rows(const PathTable& path, const ReloadingFit& reloading, Table& table);
 /// Returns a fit as the json object that `floc fit preconsolidation --format json` prints.
 Json as_json(const PathTable& path, const ReloadingFit& reloading);
 
-/// Returns the table of `floc fit cycle` without rows.
+/// Returns the table of `floc fit cycle`, with its columns and without rows.
 Table cycle_table();
-/// Adds the rows of the pressure cycles of a load path. @return number of cycles
+/// Adds the rows of all pressure cycles of a load path to the table of `floc fit cycle`. @return number of cycles
 int add_cycles(const PathTable& path, Table& table);
 
-/// Returns the name of the largest part of the error of a parameter: the number of "samples", the misfit of the
-/// "law", or the choice of the samples that count as off the "plateau".
+/// Returns the main source of the standard error of a parameter of the law of dynamic compaction, as the word "samples"
+/// (too few samples), "law" (misfit of the law) or "plateau" (choice of the samples that do not lie on the plateau).
+/// @param parts  parts of this standard error
 const char* limit_of(const CompactionErrorParts& parts);
-/// Returns a sample of dynamic compaction with void ratio e, pressure p, and the stresses sc = f_c/d^2 and se = k_n/d.
-/// @param place  place of its row, for messages   @throws InputError unless all values are positive
+/// Returns a sample of dynamic compaction: its void ratio e, pressure p, cohesion sc = f_c/d^2 and stiffness
+/// se = k_n/d. Here f_c is the cohesive force and k_n the normal stiffness of the contacts, and d is the diameter of
+/// the grains. The quantities p, sc and se are stresses in one unit.
+/// @param place  place of the sample in the table (file and line), for messages
+/// @throws InputError unless all values are positive
 CompactedSample compacted_sample(const std::string& place, double e, double p, double sc, double se);
-/// Returns the table of `floc fit dynamic-compaction` without rows.
+/// Returns the table of `floc fit dynamic-compaction`, with its columns and without rows.
 Table compaction_table();
-/// Adds a row for each parameter of a fit to the table. @param name  name of the samples fitted
+/// Adds a row for each fitted parameter to the table of `floc fit dynamic-compaction`.
+/// @param name  name of the fitted samples: the file from which they were read
 void add_rows(const std::string& name, const CompactionFit& fit, Table& table);
 /// Returns a fit as the json object that `floc fit dynamic-compaction --format json` prints.
 Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference);
 
-/// Options of fits to force distributions, with the keywords of `floc fit force-distribution`.
+/// Options of fits of distributions to forces. Those that are texts have the keywords of the options of `floc fit
+/// force-distribution`.
 struct ForceDistributionOptions {
   std::string form = "all";
-  /// Magnitude at which the tails begin (force); if absent, the mean magnitude of the forces of each sign.
+  /// Magnitude of the force at which the exponential tails begin (force). If absent, the mean magnitude of the forces
+  /// of each sign.
   std::optional<double> threshold;
   ForceFitOptions fit;
 };
 
-/// Fits the laws of force distributions that the options select. The option "all" selects an exponential tail
-/// for each sign that occurs, and the two laws for networks in compression, which are fitted to the compressive
-/// forces.
+/// Fits distributions to normal forces: those that the option `form` selects. The keyword "all" selects four:
+/// exponential tails of the positive and of the negative forces, if these occur, and the distributions
+/// "power-exponential" and "quadratic-exponential" of the compressive forces.
 std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const ForceDistributionOptions& options);
-/// Returns the table of `floc fit force-distribution` without rows.
+/// Returns the table of `floc fit force-distribution`, with its columns and without rows.
 Table force_table();
-/// Adds a row for each parameter of a fit to the table. @param name  name of the sample of forces
+/// Adds a row for each fitted parameter to the table of `floc fit force-distribution`.
+/// @param name  name of the sample of forces: the file from which they were read
 void add_rows(const std::string& name, const ForceFit& fit, Table& table);
 /// Returns a fit as the json object that `floc fit force-distribution --format json` prints.
 Json as_json(const std::string& name, const std::vector<double>& forces, const ForceFit& fit);

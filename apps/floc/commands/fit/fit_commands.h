@@ -4,7 +4,7 @@
 
 namespace floc {
 
-// Each of these functions adds one fit as a subcommand of `floc fit`. Each fit has its own source file.
+// Each of the following functions adds one subcommand of `floc fit`, which is defined in a source file of its own.
 Command add_fit_consolidation(CommandLine fit);
 Command add_fit_preconsolidation(CommandLine fit);
 Command add_fit_elastic(CommandLine fit);

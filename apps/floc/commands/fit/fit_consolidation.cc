@@ -23,9 +23,10 @@ struct ConsolidationArguments {
   Printing printing;
 };
 
-/// Reads the table of a sample, and prints which of its rows are not used in the fit.
-/// @param columns  names of the columns to read
-/// @param first    table of the first sample, to whose unit the pressures are converted; set by the first call
+/// Reads the load path of a sample from a table, and prints on stderr which of its rows are not fitted, and why.
+/// @param columns  headers of the columns to read, for columns that do not have the usual names
+/// @param first    table of the first sample. It is set by the first call; the pressures of all later samples are
+/// converted to its unit
 ConsolidationSample read_sample(const std::string& file, const ColumnNames& columns,
                                 const ConsolidationArguments& arguments, std::optional<PathTable>& first) {
   PathTable path =
@@ -54,41 +55,43 @@ std::string change_text(const std::optional<ChangePoint>& change, const Consolid
                      at(change->first - 1), at(change->first), at(change->low95 - 1), at(change->high95));
 }
 
-/// Prints a summary of a fit and its warnings on stderr. @param n_asked  number of resampled fits that the options
-/// require
+/// Prints on stderr a summary of a fit and the warnings about it.
+/// @param n_asked  number of resampled fits that --bootstrap requires; 0 without bootstrap
 void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int n_asked) {
   if (!fit.found()) {
     spdlog::warn("{}: the consolidation law cannot be fitted: {}", sample.name, fit.failure_reason);
     return;
   }
   std::vector<int> rows;
-  // The mean of several samples is not read from a table, so it has no row numbers.
+  // Row numbers exist only for a sample that was read from a table, not for the mean of several samples.
   for (const int i : fit.used)
     if (!sample.loading.rows.empty()) rows.push_back(sample.loading.rows[i]);
   spdlog::info(
-      "{}: fitted to {} pressures from P* = {:.6g} to {:.6g}{}{}; r.m.s. residual of 1/Phi {:.3g}; standard "
+      "{}: the consolidation law was fitted to {} pressures from P* = {:.6g} to {:.6g}{}{}; r.m.s. residual of "
+      "1/Phi {:.3g}; standard "
       "errors from {}",
       sample.name, fit.used.size(), fit.window_low, fit.window_high,
       rows.empty() ? "" : ", rows " + ranges(rows),
       fit.n_plateau > 0
-          ? fmt::format("; the {} pressures before them are the plateau of regime I", fit.n_plateau)
+          ? fmt::format("; the {} pressures below them form the plateau of regime I", fit.n_plateau)
           : "",
       fit.rms, fit.errors_from_samples ? "the scatter between samples" : "the residuals");
   if (fit.regimes) {
     const std::string pieces =
         change_text(fit.regimes->plateau_end, sample.loading.curve, "the plateau of regime I ends") +
         change_text(fit.regimes->onset_three, sample.loading.curve, "regime III begins");
-    // Every text of change_text() begins with "; ", which is removed from the first text.
+    // Each text that change_text() returns begins with "; ". This is removed from the first text.
     if (!pieces.empty()) spdlog::info("{}: {}", sample.name, pieces.substr(2));
   }
   std::vector<std::string> budget;
   for (const ErrorParts& parts : fit.error_parts)
-    budget.push_back(
-        fmt::format("{} {:.2g} from the scatter and {:.2g} from the ends of the regimes (limited by the {})",
-                    parts.name, parts.scatter, parts.regimes, limit_of(parts, fit)));
+    budget.push_back(fmt::format(
+        "{}: {:.2g} from the scatter and {:.2g} from the ends of the regimes (mainly due to the {})",
+        parts.name, parts.scatter, parts.regimes, limit_of(parts, fit)));
   if (!budget.empty())
     spdlog::info(
-        "{}: standard errors of the parameters, from {} and from the uncertain ends of the regimes: {}",
+        "{}: standard errors of the parameters, with one part from {} and one from the uncertain pressures at "
+        "which the regimes end: {}",
         sample.name, fit.errors_from_samples ? "the scatter between samples" : "the residuals",
         fmt::join(budget, ", "));
   if (!fit.window_shifts.empty()) {
@@ -96,16 +99,18 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
     for (const WindowShift& s : fit.window_shifts)
       pieces.push_back(
           fmt::format("{} ({})", s.lambda ? fmt::format("{:.4g}", *s.lambda) : "no fit", s.change));
-    spdlog::info("{}: lambda if one end of the fitted window is moved by one row: {}", sample.name,
+    spdlog::info("{}: lambda if the fitted window begins or ends one row earlier or later: {}", sample.name,
                  fmt::join(pieces, ", "));
   }
   if (n_asked > 0)
-    spdlog::info("{}: bootstrap: regime II was found in {} of {} resampled fits", sample.name,
+    spdlog::info("{}: bootstrap: regime II was found in {} of the {} fits to resampled data", sample.name,
                  fit.n_bootstrapped, n_asked);
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", sample.name, warning);
 }
 
-/// Warns if the mean of the samples leaves out pressures because they do not occur in all samples.
+/// Warns if some pressures are left out of the mean of the samples, because they do not occur in all samples.
+/// @param read    samples that were read
+/// @param fitted  result of with_pooled() for these samples; its last element is their mean
 void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
                                const std::vector<ConsolidationSample>& fitted) {
   if (read.size() < 2) return;
@@ -113,8 +118,9 @@ void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
   const std::size_t n_of_first = read.front().loading.curve.phi.size();
   if (n_common < n_of_first)
     spdlog::warn(
-        "pooled: only {} of the {} pressures of {} occur in all {} samples; the others are not used in the "
-        "mean",
+        "pooled: only {} of the {} pressures of {} occur in all {} samples; the other pressures are left out "
+        "of the mean of the "
+        "samples",
         n_common, n_of_first, read.front().name, read.size());
 }
 
@@ -137,8 +143,9 @@ int fit_tables(const ConsolidationArguments& arguments) {
   for (const ConsolidationSample& sample : samples) {
     if (arguments.fit.weights == "scatter" && sample.loading.curve.samples.cols() < 2)
       spdlog::info(
-          "{}: --weights scatter needs several samples, but this is a single curve: the weights of --weights "
-          "relative are used",
+          "{}: --weights scatter needs the scatter between several samples, but this is a single sample: it is "
+          "fitted with the weights of --weights "
+          "relative",
           sample.name);
     fit = fit_of(sample, arguments.fit, options);
     log_fit(sample, fit, arguments.fit.n_bootstrap);
@@ -146,7 +153,7 @@ int fit_tables(const ConsolidationArguments& arguments) {
     array.push_back(as_json(sample, fit, arguments.fit));
     add_rows(sample, fit, arguments.fit, table);
   }
-  // If there are several samples, the last fit is that of their mean.
+  // `fit` is the last fit: that of the mean of the samples if there are several, otherwise that of the only sample.
   if (!arguments.plot.empty() && !samples.empty() && fit.found())
     write_plot(arguments.plot, plot_of_fit({samples.back().name, samples.back().unit, samples.back().stress,
                                             samples.back().loading.curve, fit}));
@@ -170,16 +177,17 @@ Command add_fit_consolidation(CommandLine fit) {
                  "law to fit: log (the line of regime II), power (the power law of regime III) or full (both "
                  "regimes) [full]")
       .one_of({"log", "power", "full"});
-  app.add_option(
-         "--window", arguments->fit.window,
-         "LOW,HIGH: fit only the reduced pressures P* from LOW to HIGH [the regimes are found from the data]")
+  app.add_option("--window", arguments->fit.window,
+                 "LOW,HIGH: fit only the rows with reduced pressures P* from LOW to HIGH [a window that is "
+                 "found from the data]")
       .delimiter(',')
       .expected(2);
   app.add_option("--protocol", arguments->fit.protocol,
-                 "published: fit only the mean of the samples, with P0* fixed at the first fitted pressure "
+                 "published: fit as in the published work, only the mean of the samples and with P0* fixed at "
+                 "the first fitted pressure "
                  "[P0* is the pressure at which the plateau of regime I meets the line of regime II]")
       .one_of({"published"});
-  // Option --P0 excludes --window, because both choose the pressures that are fitted.
+  // The option --P0 excludes --window, because each of them selects the pressures that are fitted.
   app.add_option("--P0", arguments->fit.P0,
                  "reduced pressure P0*: fit the pressures from the one nearest to P0* to the last one [found "
                  "from the data]")

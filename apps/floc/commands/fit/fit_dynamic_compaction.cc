@@ -35,7 +35,7 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
   return samples;
 }
 
-/// Prints on stderr which samples were fitted, and the contributions to the error of each parameter.
+/// Prints on stderr which samples were fitted, and the parts of the standard error of each parameter.
 void log_fit(const std::string& name, const CompactionFit& fit) {
   for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", name, warning);
   if (!fit.found()) {
@@ -45,16 +45,18 @@ void log_fit(const std::string& name, const CompactionFit& fit) {
   const std::string flagged =
       fit.beside_plateau.empty()
           ? ""
-          : fmt::format("; rows that are not fitted because they do not lie on the plateau: {}",
+          : fmt::format("; rows that are not fitted because their void ratio does not lie on the plateau: {}",
                         ranges(fit.beside_plateau));
-  spdlog::info("{}: fitted to {} samples, rows {}{}; r.m.s. residual of the void ratio e {:.3g}", name,
-               fit.used.size(), ranges(fit.used), flagged, fit.rms);
+  spdlog::info(
+      "{}: the law of dynamic compaction was fitted to {} samples, rows {}{}; r.m.s. residual of the void "
+      "ratio e {:.3g}",
+      name, fit.used.size(), ranges(fit.used), flagged, fit.rms);
   std::vector<std::string> budget;
   for (const CompactionErrorParts& parts : fit.error_parts)
-    budget.push_back(
-        fmt::format("{} {:.2g} from the scatter, {:.2g} from the law and {:.2g} from the choice of the samples "
-                    "(limited by the {})",
-                    parts.name, parts.scatter, parts.law, parts.plateau, limit_of(parts)));
+    budget.push_back(fmt::format(
+        "{}: {:.2g} from the scatter, {:.2g} from the law and {:.2g} from the choice of the samples "
+        "(mainly due to the {})",
+        parts.name, parts.scatter, parts.law, parts.plateau, limit_of(parts)));
   spdlog::info(
       "{}: standard errors of the parameters, from {}, from the misfit of the law and from the choice of the "
       "samples that do not lie on the plateau: {}",
@@ -114,7 +116,8 @@ Command add_fit_dynamic_compaction(CommandLine fit) {
   add_columns_option(app, arguments->columns, "e, p, sc, se");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {
-            // The keyword of --plateau is converted here, because it is known only after parsing.
+            // The keyword given to --plateau is converted here, because it is known only after the command line has
+            // been parsed.
             arguments->reference.plateau =
                 arguments->plateau == "p" ? PlateauPressure::own : PlateauPressure::critical;
             return fit_tables(*arguments);

@@ -25,15 +25,17 @@ int fit_tables(const ElasticArguments& arguments) {
   Json array = Json::array();
   Table table = elastic_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
-    // The bulk modulus B is fitted against the mean stress, also for oedometer tests. The modulus M of an oedometer is
-    // fitted to the driven stress by elastic_branches().
+    // The path is read with the mean stress as pressure, also for oedometer tests, because the bulk modulus B is fitted
+    // against the mean stress. For an oedometer test, elastic_branches() also fits the modulus M, against the stress on
+    // the driven axis.
     const PathTable path = read_path(file, columns, {"P", "P_star"}, OedometerPressure::mean);
     log_notes(path);
     const std::vector<ElasticBranch> branches = elastic_branches(path, arguments.state);
     if (branches.empty()) {
       spdlog::warn("{}: no modulus can be fitted: the pressure never falls, so there is no unloading branch",
                    path.name);
-      // The table is valid but contains no branch to fit, so the exit code is kNotConverged and not that of bad input.
+      // The exit code is kNotConverged instead of kBadInput, because the table is valid: it only contains no unloading
+      // branch.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
@@ -62,7 +64,8 @@ Command add_fit_elastic(CommandLine fit) {
   CommandLine app = fit.add_subcommand(
       "elastic",
       "fit elastic moduli to unloading branches: the bulk modulus B against the mean stress and, for oedometer "
-      "tests, the uniaxial modulus M against the driven stress; compare them with the moduli of a saved state");
+      "tests, the uniaxial modulus M against the stress on the driven axis; compare them with the moduli of a "
+      "saved state");
   app.add_option("TABLE", arguments->inputs,
                  "tables with the columns P (pressure) or P_star (reduced pressure), and phi (solid fraction) "
                  "or void_ratio; or directories of `floc run`; - for a table on stdin")

@@ -19,7 +19,7 @@ struct ForceDistributionArguments {
   Printing printing;
 };
 
-/// Reads the normal forces of a table or of the contacts of a state file.
+/// Reads normal forces: from the column normal_force of a table, or from the contacts of a state file (.h5).
 std::vector<double> read_forces(const std::string& file, const ColumnNames& columns) {
   std::vector<double> forces;
   if (file.ends_with(".h5")) {
@@ -49,15 +49,17 @@ int fit_inputs(const ForceDistributionArguments& arguments) {
     for (const ForceFit& fit : fits) {
       array.push_back(as_json(name, forces, fit));
       if (!fit.found()) {
-        spdlog::warn("{}: the form {} cannot be fitted: {}", name, fit.form, fit.failure_reason);
+        spdlog::warn("{}: the distribution {} cannot be fitted to the forces: {}", name, fit.form,
+                     fit.failure_reason);
         worst = worse(worst, kNotConverged);
         continue;
       }
-      // A form that is rejected at the significance level of 5 % is nevertheless written to the table; the warning
-      // points it out.
+      // A distribution that the goodness-of-fit test rejects at the significance level of 5 % is written to the table
+      // like any other; only this warning tells the user.
       if (fit.p_value < 0.05)
-        spdlog::warn("{}: form {}: warning: the forces do not follow this form (p-value {:.3g})", name,
-                     fit.form, fit.p_value);
+        spdlog::warn(
+            "{}: distribution {}: warning: the forces do not follow this distribution (p-value {:.3g})", name,
+            fit.form, fit.p_value);
       add_rows(name, fit, table);
     }
     return worst;
@@ -77,7 +79,7 @@ Command add_fit_force_distribution(CommandLine fit) {
                  "tables with the column normal_force, or state files (.h5); - for a table on stdin")
       .required();
   app.add_option("--form", arguments->fit.form,
-                 "form of the distribution: tails (exponential tails of the forces of each sign), "
+                 "distribution to fit: tails (exponential tails of the forces of each sign), "
                  "power-exponential or quadratic-exponential (both for the compressive forces), or all [all]")
       .one_of({"all", "tails", "power-exponential", "quadratic-exponential"});
   app.add_option("--threshold", arguments->fit.threshold,

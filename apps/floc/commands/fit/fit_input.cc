@@ -39,10 +39,11 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
     if (name.empty() || trimmed(item.substr(equals + 1)).empty() ||
         std::find(names.begin(), names.end(), name) == names.end())
       throw InputError("--columns",
-                       fmt::format("\"{}\" is not valid: expected name=column, where the name is one of {}",
-                                   item, fmt::join(names, ", ")));
+                       fmt::format("\"{}\" is not valid: expected NAME=COLUMN, where NAME is one of {}", item,
+                                   fmt::join(names, ", ")));
     if (!columns.emplace(name, trimmed(item.substr(equals + 1))).second)
-      throw InputError("--columns", fmt::format("{} is given twice: expected one column per name", name));
+      throw InputError("--columns",
+                       fmt::format("the name {} is given twice: expected one column for each name", name));
   }
   return columns;
 }

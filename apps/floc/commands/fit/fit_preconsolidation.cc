@@ -32,7 +32,8 @@ int fit_tables(const PreconsolidationArguments& arguments) {
           "{}: no preconsolidation pressure can be fitted: the pressure does not rise again after it has "
           "fallen, so there is no reloading branch",
           path.name);
-      // The table is valid but contains no branch to fit, so the exit code is kNotConverged and not that of bad input.
+      // The exit code is kNotConverged instead of kBadInput, because the table is valid: it only contains no reloading
+      // branch.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;
@@ -44,8 +45,10 @@ int fit_tables(const PreconsolidationArguments& arguments) {
                      path.name, rows, fit.failure_reason);
         worst = worse(worst, kNotConverged);
       } else {
-        spdlog::info("{}: reloading branch in rows {}, after a largest pressure of {:.6g}", path.name, rows,
-                     branch.largest_before);
+        spdlog::info(
+            "{}: a preconsolidation pressure was fitted to the reloading branch in rows {}; the largest "
+            "pressure before it is {:.6g}",
+            path.name, rows, branch.largest_before);
       }
       for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", path.name, warning);
       array.push_back(as_json(path, reloading));

@@ -47,8 +47,8 @@ TEST(ChainCommand, SaysWhereNoDigitIsLeft) {
   const Outcome o =
       chain({"--n", "2000", "--R", "1", "--kn", "1", "--kt", "1", "--kr", "1e-28", "--format", "json"});
   EXPECT_EQ(o.code, 0);
-  EXPECT_THAT(o.err, testing::HasSubstr("transverse: the solution of the network has no correct digit because "
-                                        "of rounding in double precision"));
+  EXPECT_THAT(o.err, testing::HasSubstr("compliance transverse: rounding in double precision leaves no correct "
+                                        "digit in the solution of the contact network"));
   EXPECT_TRUE(json::parse(o.out)[1].at("solved").is_null());
 }
 

@@ -79,7 +79,7 @@ TEST(FitConsolidation, BadMapsAreNamed) {
   const char* table = "p,phi\n0.1,0.5\n";
   const Outcome unknown = run_floc("fit consolidation - --columns pressure=p", ".", table);
   EXPECT_EQ(unknown.code, 4);
-  EXPECT_THAT(unknown.err, HasSubstr("expected name=column, where the name is one of P_star"));
+  EXPECT_THAT(unknown.err, HasSubstr("expected NAME=COLUMN, where NAME is one of P_star"));
   const Outcome absent = run_floc("fit consolidation - --columns P_star=q", ".", table);
   EXPECT_EQ(absent.code, 4);
   EXPECT_THAT(absent.err, HasSubstr("has no column \"q\"; its columns are p, phi"));

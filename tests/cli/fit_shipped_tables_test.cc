@@ -226,7 +226,8 @@ TEST(FitDynamicCompaction, TheBudgetAndTheFlaggedRowsAreSaid) {
   EXPECT_GT(fit["error_budget"]["C"]["scatter"], 0.0);
   EXPECT_THAT(o.err, HasSubstr("1 of the 17 samples lie above the plateau of the law or at eta* > 1, and miss "
                                "the law by more than four standard deviations"));
-  EXPECT_THAT(o.err, HasSubstr("rows that are not fitted because they do not lie on the plateau: 16"));
+  EXPECT_THAT(o.err,
+              HasSubstr("rows that are not fitted because their void ratio does not lie on the plateau: 16"));
 }
 
 TEST(FitForceDistribution, FitsEveryFormOfATable) {

@@ -111,8 +111,9 @@ energy = 1e-12
     return o.err;
   };
   const std::string none = said("state-0000.h5", "P");
-  EXPECT_THAT(none, HasSubstr("the normal forces cannot be measured in the chosen unit: the pressure P is not "
-                              "positive beyond rounding"));
+  EXPECT_THAT(none,
+              HasSubstr("the distribution of the normal forces is left out, because they cannot be "
+                        "expressed in the chosen unit: the pressure P cannot be distinguished from zero"));
   EXPECT_EQ(CsvTable::read(scratch.file("h.csv")).n_rows(), 0);
   EXPECT_THAT(said("state-0002.h5", "P"), HasSubstr("normal forces are in no bin of their distribution"));
   const CsvTable h = CsvTable::read(scratch.file("h.csv"));

@@ -114,11 +114,11 @@ TEST_F(Increments, OfSpheresHaveThreeComponents) {
 TEST_F(Increments, AreRefusedInWordsWhereOneFileCannotHoldThem) {
   const Outcome mixed = moduli("square.h5 cubic.h5 --increments out.csv");
   EXPECT_EQ(mixed.code, 4);
-  EXPECT_THAT(mixed.err, HasSubstr("cubic.h5: differs in dimension from the states before it"));
+  EXPECT_THAT(mixed.err, HasSubstr("cubic.h5: this state differs in dimension from the states before it"));
   EXPECT_THAT(written(), SizeIs(3));
   const Outcome several = moduli("square.h5 --increments out.csv --rolling-stiffness 1,2");
   EXPECT_EQ(several.code, 4);
-  EXPECT_THAT(several.err, HasSubstr("--increments: expects at most one rolling stiffness"));
+  EXPECT_THAT(several.err, HasSubstr("--increments: expected at most one value of --rolling-stiffness"));
   EXPECT_EQ(moduli("square.h5 --increments none/out.csv").code, 1);
 }
 
@@ -149,8 +149,9 @@ TEST_F(Increments, OfRattlersAreNone) {
 TEST_F(Increments, StateWithAMechanismNamesTheModuliThatVanish) {
   const Outcome o = moduli("chain.h5 --format json");
   EXPECT_EQ(o.code, 0);
-  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: mechanisms strain the cell without elastic energy, so that "
-                               "these moduli vanish: C22, B_S"));
+  EXPECT_THAT(
+      o.err, HasSubstr("chain.h5: warning: mechanisms let the cell change its shape without elastic energy, so "
+                       "these moduli are zero: C22, B_S"));
   const json row = json::parse(o.out).at(0);
   EXPECT_TRUE(row.at("energy_share_95").is_null());
   EXPECT_EQ(row.at("n_percolating"), 1);

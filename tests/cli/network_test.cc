@@ -89,10 +89,8 @@ TEST_F(Network, OfManyStatesIsARowEachAndABadOneIsNamed) {
   EXPECT_THAT(o.err, HasSubstr("bad.h5"));
   EXPECT_THAT(o.err, HasSubstr("none.h5"));
   EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: this state is not in equilibrium"));
-  EXPECT_THAT(
-      o.err,
-      HasSubstr(
-          "chain.h5: warning: mechanisms strain the cell without elastic energy, so that these moduli vanish"));
+  EXPECT_THAT(o.err, HasSubstr("chain.h5: warning: mechanisms let the cell change its shape without elastic "
+                               "energy, so these moduli are zero"));
   write_text(scratch_.file("out.csv"), o.out);
   const CsvTable rows = table("out.csv");
   ASSERT_EQ(rows.n_rows(), 2);
@@ -126,7 +124,7 @@ TEST_F(Network, WritesDistributionsOfEachStateAndOfAll) {
   EXPECT_EQ(n_pooled, 2);
   const Outcome none = network("square.h5 --pdf pdf.csv --unit F0");
   EXPECT_EQ(none.code, 0);
-  EXPECT_THAT(none.err, HasSubstr("the pull-off force is F0 = 0, choose --unit mean"));
+  EXPECT_THAT(none.err, HasSubstr("the pull-off force F0 is zero: give --unit mean"));
 }
 
 TEST_F(Network, WritesParticleStressesThatAddUp) {
@@ -143,7 +141,7 @@ TEST_F(Network, WritesParticleStressesThatAddUp) {
   EXPECT_NEAR(trace, whole, 1e-12 * std::abs(whole));
   const Outcome mixed = network("square.h5 spheres.h5 --particle-stress p.csv");
   EXPECT_EQ(mixed.code, 4);
-  EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: differs in dimension"));
+  EXPECT_THAT(mixed.err, HasSubstr("spheres.h5: this state differs in dimension"));
 }
 
 TEST_F(Network, TellsTheForceCarryingStructureOfSpheres) {

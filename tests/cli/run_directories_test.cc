@@ -49,9 +49,8 @@ TEST_F(RunDirectories, OfEqualRunsCompareEqualWhateverTheyTook) {
   EXPECT_EQ(content_of(file("quiet/path.csv")), content_of(file("quieter/path.csv")));
   const Outcome equal = floc("compare again quiet --format json");
   EXPECT_EQ(equal.code, 0) << equal.err;
-  EXPECT_THAT(
-      equal.err,
-      HasSubstr("equal: 4 states are equal byte by byte, and path.csv is equal except for the column seconds"));
+  EXPECT_THAT(equal.err, HasSubstr("equal: all 4 states are equal byte by byte, and the tables path.csv are "
+                                   "equal except for the column seconds"));
   const json rows = json::parse(equal.out);
   ASSERT_EQ(rows.size(), 4u);
   for (const json& row : rows) {

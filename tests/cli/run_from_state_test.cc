@@ -86,7 +86,7 @@ TEST_F(RunFromAState, IsReportedWithoutTheStateItBeganWith) {
   ASSERT_EQ(floc("run tiled.toml -o elsewhere/told --until 0").code, 0);
   const Outcome report = floc("report elsewhere/told -o told.html");
   EXPECT_EQ(report.code, 0);
-  EXPECT_THAT(report.err, ::testing::Not(HasSubstr("the scene of the states")));
+  EXPECT_THAT(report.err, ::testing::Not(HasSubstr("cannot read the scene of the run")));
   EXPECT_THAT(content_of(file("told.html")), AllOf(HasSubstr("Dimensionless groups"), HasSubstr("160")));
 }
 

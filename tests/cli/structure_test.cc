@@ -43,7 +43,7 @@ class Structure : public testing::Test {
 TEST_F(Structure, GivesPoresAndWhatWasMeasuredHow) {
   const Outcome o = structure("frames.h5 --format json");
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("frames.h5: no fit of the scattering intensity I(k)"));
+  EXPECT_THAT(o.err, HasSubstr("frames.h5: no law could be fitted to the scattered intensity I(k)"));
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("n_pores"), 1);
   EXPECT_NEAR(row.at("pore_mean_area").get<double>(), 16.0 - 8.0 * std::numbers::pi * 0.51 * 0.51, 1e-12);
@@ -122,7 +122,8 @@ TEST_F(Structure, OfBothDimensionsHasNeitherOneFileNorAnAverage) {
   for (const char* what : {"--pores p.csv", "--map m.csv", "--average"}) {
     const Outcome o = structure(std::string("frames.h5 spheres.h5 ") + what);
     EXPECT_EQ(o.code, 4) << what;
-    EXPECT_THAT(o.err, HasSubstr("spheres.h5: differs in dimension from the states before it")) << what;
+    EXPECT_THAT(o.err, HasSubstr("spheres.h5: this state differs in dimension from the states before it"))
+        << what;
     EXPECT_EQ(structure(std::string("spheres.h5 frames.h5 ") + what).code, 4) << what;
   }
   EXPECT_EQ(structure("frames.h5 spheres.h5").code, 0);
@@ -179,7 +180,8 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   EXPECT_NEAR(mean, phi, 1e-12);
   const Outcome along_z = structure("frames.h5 --profile p.csv --profile-axis z");
   EXPECT_EQ(along_z.code, 4);
-  EXPECT_THAT(along_z.err, HasSubstr("frames.h5: is 2D and has no axis z: --profile-axis must be x or y"));
+  EXPECT_THAT(along_z.err,
+              HasSubstr("frames.h5: this state is in 2D and has no axis z: give --profile-axis x or y"));
   // The last axis unless another is given.
   ASSERT_EQ(structure("frames.h5 --profile last.csv").code, 0);
   ASSERT_EQ(structure("frames.h5 --profile y.csv --profile-axis y").code, 0);

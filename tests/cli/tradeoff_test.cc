@@ -45,7 +45,7 @@ TEST(TradeoffCommand, MeasuresEverySettingAgainstTheStrictest) {
   }
   EXPECT_TRUE(strict);
   EXPECT_TRUE(bounds);
-  EXPECT_THAT(o.err, HasSubstr("the precision of the force computation, which is always double"));
+  EXPECT_THAT(o.err, HasSubstr("the precision in which forces are computed, which is always double"));
   for (const char* file : {"t.svg", "t.dat", "t.gp"})
     EXPECT_TRUE(std::filesystem::exists(scratch.file(file))) << file;
 }
@@ -63,7 +63,7 @@ TEST(TradeoffCommand, SaysWhatABudgetDidNotAllow) {
       run_floc("tradeoff " + source_directory() + "/data/scenes/demo.toml --budget 0.2 --format csv");
   EXPECT_EQ(o.code, 3);
   EXPECT_THAT(o.err, HasSubstr("the run was stopped because the budget was used up"));
-  EXPECT_THAT(o.err, HasSubstr("try a larger --budget"));
+  EXPECT_THAT(o.err, HasSubstr("give a larger --budget"));
 }
 
 TEST(TradeoffCommand, RefusesWhatItDoesNotKnow) {
@@ -79,11 +79,11 @@ TEST(AccuracyOfARun, IsSaidAndKeptWithTheStates) {
   const std::string scene = kSmall + "--set accuracy.phi=0.01 --set accuracy.moduli=0.05 ";
   const Outcome check = run_floc("scene check " + scene);
   ASSERT_EQ(check.code, 0) << check.err;
-  EXPECT_THAT(check.err, HasSubstr("settings chosen for the required accuracy: "));
+  EXPECT_THAT(check.err, HasSubstr("numerical settings chosen for the accuracy that the scene requires: "));
   EXPECT_THAT(check.err, HasSubstr("of the processor time of the strictest settings. Measured errors: phi "));
   const Outcome run = run_floc("run " + scene + "-o out --until 0", scratch.path());
   ASSERT_EQ(run.code, 0) << run.err;
-  EXPECT_THAT(run.err, HasSubstr("settings chosen for the required accuracy: "));
+  EXPECT_THAT(run.err, HasSubstr("numerical settings chosen for the accuracy that the scene requires: "));
   const Outcome text = run_floc("info out/state-0000.h5 --scene", scratch.path());
   EXPECT_THAT(text.out, HasSubstr("chosen = "));
   EXPECT_THAT(text.out, HasSubstr("time_step = "));
@@ -117,7 +117,7 @@ TEST(ModuliMethods, CheaperOnesLeaveOutWhatTheyDoNotTell) {
   }
   const Outcome o = run_floc("moduli out/state-0000.h5 --method bounds --increments i.csv", scratch.path());
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err, HasSubstr("expects --method factor"));
+  EXPECT_THAT(o.err, HasSubstr("needs --method factor"));
 }
 
 TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
@@ -187,17 +187,17 @@ TEST(ModuliWithinAnAccuracy, AreRefusedInWordsWhereTheyCannotBe) {
   EXPECT_THAT(refusal("1e-15").err, HasSubstr("must be at least 1e-14, the rounding error"));
   EXPECT_EQ(refusal("C=0.1").code, 4);
   EXPECT_THAT(refusal("C=0.1").err,
-              HasSubstr("--accuracy C=0.1: expected X, B=X or G=X with X a relative error"));
+              HasSubstr("--accuracy C=0.1: expected X, B=X or G=X, where X is a relative error"));
   EXPECT_THAT(refusal("little").err, HasSubstr("--accuracy little: expected X"));
-  EXPECT_THAT(refusal("0.1 --increments i.csv").err,
-              HasSubstr("expects --method factor in place of --accuracy"));
+  EXPECT_THAT(refusal("0.1 --increments i.csv").err, HasSubstr("needs --method factor in place of --accuracy"));
   EXPECT_EQ(refusal("0.1 --method bounds").code, 2);
   EXPECT_EQ(refusal("0.1 --rolling-stiffness 1").code, 2);
   // The numbers are given all the same, with their errors.
   const Outcome beyond = refusal("1.1e-14");
   EXPECT_EQ(beyond.code, 3);
-  EXPECT_THAT(beyond.err,
-              HasSubstr("no method gives B and G as accurately as asked: the error bounds of the factor"));
+  EXPECT_THAT(
+      beyond.err,
+      HasSubstr("no method computes B and G as accurately as --accuracy requires: even with --method factor"));
   EXPECT_THAT(beyond.out, HasSubstr(",factor,"));
 }
 

@@ -226,7 +226,9 @@ energy = 1e-7
 TEST_F(OedometerOfBeads, HasBOfItsMeanAndMOfItsDrivenStress) {
   const Outcome o = floc("fit elastic run --format json");
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("P* of oedometric rows is computed from the mean stress"));
+  EXPECT_THAT(
+      o.err,
+      HasSubstr("in rows of an oedometer test, the reduced pressure P* is computed from the mean stress"));
   const json fit = json::parse(o.out).back();
   EXPECT_EQ(fit["stress"], "mean");
   const CsvTable path = CsvTable::read(scratch_->file("run/path.csv"));
@@ -256,7 +258,10 @@ TEST_F(OedometerOfBeads, SaysWhichStressEveryFitTakes) {
                                         {"fit consolidation run --law log --stress mean", "mean"},
                                         {"plot run --show consolidation -o p.svg", "driven"}}) {
     const Outcome o = floc(command);
-    EXPECT_THAT(o.err, HasSubstr(fmt::format("P* of oedometric rows is computed from the {} stress", stress)))
+    EXPECT_THAT(
+        o.err,
+        HasSubstr(fmt::format(
+            "in rows of an oedometer test, the reduced pressure P* is computed from the {} stress", stress)))
         << command;
     if (std::string(command).starts_with("fit")) {
       EXPECT_THAT(o.out, HasSubstr(",stress")) << command;
@@ -280,7 +285,8 @@ TEST(UnitOfReducedPressure, IsThatOfTheFirstRows) {
 )");
   const Outcome o = run_floc("fit consolidation path.csv --law log --format json", scratch.path());
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err, HasSubstr("row 3: the stress that P* = 1 stands for changes from 1 to 3"));
+  EXPECT_THAT(o.err,
+              HasSubstr("row 3: the unit of the reduced pressure P* changes from a stress of 1 to one of 3"));
   const Outcome cycle = run_floc("fit cycle path.csv", scratch.path());
   EXPECT_EQ(cycle.code, 3);
 }

@@ -32,7 +32,7 @@ std::vector<DescribedTable> tables_named(const std::string& name) {
     if (name.empty() || table.name == name || table.name.starts_with(name + " ")) found.push_back(table);
   }
   if (found.empty())
-    throw InputError("floc help columns", "no table is named \"" + name + "\"; the most similar name is \"" +
+    throw InputError("floc help columns", "no table is named \"" + name + "\"; the nearest is \"" +
                                               nearest_name(name, names) + "\"");
   return found;
 }

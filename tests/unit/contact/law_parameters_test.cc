@@ -72,8 +72,7 @@ TEST(LawParameters, AllFaultsAreListedAtOnce) {
 TEST(LawParameters, RollingNeedsFriction) {
   LawParameters p = usable();
   p.friction.reset();
-  EXPECT_THAT(p.validate(),
-              ElementsAre(HasSubstr("contact.rolling: rolling resistance needs contact.friction")));
+  EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.rolling: rolling resistance needs friction")));
 }
 
 TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
@@ -87,8 +86,7 @@ TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
   p.rolling.reset();
   EXPECT_THAT(p.validate(), IsEmpty());
   p.friction.reset();
-  EXPECT_THAT(p.validate(),
-              ElementsAre(HasSubstr("contact.twisting: twisting resistance needs contact.friction")));
+  EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.twisting: twisting resistance needs friction")));
   LawParameters hertz;
   hertz.normal = HertzRepulsion{1e3, 0.3};
   hertz.friction = MindlinFriction{0.3};

@@ -135,7 +135,8 @@ TEST(ShapeFiles, MayHaveTheirCornersRounded) {
   const Polytope<3> given = stone();
   const Shape<3> shape = parse_shapes<3>("stone.off", off_text(given), {.rounding = 0.1})[0].shape;
   EXPECT_NEAR(shape.rounding, 0.1 * shape.diameter(), 1e-14);
-  EXPECT_THAT(message_of("stone.shp", shp_text(given), {.rounding = 0.1}), HasSubstr("the file has its own"));
+  EXPECT_THAT(message_of("stone.shp", shp_text(given), {.rounding = 0.1}),
+              HasSubstr("the file already gives a radius of rounding"));
 }
 
 TEST(ShapeFiles, AreReadFromDisk) {
@@ -228,7 +229,8 @@ TEST(ShapeFiles, AreRefusedWithFileAndLine) {
   EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0,2\n"),
               HasSubstr("2.csv:3: the line has 3 words: expected 2 numbers"));
   EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1\n0,0\n"), HasSubstr("points 1 and 4 are the same"));
-  EXPECT_THAT(message_of("t.shp", "name x\n"), HasSubstr("t.shp:1: the line begins with \"name\": expected <"));
+  EXPECT_THAT(message_of("t.shp", "name x\n"),
+              HasSubstr("t.shp:1: the line begins with \"name\": expected \"<\""));
   EXPECT_THAT(message_of("t.shp", "<\nnv 2\n0 0 0\n1 0 0\n"),
               HasSubstr("shape 1 \"\" has no vertices or no radius: expected a line nv N (number of vertices), "
                         "followed by N lines with coordinates, and a line radius R"));

@@ -61,7 +61,7 @@ TEST_F(ContradictoryTables, AreRefusedByEveryFit) {
     accepted(fit(which, both(2.0), {"--columns", "phi=phi"}));
     accepted(fit(which, both(2.0), {"--columns", "void_ratio=void_ratio"}));
     refused(fit(which, both(1.0), {"--columns", "phi=phi,phi=void_ratio"}),
-            HasSubstr("--columns: phi is given twice"));
+            HasSubstr("--columns: the name phi is given twice"));
     accepted(fit(which, both(1.0), {"--columns", "phi=phi", "--columns", "P_star=P_star"}));
   }
   fmt::print("{} fits: {} tables refused, {} accepted\n", std::size(kFitsOfPaths), n_refused_, n_accepted_);

@@ -72,7 +72,9 @@ TEST(LawParameters, AllFaultsAreListedAtOnce) {
 TEST(LawParameters, RollingNeedsFriction) {
   LawParameters p = usable();
   p.friction.reset();
-  EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.rolling: rolling resistance needs friction")));
+  EXPECT_THAT(p.validate(),
+              ElementsAre(HasSubstr("contact.rolling: rolling resistance needs friction, because grains "
+                                    "without friction do not rotate; give contact.friction")));
 }
 
 TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
@@ -86,7 +88,9 @@ TEST(LawParameters, TwistingNeedsFrictionAndSpheresOfConstantStiffness) {
   p.rolling.reset();
   EXPECT_THAT(p.validate(), IsEmpty());
   p.friction.reset();
-  EXPECT_THAT(p.validate(), ElementsAre(HasSubstr("contact.twisting: twisting resistance needs friction")));
+  EXPECT_THAT(p.validate(),
+              ElementsAre(HasSubstr("contact.twisting: twisting resistance needs friction, because grains "
+                                    "without friction do not rotate; give contact.friction")));
   LawParameters hertz;
   hertz.normal = HertzRepulsion{1e3, 0.3};
   hertz.friction = MindlinFriction{0.3};

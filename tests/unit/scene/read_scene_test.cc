@@ -207,7 +207,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"coefficient = 0.5, ", "coefficient = -0.5, ",
                  "contact.friction.coefficient = -0.5: expected"},
         BadScene{"friction = {coefficient = 0.5, stiffness = 1e5}\n", "",
-                 "contact.rolling: rolling resistance needs friction"},
+                 "contact.rolling: rolling resistance needs friction, because grains without friction do not "
+                 "rotate; give contact.friction"},
         BadScene{"law = \"tail\", force = 1.0, range = 1e-3", "law = \"tail\", force = 1.0, range = 0",
                  "contact.adhesion.range = 0: expected"},
         BadScene{"[cell]", "range = 1e-3\n[cell]", "unknown key contact.range"},

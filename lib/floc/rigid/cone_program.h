@@ -26,6 +26,21 @@ struct ConeProgram {
   std::vector<Vec<Dim>> compliance;  ///< diagonal of Q, >= 0
   std::vector<Vec<Dim>> linear;      ///< c
 
+  /// Returns A x.
+  Eigen::VectorXd balance(const std::vector<Vec<Dim>>& x) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(n_rows());
+    for (int k = 0; k < n_blocks(); ++k)
+      for (int e = first[k]; e < first[k + 1]; ++e) out[row[e]] += coefficient[e].dot(x[k]);
+    return out;
+  }
+  /// Returns A' y.
+  std::vector<Vec<Dim>> relative_motion(const Eigen::VectorXd& y) const {
+    std::vector<Vec<Dim>> out(n_blocks(), Vec<Dim>::Zero());
+    for (int k = 0; k < n_blocks(); ++k)
+      for (int e = first[k]; e < first[k + 1]; ++e) out[k] += coefficient[e] * y[row[e]];
+    return out;
+  }
+
   int n_blocks() const { return static_cast<int>(first.size()) - 1; }
   int n_rows() const { return static_cast<int>(load.size()); }
 };

@@ -174,15 +174,6 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
 }
 
 template <int Dim>
-Eigen::VectorXd ForceBalance<Dim>::residual(const std::vector<Vec<Dim>>& x) const {
-  Eigen::VectorXd out = -program.load;
-  for (int k = 0; k < program.n_blocks(); ++k)
-    for (int e = program.first[k]; e < program.first[k + 1]; ++e)
-      out[program.row[e]] += program.coefficient[e].dot(x[k]);
-  return out;
-}
-
-template <int Dim>
 ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& packing,
                                 const ForceBalanceOptions<Dim>& options) {
   require_balance(place, packing, options);
@@ -256,8 +247,6 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
 
 template struct ForceBalanceOptions<2>;
 template struct ForceBalanceOptions<3>;
-template struct ForceBalance<2>;
-template struct ForceBalance<3>;
 template ForceBalance<2> force_balance(const std::string&, const Packing<2>&, const ForceBalanceOptions<2>&);
 template ForceBalance<3> force_balance(const std::string&, const Packing<3>&, const ForceBalanceOptions<3>&);
 

@@ -53,9 +53,6 @@ struct ForceBalance {
   double unit = 1.0;                ///< of the forces in the program (force): about the mean normal force
   /// Value of the rows of the boundary that belongs to the pressure of mean normal forces.
   double unit_of_boundary = 1.0;
-
-  /// Residuals of the rows of the program for given blocks.
-  Eigen::VectorXd residual(const std::vector<Vec<Dim>>& x) const;
 };
 
 /// Returns the balance of the forces of a packing. Contacts that cannot carry a force in equilibrium, as those of a

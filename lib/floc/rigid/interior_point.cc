@@ -42,35 +42,8 @@ double dot(const Blocks<Dim>& a, const Blocks<Dim>& diagonal, const Blocks<Dim>&
   return sum;
 }
 
-template <int Dim>
-double largest(const Blocks<Dim>& a) {
-  double most = 0.0;
-  for (const Vec<Dim>& v : a) most = std::max(most, v.template lpNorm<Eigen::Infinity>());
-  return most;
-}
-
 double largest(const Eigen::VectorXd& a) {
   return a.size() == 0 ? 0.0 : a.lpNorm<Eigen::Infinity>();
-}
-
-/// Returns A x.
-template <int Dim>
-Eigen::VectorXd balance(const ConeProgram<Dim>& program, const Blocks<Dim>& x) {
-  Eigen::VectorXd out = Eigen::VectorXd::Zero(program.n_rows());
-  for (int k = 0; k < program.n_blocks(); ++k)
-    for (int e = program.first[k]; e < program.first[k + 1]; ++e)
-      out[program.row[e]] += program.coefficient[e].dot(x[k]);
-  return out;
-}
-
-/// Returns A' y.
-template <int Dim>
-Blocks<Dim> relative_motion(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
-  Blocks<Dim> out(program.n_blocks(), Vec<Dim>::Zero());
-  for (int k = 0; k < program.n_blocks(); ++k)
-    for (int e = program.first[k]; e < program.first[k + 1]; ++e)
-      out[k] += program.coefficient[e] * y[program.row[e]];
-  return out;
 }
 
 /// Returns the largest violation of K by the blocks, 0 if all are in K.
@@ -120,8 +93,8 @@ struct Residuals {
 
 template <int Dim>
 Residuals<Dim> residuals(const ConeProgram<Dim>& program, const Point<Dim>& at) {
-  Residuals<Dim> out{relative_motion(program, at.y),
-                     balance(program, at.x) + kSoftness * at.y - at.tau * program.load, 0.0};
+  Residuals<Dim> out{program.relative_motion(at.y),
+                     program.balance(at.x) + kSoftness * at.y - at.tau * program.load, 0.0};
   for (std::size_t k = 0; k < at.x.size(); ++k)
     out.dual[k] =
         program.compliance[k].cwiseProduct(at.x[k]) + program.linear[k] * at.tau - out.dual[k] - at.z[k];
@@ -149,7 +122,7 @@ ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>&
   for (Vec<Dim>& x : out.x) x /= at.tau;
   out.motion = at.y / at.tau;
   out.objective = 0.5 * dot(out.x, program.compliance, out.x) + dot(program.linear, out.x);
-  out.residual = largest(Eigen::VectorXd(balance(program, out.x) - program.load));
+  out.residual = largest(Eigen::VectorXd(program.balance(out.x) - program.load));
   out.gap = dot(at.x, at.z) / (at.tau * at.tau);
   return out;
 }
@@ -158,7 +131,7 @@ ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>&
 /// b' y <= |A x - b|_max |y|_1 + x' A' y, and -A' y lies in the cones but for a violation. Negative if y proves nothing.
 template <int Dim>
 double proved_residual(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
-  const double outside = violation(relative_motion(program, Eigen::VectorXd(-y)));
+  const double outside = violation(program.relative_motion(Eigen::VectorXd(-y)));
   return (program.load.dot(y) - outside * program.n_blocks()) / y.lpNorm<1>();
 }
 
@@ -210,9 +183,9 @@ struct InteriorPoint<Dim>::Iteration {
     y = Eigen::VectorXd::Zero(program.n_rows());
     double before = std::numeric_limits<double>::infinity();
     for (int pass = 0;; ++pass) {
-      x = relative_motion(program, y);
+      x = program.relative_motion(y);
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = flexibility[k] * (u[k] + x[k]);
-      const Eigen::VectorXd rest = v - balance(program, x) - kSoftness * y;
+      const Eigen::VectorXd rest = v - program.balance(x) - kSoftness * y;
       const double error = largest(rest);
       if (error <= enough || error > 0.5 * before || pass == kMostRefinements) break;
       before = error;
@@ -241,7 +214,7 @@ struct InteriorPoint<Dim>::Iteration {
     for (std::size_t k = 0; k < u.size(); ++k) d.x[k] += d.tau * constant_x[k];
     d.y += d.tau * constant_y;
     // From the dual equation, which then holds to rounding.
-    d.z = relative_motion(program, d.y);
+    d.z = program.relative_motion(d.y);
     for (std::size_t k = 0; k < u.size(); ++k)
       d.z[k] = program.compliance[k].cwiseProduct(d.x[k]) + program.linear[k] * d.tau - d.z[k] +
                reduction * residual.dual[k];
@@ -323,7 +296,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     const ConeSolution<Dim> now = solution_at(program, at);
     // A load that rounding leaves out of balance is made up by the softness: its residual counts at the end only.
     const double residual =
-        largest(Eigen::VectorXd(balance(program, now.x) + kSoftness * now.motion - program.load));
+        largest(Eigen::VectorXd(program.balance(now.x) + kSoftness * now.motion - program.load));
     const double error = std::max(residual / size_of_load, now.gap / (1.0 + std::abs(now.objective)));
     // Towards a proof that there is no solution, mu falls while the error does not.
     ++idle;
@@ -370,7 +343,7 @@ bool InteriorPoint<Dim>::falls_without_bound(ConeProgram<Dim> program) {
   program.compliance.assign(program.n_blocks(), Vec<Dim>::Ones());
   const ConeSolution<Dim> fall = solve(program);
   return fall.status == ConeStatus::kSolved &&
-         error_of_unboundedness(program.linear, balance(program, fall.x), fall.x) < kProof;
+         error_of_unboundedness(program.linear, program.balance(fall.x), fall.x) < kProof;
 }
 
 template <int Dim>

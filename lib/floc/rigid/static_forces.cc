@@ -94,6 +94,7 @@ template <int Dim>
 ContactForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const {
   ContactForces<Dim> out;
   out.n_factorizations = n_factorizations;
+  out.friction_limit.assign(packing_.contacts.size(), std::numeric_limits<double>::infinity());
   for (const Contact<Dim>& c : packing_.contacts) {
     out.normal_force.push_back(c.distant ? c.normal_force : 0.0);
     out.shear_force.push_back(c.distant ? c.shear_force : Vec<Dim>(Vec<Dim>::Zero()));
@@ -105,9 +106,10 @@ ContactForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, int
     Vec<Dim> shear = u.friction * balance_.unit * x[k];
     shear[0] = 0.0;
     out.shear_force[u.contact] = u.frame * shear;
+    if (u.friction > 0.0) out.friction_limit[u.contact] = u.friction * x[k][0] * balance_.unit;
     mean += std::abs(x[k][0]) / static_cast<double>(x.size());
   }
-  const Eigen::VectorXd residual = balance_.residual(x);
+  const Eigen::VectorXd residual = program_.balance(x) - program_.load;
   for (int row = 0; row < residual.size(); ++row) {
     const double size = std::abs(residual[row]);
     if (balance_.row_grain[row] < 0)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,9 @@ template <int Dim>
 struct ContactForces {
   std::vector<double> normal_force;   ///< compression positive (force)
   std::vector<Vec<Dim>> shear_force;  ///< tangential force on i (force)
+  /// Coulomb's limit mu P of the tangential force (force); infinity for contacts without friction and for attractions
+  /// across a gap.
+  std::vector<double> friction_limit;
   BalanceError error;
   int n_factorizations = 0;
 };

@@ -52,21 +52,16 @@ double mean_size(const std::vector<double>& forces) {
 
 /// Counts the contacts that carry a force and those whose friction is at its limit.
 template <int Dim>
-void count_contacts(const Packing<Dim>& packing, const ContactForces<Dim>& forces,
-                    const ForcesTableOptions& options, ForcesRow& row) {
+void count_contacts(const ContactForces<Dim>& forces, ForcesRow& row) {
   const double nothing = kNothing * mean_size(forces.normal_force);
   double sum = 0.0;
   int mobilised = 0;
-  for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
-    const Contact<Dim>& c = packing.contacts[k];
+  for (std::size_t k = 0; k < forces.normal_force.size(); ++k) {
     const double normal = forces.normal_force[k], shear = forces.shear_force[k].norm();
     if (std::abs(normal) <= nothing && shear <= nothing) continue;
     ++row.n_carrying;
     sum += normal;
-    const Law& law = packing.is_wall(c.j) ? packing.wall_law : packing.law;
-    const double adhesion = c.distant ? 0.0 : std::max(0.0, c.elastic_force - c.normal_force);
-    const double friction = options.friction.value_or(law.friction_coefficient());
-    if (friction > 0.0 && !c.distant && shear >= friction * (normal + adhesion) - nothing) ++mobilised;
+    if (shear >= forces.friction_limit[k] - nothing) ++mobilised;
   }
   if (row.n_carrying == 0) return;
   row.mean_normal_force = sum / row.n_carrying;
@@ -189,7 +184,7 @@ ForcesRow forces_row(const std::string& file, const State<Dim>& state, const For
   row.stress_error = found.error.stress;
   row.force_freedom = force_distance(found, canonical);
   row.n_factorizations = found.n_factorizations;
-  count_contacts(packing, found, options, row);
+  count_contacts(found, row);
   if (options.contacts)
     add_contacts(file, packing, found, ranges_of(file, problem, row.n_contacts, options, remarks),
                  options.ranges, contacts);

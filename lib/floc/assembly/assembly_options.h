@@ -7,6 +7,7 @@
 #include "floc/assembly/box_options.h"
 #include "floc/assembly/diameters.h"
 #include "floc/assembly/saved_start.h"
+#include "floc/assembly/shape_options.h"
 #include "floc/assembly/vibration.h"
 #include "floc/relaxation/cell_response.h"
 
@@ -19,6 +20,7 @@ struct GrainOptions {
   /// Mass of the grains per area (2D) or volume (3D). It may be absent in reduced units: a grain of diameter d then has
   /// the mass d^Dim, so that a grain of diameter 1 has mass 1.
   std::optional<double> density;
+  std::optional<ShapeOptions> shape;  ///< shapes of the grains; absent for disks and spheres
 };
 
 /// Kind of the gas (grains that do not touch) from which an assembly starts.

@@ -80,6 +80,10 @@ double Law::reach(double largest_radius) const {
   }));
 }
 
+bool Law::is_rigid() const {
+  return parameters().normal.holds<RigidContact>();
+}
+
 bool Law::keeps_overlap() const {
   return parameters().normal.visit([]<class Model>(const Model&) { return history_size<Model>(2) > 0; });
 }

@@ -37,7 +37,9 @@ DeclaredSlot describe(const char* key, const LawSlot<Models...>&) {
   DeclaredSlot slot{key, (kIsAbsent<Models> || ...), {}};
   const auto add = [&]<class Model>(std::type_identity<Model>) {
     if constexpr (!kIsAbsent<Model>) {
-      DeclaredModel model{Model::kKeyword, kIsDefault<Model>, kIsInEveryFile<Model>, {}, {}, &put<Model>};
+      DeclaredModel model{
+          Model::kKeyword, kIsDefault<Model>, kIsDefaultOfFamily<Model>, kIsInEveryFile<Model>, {}, {},
+          &put<Model>};
       describe_fields<Model>(model);
       slot.models.push_back(std::move(model));
     }

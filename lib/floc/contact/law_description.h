@@ -31,6 +31,9 @@ struct DeclaredChoice {
 struct DeclaredModel {
   std::string keyword;
   bool is_default;  ///< whether this model is chosen if a scene file names no model for the slot
+  /// Whether this model is chosen in place of the default if it can be combined with the normal law, but the default
+  /// cannot.
+  bool is_default_of_family;
   /// Whether every state file stores the numbers of this model (kIsInEveryFile). If the contact law has another model
   /// in the slot, these numbers are zero.
   bool is_in_every_file;

@@ -12,9 +12,11 @@
 #include "floc/contact/law_slot.h"
 #include "floc/contact/normal/hertz_repulsion.h"
 #include "floc/contact/normal/linear_repulsion.h"
+#include "floc/contact/normal/rigid_contact.h"
 #include "floc/contact/rolling/rolling_spring.h"
 #include "floc/contact/tangential/coulomb_friction.h"
 #include "floc/contact/tangential/mindlin_friction.h"
+#include "floc/contact/tangential/rigid_friction.h"
 #include "floc/contact/twisting/twisting_spring.h"
 
 namespace floc {
@@ -32,10 +34,10 @@ struct LawFault {
 /// models follows from these lists: scene files, texts that describe laws, state files and law_table.h, which converts
 /// LawParameters into a composed type.
 struct LawParameters {
-  LawSlot<LinearRepulsion, HertzRepulsion> normal;
+  LawSlot<LinearRepulsion, HertzRepulsion, RigidContact> normal;
   LawSlot<NoAdhesion, TailAdhesion, ConstantAdhesion, CapillaryAdhesion> adhesion;
   LawSlot<NoDamping, ViscousDamping, CriticalDamping> damping;
-  LawSlot<NoFriction, CoulombFriction, MindlinFriction> friction;
+  LawSlot<NoFriction, CoulombFriction, MindlinFriction, RigidFriction> friction;
   LawSlot<NoRolling, RollingSpring> rolling;
   LawSlot<NoTwisting, TwistingSpring> twisting;
 

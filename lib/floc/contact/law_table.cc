@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "floc/base/error.h"
 #include "floc/contact/neutral.h"
 
 namespace floc {
@@ -29,6 +30,11 @@ LawParameters acting(LawParameters law) {
 }
 
 AnyContactLaw composed(const LawParameters& law) {
+  if (law.normal.holds<RigidContact>())
+    throw InputError(
+        "contact.normal",
+        "law = \"rigid\": rigid contacts have no force law from which forces, stiffnesses or energies "
+        "could be computed");
   return std::visit(
       []<class... Models>(const Models&... models) -> AnyContactLaw {
         if constexpr (kIsCompiled<Models...>) return ContactLaw<Models...>{models...};

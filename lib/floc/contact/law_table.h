@@ -17,10 +17,11 @@ namespace floc {
 /// Whether the program contains the contact law composed of these models. It does if three conditions hold: each model
 /// can be combined with the normal law (kGoesWith, model_traits.h); rolling resistance comes with friction and without
 /// liquid bridges (kRollsFreely); twisting resistance comes with a rolling spring, whose coefficient may be zero.
+/// Rigid contacts are never composed, because their forces are not functions of the geometry.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled =
-    kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<Normal, Tangential>&&
-        kGoesWith<Normal, Rolling>&& kGoesWith<Normal, Twisting> &&
+    family_of<Normal>() != Family::rigid&& kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<
+                               Normal, Tangential>&& kGoesWith<Normal, Rolling>&& kGoesWith<Normal, Twisting> &&
     (kIsAbsent<Twisting> || !kIsAbsent<Rolling>)&&(kIsAbsent<Rolling> ||
                                                    (!kIsAbsent<Tangential> && !kRollsFreely<Adhesion>));
 
@@ -73,6 +74,7 @@ struct ComposedLaw {
 /// force, and friction, rolling or twisting resistance with a coefficient of zero. Such models carry no force and must
 /// not stiffen the elastic network of contacts.
 /// @pre parameters.validate() is empty.
+/// @throws InputError if the contacts are rigid
 AnyContactLaw compose_law(const LawParameters& parameters);
 
 /// Composes a contact law as compose_law() does, but always with a friction spring. If the law has no friction, the

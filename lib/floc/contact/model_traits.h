@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "floc/contact/absent.h"
+
 /// Traits of the models of a contact law. A model declares only the traits in which it differs from the
 /// default.
 namespace floc {
@@ -21,12 +23,20 @@ inline constexpr bool kIsDefault = requires {
   requires Model::kIsDefault;
 };
 
+/// Whether this model, in place of the default of its slot, is chosen if a table gives numbers but names no model and
+/// the normal law belongs to the family of this model.
+template <class Model>
+inline constexpr bool kIsDefaultOfFamily = requires {
+  requires Model::kIsDefaultOfFamily;
+};
+
 /// Family of contacts that a model is made for. Models can be combined with models of the same family, and with
 /// models that belong to no family.
 enum class Family {
   none,             ///< contacts of any kind
   springs,          ///< contacts of constant stiffnesses; each model has its own stiffness
   elastic_spheres,  ///< contacts whose stiffnesses all follow from the material and the overlap
+  rigid,  ///< contacts whose surfaces do not overlap, and whose forces follow from the balance of the grains
 };
 
 template <class Model>
@@ -38,6 +48,12 @@ constexpr Family family_of() {
 /// Returns the reason why a model of a contact law cannot be combined with a normal law of another Family, for use
 /// after "because" in a message; empty if no reason is known.
 constexpr std::string_view family_rule(Family of_normal, std::string_view slot) {
+  if (of_normal == Family::rigid && slot == "damping") return "rigid contacts have no dashpots";
+  if (of_normal == Family::rigid && slot == "friction")
+    return "the friction of rigid contacts has no stiffness";
+  if (of_normal == Family::rigid && slot == "adhesion") return "rigid contacts adhere only by a constant force";
+  if (of_normal == Family::rigid)
+    return "rigid contacts do not resist rolling or twisting in this version of floc";
   if (of_normal != Family::elastic_spheres) return "";
   if (slot == "adhesion") return "elastic spheres adhere only by liquid bridges";
   if (slot == "damping") return "the damping of elastic spheres follows the normal stiffness";
@@ -57,11 +73,18 @@ inline constexpr bool kIsAdhesion = requires(const Model& model) {
   model.range();
 };
 
+/// Whether a model that is not made for rigid contacts alone can also be combined with them.
+template <class Model>
+inline constexpr bool kGoesWithRigid = kIsAbsent<Model> || requires {
+  requires Model::kGoesWithRigid;
+};
+
 /// Whether a model of adhesion, damping, friction, rolling or twisting can be combined with a normal law.
 template <class Normal, class Model>
-inline constexpr bool kGoesWith = (family_of<Model>() == Family::none ||
-                                   family_of<Model>() == family_of<Normal>()) &&
-                                  !(kAdheresByItself<Normal> && kIsAdhesion<Model>);
+inline constexpr bool kGoesWith =
+    (family_of<Normal>() == family_of<Model>() ||
+     (family_of<Normal>() == Family::rigid ? kGoesWithRigid<Model> : family_of<Model>() == Family::none)) &&
+    !(kAdheresByItself<Normal> && kIsAdhesion<Model>);
 
 /// Returns the exponent of the overlap in the elastic force of a normal law. The default is 1: a contact of
 /// constant stiffness.

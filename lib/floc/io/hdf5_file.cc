@@ -124,12 +124,12 @@ Handle space_of(const std::vector<hsize_t>& extent) {
 }
 
 template <class T>
-Handle create_array(hid_t file, const std::string& path, const Shape& shape) {
+Handle create_array(hid_t file, const std::string& path, const ArrayShape& shape) {
   return create_dataset(file, path, NativeType<T>::file(), space_of({shape.begin(), shape.end()}));
 }
 
 template <class T>
-void write_array(hid_t file, const std::string& path, const Shape& shape, const std::vector<T>& values) {
+void write_array(hid_t file, const std::string& path, const ArrayShape& shape, const std::vector<T>& values) {
   const Handle dataset = create_array<T>(file, path, shape);
   if (!values.empty())
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
@@ -142,7 +142,7 @@ constexpr hsize_t kRowsAtATime = 1 << 16;
 /// of the first row of the block, n the number of values in the block, `memory` the HDF5 dataspace of a buffer for
 /// these values, and `file` the HDF5 dataspace of the array, in which the block is selected.
 template <class Visit>
-void for_each_block(const Shape& shape, const Visit& visit) {
+void for_each_block(const ArrayShape& shape, const Visit& visit) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
   const Handle file = space_of(extent);
   std::vector<hsize_t> start(extent.size(), 0), count = extent;
@@ -194,7 +194,7 @@ void check_length(hid_t file, const std::string& place, double bytes) {
 /// @throws InputError naming `place` unless the dataset exists, has the given shape, and holds real numbers (if T is
 /// double) or integers (otherwise)
 template <class T>
-Handle open_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape) {
+Handle open_array(hid_t file, const std::string& place, const std::string& path, const ArrayShape& shape) {
   Handle dataset = open_dataset(file, place, path);
   const std::vector<hsize_t> extent = extent_of(dataset);
   if (!std::equal(extent.begin(), extent.end(), shape.begin(), shape.end()))
@@ -211,7 +211,7 @@ Handle open_array(hid_t file, const std::string& place, const std::string& path,
 }
 
 template <class T>
-void read_array(hid_t file, const std::string& place, const std::string& path, const Shape& shape,
+void read_array(hid_t file, const std::string& place, const std::string& path, const ArrayShape& shape,
                 std::vector<T>& values) {
   const Handle dataset = open_array<T>(file, place, path, shape);
   std::size_t n = 1;
@@ -284,18 +284,20 @@ void Hdf5Writer::link(const std::string& path, const std::string& second_path) {
   checked(H5Lcreate_hard(file_, path.c_str(), file_, second_path.c_str(), H5P_DEFAULT, H5P_DEFAULT));
 }
 
-void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::vector<double>& values) {
+void Hdf5Writer::array(const std::string& path, const ArrayShape& shape, const std::vector<double>& values) {
   write_array(file_, path, shape, values);
 }
-void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::vector<std::int32_t>& values) {
+void Hdf5Writer::array(const std::string& path, const ArrayShape& shape,
+                       const std::vector<std::int32_t>& values) {
   write_array(file_, path, shape, values);
 }
-void Hdf5Writer::array(const std::string& path, const Shape& shape, const std::vector<std::uint8_t>& values) {
+void Hdf5Writer::array(const std::string& path, const ArrayShape& shape,
+                       const std::vector<std::uint8_t>& values) {
   write_array(file_, path, shape, values);
 }
 
 template <class T>
-void Hdf5Writer::rows(const std::string& path, const Shape& shape,
+void Hdf5Writer::rows(const std::string& path, const ArrayShape& shape,
                       const std::function<void(std::uint64_t, std::span<T>)>& fill) {
   const Handle dataset = create_array<T>(file_, path, shape);
   std::vector<T> values;
@@ -306,13 +308,13 @@ void Hdf5Writer::rows(const std::string& path, const Shape& shape,
   });
 }
 
-template void Hdf5Writer::rows(const std::string&, const Shape&,
+template void Hdf5Writer::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<double>)>&);
-template void Hdf5Writer::rows(const std::string&, const Shape&,
+template void Hdf5Writer::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<std::int32_t>)>&);
-template void Hdf5Writer::rows(const std::string&, const Shape&,
+template void Hdf5Writer::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<std::uint8_t>)>&);
-template void Hdf5Writer::rows(const std::string&, const Shape&,
+template void Hdf5Writer::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<std::int64_t>)>&);
 
 void Hdf5Writer::text(const std::string& path, const std::string& value) {
@@ -367,18 +369,20 @@ std::uint64_t Hdf5Reader::n_rows(const std::string& path) const {
   return extent[0];
 }
 
-void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<double>& values) const {
+void Hdf5Reader::array(const std::string& path, const ArrayShape& shape, std::vector<double>& values) const {
   read_array(file_, place(path), path, shape, values);
 }
-void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const {
+void Hdf5Reader::array(const std::string& path, const ArrayShape& shape,
+                       std::vector<std::int32_t>& values) const {
   read_array(file_, place(path), path, shape, values);
 }
-void Hdf5Reader::array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const {
+void Hdf5Reader::array(const std::string& path, const ArrayShape& shape,
+                       std::vector<std::uint8_t>& values) const {
   read_array(file_, place(path), path, shape, values);
 }
 
 template <class T>
-void Hdf5Reader::rows(const std::string& path, const Shape& shape,
+void Hdf5Reader::rows(const std::string& path, const ArrayShape& shape,
                       const std::function<void(std::uint64_t, std::span<const T>)>& take) const {
   const Handle dataset = open_array<T>(file_, place(path), path, shape);
   std::vector<T> values;
@@ -390,13 +394,13 @@ void Hdf5Reader::rows(const std::string& path, const Shape& shape,
   });
 }
 
-template void Hdf5Reader::rows(const std::string&, const Shape&,
+template void Hdf5Reader::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<const double>)>&) const;
-template void Hdf5Reader::rows(const std::string&, const Shape&,
+template void Hdf5Reader::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<const std::int32_t>)>&) const;
-template void Hdf5Reader::rows(const std::string&, const Shape&,
+template void Hdf5Reader::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>&) const;
-template void Hdf5Reader::rows(const std::string&, const Shape&,
+template void Hdf5Reader::rows(const std::string&, const ArrayShape&,
                                const std::function<void(std::uint64_t, std::span<const std::int64_t>)>&) const;
 
 std::string Hdf5Reader::text(const std::string& path) const {

@@ -22,7 +22,7 @@ class Hdf5Failure : public std::runtime_error {
 };
 
 /// Shape of an array: the number of its entries along each of its dimensions, slowest index first.
-using Shape = std::vector<std::uint64_t>;
+using ArrayShape = std::vector<std::uint64_t>;
 
 /// Writes an HDF5 file. The bytes of the file do not depend on the clock: the same calls give the same bytes. All
 /// member functions throw Hdf5Failure if the HDF5 library fails.
@@ -36,14 +36,14 @@ class Hdf5Writer {
 
   void group(const std::string& path);
 
-  void array(const std::string& path, const Shape& shape, const std::vector<double>& values);
-  void array(const std::string& path, const Shape& shape, const std::vector<std::int32_t>& values);
-  void array(const std::string& path, const Shape& shape, const std::vector<std::uint8_t>& values);
+  void array(const std::string& path, const ArrayShape& shape, const std::vector<double>& values);
+  void array(const std::string& path, const ArrayShape& shape, const std::vector<std::int32_t>& values);
+  void array(const std::string& path, const ArrayShape& shape, const std::vector<std::uint8_t>& values);
   /// Writes an array block by block, where a block is a range of rows, so that no copy of the whole array is needed.
   /// @param fill  function that writes the values of one block into its second argument; its first argument is the
   /// number of the first row of the block
   template <class T>
-  void rows(const std::string& path, const Shape& shape,
+  void rows(const std::string& path, const ArrayShape& shape,
             const std::function<void(std::uint64_t, std::span<T>)>& fill);
   void text(const std::string& path, const std::string& value);
 
@@ -82,13 +82,13 @@ class Hdf5Reader {
   /// Number of rows of an array, which is the number of entries along its first dimension.
   std::uint64_t n_rows(const std::string& path) const;
 
-  void array(const std::string& path, const Shape& shape, std::vector<double>& values) const;
-  void array(const std::string& path, const Shape& shape, std::vector<std::int32_t>& values) const;
-  void array(const std::string& path, const Shape& shape, std::vector<std::uint8_t>& values) const;
+  void array(const std::string& path, const ArrayShape& shape, std::vector<double>& values) const;
+  void array(const std::string& path, const ArrayShape& shape, std::vector<std::int32_t>& values) const;
+  void array(const std::string& path, const ArrayShape& shape, std::vector<std::uint8_t>& values) const;
   /// Reads an array block by block, where a block is a range of rows.
   /// @param take  function that is called for each block with the number of its first row and its values
   template <class T>
-  void rows(const std::string& path, const Shape& shape,
+  void rows(const std::string& path, const ArrayShape& shape,
             const std::function<void(std::uint64_t, std::span<const T>)>& take) const;
   std::string text(const std::string& path) const;
 

@@ -69,7 +69,7 @@ struct ArchiveItem<Eigen::Quaterniond> {
 
 /// Returns the shape of an array with one row for each of `n` items. The array is one-dimensional if an item has one
 /// component.
-inline Shape shape_of(std::size_t n, int components) {
+inline ArrayShape shape_of(std::size_t n, int components) {
   if (components == 1) return {n};
   return {n, static_cast<std::uint64_t>(components)};
 }
@@ -114,7 +114,7 @@ class WritingArchive {
   }
 
   template <class T>
-  void put(const Field& field, const Shape& shape, const std::vector<T>& values) {
+  void put(const Field& field, const ArrayShape& shape, const std::vector<T>& values) {
     file_.array(field.path, shape, values);
     describe(field);
   }
@@ -180,7 +180,7 @@ class ReadingArchive {
   }
 
   template <class T>
-  std::vector<T> take(const Field& field, const Shape& shape) {
+  std::vector<T> take(const Field& field, const ArrayShape& shape) {
     std::vector<T> values;
     file_.array(field.path, shape, values);
     const std::size_t rows = shape.empty() ? 1 : shape.front();  // the shape of a single value is empty

@@ -52,7 +52,7 @@ NetworkContact<Dim> network_contact(const Packing<Dim>& packing, const Contact<D
   out.branch = on_wall ? strained_branch<Dim>(packing, c, r) : r;
   out.arm_i = c.arm_i;
   out.arm_j = c.arm_j;
-  out.frame = contact_frame(Vec<Dim>(r.normalized()));
+  out.frame = contact_frame(packing.grains.are_round() ? Vec<Dim>(r.normalized()) : c.normal);
   out.kn = c.kn;
   out.kt = c.kt;
   out.kr = c.kr;

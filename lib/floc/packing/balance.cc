@@ -46,7 +46,10 @@ Mat<Dim> boundary_stress(const Packing<Dim>& packing) {
 
 template <int Dim>
 double twice_kinetic_energy(const Grains<Dim>& g, int i) {
-  return g.mass[i] * g.velocity[i].squaredNorm() + g.inertia(i) * g.angular_velocity[i].squaredNorm();
+  const double rotation = g.are_round()
+                              ? g.inertia(i) * g.angular_velocity[i].squaredNorm()
+                              : g.angular_velocity[i].dot(g.inertia_tensor(i) * g.angular_velocity[i]);
+  return g.mass[i] * g.velocity[i].squaredNorm() + rotation;
 }
 
 template <int Dim>

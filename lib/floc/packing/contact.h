@@ -3,6 +3,7 @@
 #include "floc/base/vec.h"
 #include "floc/contact/history.h"
 #include "floc/geometry/frame.h"
+#include "floc/shape/manifold.h"
 
 namespace floc {
 
@@ -38,7 +39,10 @@ struct Contact {
   bool sliding = false;         ///< whether the tangential force has reached its cap
   bool rolling_yield = false;   ///< whether the rolling moment has reached its cap
   bool twisting_yield = false;  ///< whether the twisting moment has reached its cap
-  bool distant = false;         ///< whether the surfaces do not touch but attract each other across a gap
+  /// Features that meet at a contact of shapes with corners: a vertex and a face, two edges, ...; for round grains, the
+  /// default.
+  ContactType type = ContactType::kVertexFace;
+  bool distant = false;  ///< whether the surfaces do not touch but attract each other across a gap
   /// History of the contact under its law, arranged as in HistoryLayout.
   ContactHistory<Dim> history = ContactHistory<Dim>::Zero();
 

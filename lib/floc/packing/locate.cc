@@ -1,6 +1,7 @@
 #include "floc/packing/locate.h"
 
 #include "floc/packing/ball.h"
+#include "floc/shape/manifold.h"
 
 namespace floc {
 
@@ -16,8 +17,46 @@ ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double rad
   return at;
 }
 
+namespace {
+
+/// Returns the gap up to which the manifold of two shapes is computed: all points of two shapes that are closer than
+/// their sizes.
+template <int Dim>
+double widest_gap(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  return packing.grains.radius[c.i] + packing.grains.radius[c.j];
+}
+
+/// Returns the geometry of a contact of two shapes: of the contact point that has the key of the contact. If no point
+/// has this key, as the features that meet have changed, the point nearest to the recorded one is taken.
+template <int Dim>
+ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  ContactGeometry<Dim> at;
+  at.branch = branch(packing, contact);
+  const PlacedShape<Dim> first = packing.grains.placed(contact.i);
+  PlacedShape<Dim> second = packing.grains.placed(contact.j);
+  second.position = first.position + at.branch;
+  const Manifold<Dim> manifold = contact_manifold(first, second, widest_gap(packing, contact));
+  at.normal = manifold.normal;
+  const ManifoldPoint<Dim>* found = &manifold.points[0];
+  for (int p = 0; p < manifold.n; ++p) {
+    const ManifoldPoint<Dim>& point = manifold.points[p];
+    if (static_cast<int>(point.key) == contact.key) {
+      found = &point;
+      break;
+    }
+    if ((point.arm - contact.arm_i).squaredNorm() < (found->arm - contact.arm_i).squaredNorm()) found = &point;
+  }
+  at.gap = found->gap;
+  at.arm_i = found->arm;
+  at.arm_j = at.arm_i - at.branch;
+  return at;
+}
+
+}  // namespace
+
 template <int Dim>
 ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  if (!packing.grains.are_round()) return locate_shapes(packing, contact);
   return locate_balls<Dim>(exact_branch(packing, contact), packing.grains.radius[contact.i],
                            packing.surface_radius(contact.j));
 }

@@ -33,7 +33,9 @@ ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& con
 template <int Dim>
 void place(const ContactGeometry<Dim>& geometry, Contact<Dim>& contact);
 
-/// Sets the lever arms of all contacts of a packing from the positions of the grains. Gaps and normals are not changed.
+/// Sets the lever arms of all contacts of a packing of round grains from the positions of the grains. Gaps and normals
+/// are not changed.
+/// @pre packing.grains.are_round()
 template <int Dim>
 void set_arms(Packing<Dim>& packing);
 

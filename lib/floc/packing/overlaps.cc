@@ -73,10 +73,14 @@ std::string overlap_warning(const Packing<Dim>& packing) {
 }
 
 std::string question_of_units(const Law& law) {
-  return law.parameters().normal.visit([]<class Model>(const Model& model) {
-    const Number<Model>& stiffness = Model::kNumbers[0];
-    return fmt::format("is {} = {:.6g} consistent with the units of lengths and forces?", stiffness.symbol,
-                       model.*stiffness.member);
+  return law.parameters().normal.visit([]<class Model>(const Model& model) -> std::string {
+    if constexpr (requires { Model::kNumbers; }) {
+      const Number<Model>& stiffness = Model::kNumbers[0];
+      return fmt::format("is {} = {:.6g} consistent with the units of lengths and forces?", stiffness.symbol,
+                         model.*stiffness.member);
+    } else {
+      return "are the positions and the radii in the same unit of length?";
+    }
   });
 }
 

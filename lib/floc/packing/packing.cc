@@ -1,6 +1,7 @@
 #include "floc/packing/packing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace floc {
 
@@ -23,9 +24,33 @@ void Grains<Dim>::set_names(std::vector<std::int64_t> names) {
 }
 
 template <int Dim>
+PlacedShape<Dim> Grains<Dim>::placed(int i) const {
+  return {&(*shapes)[shape[i]], scale[i], position[i], rotation_matrix(orientation[i])};
+}
+
+template <int Dim>
+double Grains<Dim>::volume(int i) const {
+  if (are_round()) return Ball<Dim>{radius[i]}.volume();
+  return std::pow(scale[i], Dim) * (*shapes)[shape[i]].volume;
+}
+
+template <int Dim>
+Mat<kRotations<Dim>> Grains<Dim>::inertia_tensor(int i) const {
+  if (are_round()) return inertia(i) * Mat<kRotations<Dim>>::Identity();
+  const Shape<Dim>& own = (*shapes)[shape[i]];
+  const RotationVector<Dim> principal = mass[i] * scale[i] * scale[i] / own.volume * own.inertia;
+  if constexpr (Dim == 2) {
+    return principal;
+  } else {
+    const Mat<3> axes = rotation_matrix(orientation[i]);
+    return axes * principal.asDiagonal() * axes.transpose();
+  }
+}
+
+template <int Dim>
 double solid_fraction(const Packing<Dim>& packing) {
   double volume = 0.0;
-  for (int i = 0; i < packing.grains.size(); ++i) volume += packing.grains.shape(i).volume();
+  for (int i = 0; i < packing.grains.size(); ++i) volume += packing.grains.volume(i);
   return volume / packing.cell.volume();
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "floc/packing/ball.h"
 #include "floc/packing/contact.h"
 #include "floc/packing/wall.h"
+#include "floc/shape/placed_shape.h"
 
 namespace floc {
 
@@ -29,7 +31,7 @@ inline Orientation<Dim> no_rotation() {
   }
 }
 
-/// Round grains, with one array entry per grain. Contacts refer to grains by their index in these arrays.
+/// Grains, with one array entry per grain. Contacts refer to grains by their index in these arrays.
 template <int Dim>
 struct Grains {
   std::vector<Vec<Dim>> position;  ///< position of the centre (length); in a saved state, inside the cell
@@ -38,13 +40,19 @@ struct Grains {
   /// zero.
   std::vector<Vec<Dim>> position_low;
   std::vector<Vec<Dim>> velocity;  ///< peculiar velocity, without the affine motion of the cell (length/time)
-  std::vector<double> radius;      ///< radius of each grain (length)
-  std::vector<double> mass;        ///< mass of each grain (mass)
+  /// Radius of each grain (length); for a grain with corners, the radius of the smallest sphere (circle in 2D) about
+  /// its centre of mass that contains the grain.
+  std::vector<double> radius;
+  std::vector<double> mass;  ///< mass of each grain (mass)
   std::vector<Orientation<Dim>> orientation;
   std::vector<RotationVector<Dim>> angular_velocity;  ///< angular velocity of each grain (radians/time)
   /// Identifiers that another program gave to the grains, used in messages and tables; empty: the indices are
   /// used.
   std::vector<std::int64_t> id;
+  /// Shapes of the grains; null if all grains are disks or spheres. Copies of a packing share one table of shapes.
+  std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
+  std::vector<int> shape;     ///< index in `shapes` of the shape of each grain; empty without shapes
+  std::vector<double> scale;  ///< factor by which the shape of each grain is magnified; empty without shapes
 
   int size() const { return static_cast<int>(radius.size()); }
 
@@ -70,9 +78,25 @@ struct Grains {
   /// Sets the positions of the centres. Low parts (position_low) are stored only if at least one of them is not zero.
   void set_centres(const std::vector<DoubleDoubleVec<Dim>>& centres);
 
-  Ball<Dim> shape(int i) const { return {radius[i]}; }
-  double inertia(int i) const { return shape(i).inertia(mass[i]); }
+  /// Whether all grains are disks or spheres.
+  bool are_round() const { return shapes == nullptr; }
+  /// Returns the shape of grain i at its position and orientation. @pre !are_round()
+  PlacedShape<Dim> placed(int i) const;
+  /// Returns the area (2D) or volume (3D) of grain i (length^Dim).
+  double volume(int i) const;
+  /// Returns the moment of inertia of a disk or sphere about its centre (mass * length^2). @pre are_round()
+  double inertia(int i) const { return Ball<Dim>{radius[i]}.inertia(mass[i]); }
+  /// Returns the inertia tensor of grain i about its centre of mass, in the axes of space (mass * length^2).
+  Mat<kRotations<Dim>> inertia_tensor(int i) const;
 };
+
+/// Returns the rotation matrix of an orientation: it takes vectors from the axes of the grain to the axes of space.
+inline Mat<2> rotation_matrix(double angle) {
+  return Eigen::Rotation2Dd(angle).toRotationMatrix();
+}
+inline Mat<3> rotation_matrix(const Eigen::Quaterniond& orientation) {
+  return orientation.toRotationMatrix();
+}
 
 /// Mechanical state of a packing: cell, walls, grains, contact laws and contacts.
 template <int Dim>
@@ -94,6 +118,8 @@ struct Packing {
   /// Returns the distance from the end of a branch vector to the surface of the body at this end (length): the radius
   /// of a grain, or zero for a wall, because the branch ends on the surface of the wall.
   double surface_radius(int body) const { return is_wall(body) ? 0.0 : grains.radius[body]; }
+  /// Returns the contact law of a contact: the law between grains or the law between grains and walls.
+  const Law& law_of(const Contact<Dim>& contact) const { return is_wall(contact.j) ? wall_law : law; }
 };
 
 /// Returns whether an axis of the cell lies between two walls.

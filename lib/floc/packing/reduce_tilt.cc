@@ -8,26 +8,9 @@
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/packing/swap_sides.h"
+#include "floc/packing/wrap.h"
 
 namespace floc {
-namespace {
-
-/// Wraps grains into the periodic cell. @return displacement of each grain, in numbers of lattice vectors
-template <int Dim>
-std::vector<Vec<Dim, int>> wrap(const Cell<Dim>& cell, Grains<Dim>& grains) {
-  std::vector<Vec<Dim, int>> images;
-  std::vector<DoubleDoubleVec<Dim>> centres;
-  for (int i = 0; i < grains.size(); ++i) {
-    const Vec<Dim> s = cell.reduced(grains.position[i]);
-    images.push_back(-s.array().floor().matrix().template cast<int>());
-    centres.push_back(displaced<Dim>(grains.centre(i), cell, images.back()));
-  }
-  grains.set_centres(centres);
-  return images;
-}
-
-}  // namespace
-
 template <int Dim>
 void reduce_tilt(Packing<Dim>& packing, int axis) {
   assert(axis > 0 && packing.cell.matrix.isLowerTriangular(0.0));
@@ -38,7 +21,7 @@ void reduce_tilt(Packing<Dim>& packing, int axis) {
   if (lengths == 0.0) return;
   cell.matrix(axis, 0) = std::fma(-lengths, side, cell.matrix(axis, 0));
   cell.velocity.row(axis) -= lengths * cell.velocity.row(0);
-  const std::vector<Vec<Dim, int>> wrapped = wrap(cell, packing.grains);
+  const std::vector<Vec<Dim, int>> wrapped = wrap_grains(cell, packing.grains);
   const ContactHistory<Dim> parity = swap_parity<Dim>(packing.law);
   for (Contact<Dim>& c : packing.contacts) {
     c.image[0] += static_cast<int>(lengths) * c.image[axis];

@@ -4,6 +4,7 @@
 
 #include "floc/packing/equilibrium.h"
 #include "floc/relaxation/compaction_end.h"
+#include "floc/relaxation/contact_dynamics_options.h"
 
 namespace floc {
 
@@ -57,7 +58,8 @@ struct RelaxationOptions {
   /// Factor by which the durations are multiplied for which a packing has to be steady before its motion counts as
   /// stopped. A smaller factor saves time, but a collapse that only pauses may then count as ended.
   double patience = 1.0;
-  CompactionEnd compaction;  ///< criterion that ends the compaction of a packing between walls
+  ContactDynamicsOptions contact_dynamics;  ///< settings for rigid contacts
+  CompactionEnd compaction;                 ///< criterion that ends the compaction of a packing between walls
 };
 
 }  // namespace floc

@@ -14,6 +14,7 @@
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/relaxation/box_relaxer.h"
+#include "floc/relaxation/contact_dynamics_relaxer.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/elastic_step.h"
 #include "floc/relaxation/static_solver.h"
@@ -525,6 +526,8 @@ RelaxationReport Relaxer<Dim>::report() const {
 template <int Dim>
 std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
                                                      const LoadTarget<Dim>& load, const std::string& progress) {
+  if (packing.law.is_rigid())
+    return std::make_unique<ContactDynamicsRelaxer<Dim>>(options, std::move(packing), load, progress);
   if (!packing.walls.empty())
     return std::make_unique<BoxRelaxer<Dim>>(options, std::move(packing), load, progress);
   return std::make_unique<Relaxer<Dim>>(

@@ -22,13 +22,15 @@ class BalanceRows {
  public:
   BalanceRows(const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options)
       : network_(contact_network(packing)),
-        strains_(packing.walls.empty() ? StrainSet::full : StrainSet::diagonal),
+        strains_(packing.walls.empty() && !options.axis_stress ? StrainSet::full : StrainSet::diagonal),
         n_boundary_(n_boundary_unknowns(network_, strains_)),
         load_(Eigen::VectorXd::Zero(first_of_boundary() + n_boundary_)) {
     if (options.stress)
       for (int s = 0; s < n_boundary_; ++s)
         load_[first_of_boundary() + s] =
             network_.volume * options.stress->cwiseProduct(unit_strain<Dim>(s)).sum();
+    if (options.axis_stress)
+      load_.segment(first_of_boundary(), Dim) = network_.volume * *options.axis_stress;
   }
 
   const ContactNetwork<Dim>& network() const { return network_; }
@@ -169,6 +171,8 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
   for (const auto& [name, value] : {std::pair{"kn", kn}, {"kt", kt}})
     if (value && !(*value > 0.0 && std::isfinite(*value)))
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
+  if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
+  if (stress && axis_stress) faults.emplace_back("axis_stress: expected no stress beside it");
   if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
   return faults;
 }
@@ -191,7 +195,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
       if (row >= from) load[row] += sign * coefficient.dot(force);
     });
   };
-  if (!options.stress)
+  if (!options.stress && !options.axis_stress)
     for (const NetworkContact<Dim>& c : contacts) add(c, present_force(c), 1.0, rows.first_of_boundary());
   for (const NetworkContact<Dim>& c : contacts)
     if (c.distant) add(c, present_force(c), -1.0, 0);

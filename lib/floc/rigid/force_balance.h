@@ -16,6 +16,9 @@ struct ForceBalanceOptions {
   std::optional<double> kn, kt;    ///< K_N and K_T (force/length); absent: those of each contact
   /// Stress that the forces transmit, symmetric (force/length^(Dim-1)); absent: that of the present forces.
   std::optional<Mat<Dim>> stress;
+  /// Stress on each axis that the forces transmit, compression positive (force/length^(Dim-1)), while shear stresses
+  /// are free; absent: `stress`. Only one of the two may be given.
+  std::optional<Vec<Dim>> axis_stress;
 
   /// Every fault as "key = value: requirement"; empty when the options can be used.
   std::vector<std::string> validate() const;

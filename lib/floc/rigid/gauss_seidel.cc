@@ -9,7 +9,7 @@
 namespace floc {
 
 template <int Dim>
-GaussSeidel<Dim>::GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts)
+GaussSeidel<Dim>::GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, int)
     : bodies_(bodies), contacts_(contacts) {
   const auto side = [&](int body, double sign, const Vec<Dim>& arm, const Mat<Dim>& frame) {
     Side out{.body = body, .sign = sign, .turn = {}, .moment = {}};
@@ -23,7 +23,10 @@ GaussSeidel<Dim>::GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<D
     block.contact = k;
     block.on_i = side(c.i, -1.0, c.arm_i, c.frame);
     block.on_j = side(c.j, 1.0, c.arm_j, c.frame);
-    block.response = (bodies_.inverse_mass[c.i] + bodies_.inverse_mass[c.j]) * Mat<Dim>::Identity();
+    block.response =
+        c.frame.transpose() * (bodies_.inverse_mass[c.i] + bodies_.inverse_mass[c.j]).asDiagonal() * c.frame;
+    block.strain = c.frame.transpose() * c.branch.asDiagonal();
+    block.response += block.strain * bodies_.inverse_stretch_mass.asDiagonal() * block.strain.transpose();
     for (const Side* one : {&block.on_i, &block.on_j}) block.response += one->moment.transpose() * one->turn;
     block.response(0, 0) += c.normal_compliance;
     for (int a = 1; a < Dim; ++a) block.response(a, a) += c.tangential_compliance;
@@ -41,14 +44,14 @@ void GaussSeidel<Dim>::colour() {
   for (std::size_t k = 0; k < blocks_.size(); ++k) {
     std::uint64_t used = 0;
     for (const int body : {blocks_[k].on_i.body, blocks_[k].on_j.body})
-      if (bodies_.inverse_mass[body] > 0.0) used |= taken[body];
+      if (!bodies_.inverse_mass[body].isZero(0.0)) used |= taken[body];
     // Contacts beyond 64 colours share the last one, whose contacts are solved one after the other.
     int chosen = 0;
     while (chosen < 63 && (used >> chosen & 1u)) ++chosen;
     colour[k] = chosen;
     n_colours = std::max(n_colours, chosen + 1);
     for (const int body : {blocks_[k].on_i.body, blocks_[k].on_j.body})
-      if (bodies_.inverse_mass[body] > 0.0) taken[body] |= std::uint64_t{1} << chosen;
+      if (!bodies_.inverse_mass[body].isZero(0.0)) taken[body] |= std::uint64_t{1} << chosen;
   }
   std::vector<Block> ordered;
   ordered.reserve(blocks_.size());
@@ -64,7 +67,7 @@ void GaussSeidel<Dim>::colour() {
 template <int Dim>
 Vec<Dim> GaussSeidel<Dim>::relative_velocity(const Block& block) const {
   const Vec<Dim> translation = bodies_.velocity[block.on_j.body] - bodies_.velocity[block.on_i.body];
-  Vec<Dim> out = contacts_[block.contact].frame.transpose() * translation;
+  Vec<Dim> out = contacts_[block.contact].frame.transpose() * translation + block.strain * bodies_.stretch;
   for (const Side* side : {&block.on_i, &block.on_j})
     out += side->moment.transpose() * bodies_.angular_velocity[side->body];
   return out;
@@ -73,8 +76,9 @@ Vec<Dim> GaussSeidel<Dim>::relative_velocity(const Block& block) const {
 template <int Dim>
 void GaussSeidel<Dim>::apply(const Block& block, const Vec<Dim>& impulse) {
   const Vec<Dim> in_space = contacts_[block.contact].frame * impulse;
+  bodies_.stretch += bodies_.inverse_stretch_mass.cwiseProduct(block.strain.transpose() * impulse);
   for (const Side* side : {&block.on_i, &block.on_j}) {
-    bodies_.velocity[side->body] += side->sign * bodies_.inverse_mass[side->body] * in_space;
+    bodies_.velocity[side->body] += side->sign * bodies_.inverse_mass[side->body].cwiseProduct(in_space);
     bodies_.angular_velocity[side->body] += side->turn * impulse;
   }
 }

@@ -12,8 +12,10 @@ template <int Dim>
 struct BodyMotion {
   std::vector<Vec<Dim>> velocity;                     ///< (length/time)
   std::vector<RotationVector<Dim>> angular_velocity;  ///< (1/time)
-  std::vector<double> inverse_mass;                   ///< (1/mass)
+  std::vector<Vec<Dim>> inverse_mass;                 ///< along each axis of space (1/mass)
   std::vector<Mat<kRotations<Dim>>> inverse_inertia;  ///< in space (1/(mass length^2))
+  Vec<Dim> stretch = Vec<Dim>::Zero();                ///< rate of stretch of each axis of the cell (1/time)
+  Vec<Dim> inverse_stretch_mass = Vec<Dim>::Zero();   ///< (1/(mass length^2)); zero: the rate is imposed
 
   int size() const { return static_cast<int>(velocity.size()); }
 };
@@ -22,11 +24,12 @@ struct BodyMotion {
 /// velocity after the step is u = u_free + W p, and the conditions of ContactProblem hold for u + C p + b.
 template <int Dim>
 struct StepContact {
-  int i, j;             ///< bodies
-  Vec<Dim> arm_i;       ///< from the centre of i to the contact point (length)
-  Vec<Dim> arm_j;       ///< from the centre of j to the contact point (length)
-  Mat<Dim> frame;       ///< columns: the unit normal from i to j, then the tangents
-  double friction = 0;  ///< mu
+  int i, j;                            ///< bodies
+  Vec<Dim> arm_i;                      ///< from the centre of i to the contact point (length)
+  Vec<Dim> arm_j;                      ///< from the centre of j to the contact point (length)
+  Vec<Dim> branch = Vec<Dim>::Zero();  ///< from the centre of i to the image of j (length)
+  Mat<Dim> frame;                      ///< columns: the unit normal from i to j, then the tangents
+  double friction = 0;                 ///< mu
   /// C of the normal and of the tangents (time/mass): 1/(K dt^2) of a spring K, 0 of a rigid contact.
   double normal_compliance = 0.0, tangential_compliance = 0.0;
   /// b (length/time): of a rigid contact g/dt of an open gap g; of springs K g dt C and s/dt of the elongation s.
@@ -50,7 +53,7 @@ class GaussSeidel {
  public:
   /// Takes the contacts of a step with their impulses as a start, and applies these to the bodies.
   /// @param bodies  velocities without the impulses of the contacts, to which all external impulses have been added
-  GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts);
+  GaussSeidel(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts, int threads = 1);
 
   /// Sweeps over all contacts until the residual is below a tolerance.
   /// @param check_every  number of sweeps between two computations of the residual
@@ -74,6 +77,7 @@ class GaussSeidel {
     int contact;
     Side on_i, on_j;
     Mat<Dim> response;  // W + C
+    Mat<Dim> strain;    // relative velocity per stretch
   };
 
   void colour();

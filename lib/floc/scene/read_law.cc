@@ -45,11 +45,15 @@ void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const Decla
 }
 
 /// Returns the index of the model that the table of a component of the contact law stands for if it has no key "law":
-/// the default model, unless the table has a number that only another model has.
-std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot) {
+/// the default model (or the default of the family of the normal law), unless the table has a number that only another
+/// model has.
+/// @param law  contact law with the components that have been read before
+std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot, const LawParameters& law) {
   std::size_t meant = 0;
   for (std::size_t k = 0; k < slot.models.size(); ++k)
     if (slot.models[k].is_default) meant = k;
+  for (std::size_t k = 0; k < slot.models.size(); ++k)
+    if (slot.models[k].is_default_of_family && fits(slot.models[k], law)) meant = k;
   for (std::size_t k = 0; k < slot.models.size(); ++k)
     for (const DeclaredNumber& n : slot.models[k].numbers)
       if (t.has(n.key) && !slot.models[meant].number(n.key)) return k;
@@ -62,7 +66,7 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   for (const DeclaredModel& model : slot.models) keywords.push_back(model.keyword);
   const auto chosen = t.choice("law", keywords, names_its_model(slot) ? Need::required : Need::optional);
   if (!chosen && (t.has("law") || (slot.models.size() > 1 && names_its_model(slot)))) return;
-  const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot)];
+  const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot, law)];
   // If the chosen model cannot be combined with the models of other components, only this fault is reported, not the
   // numbers of the model.
   const bool goes_together = fits(model, law);

@@ -72,8 +72,10 @@ double overlap_under(const Scene& scene, const Law& law, double pressure, double
   const double overlap = law.parameters().normal.visit([&](const auto& model) {
     if constexpr (requires { model.overlap_at_force(pair, elastic); })
       return model.overlap_at_force(pair, elastic);
-    else
+    else if constexpr (requires { model.stiffness_at_force(pair, elastic); })
       return elastic / model.stiffness_at_force(pair, elastic);
+    else
+      return 0.0;  // rigid contacts
   });
   return overlap / (0.5 * a);
 }

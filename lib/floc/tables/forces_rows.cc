@@ -163,7 +163,11 @@ ForcesRow forces_row(const std::string& file, const State<Dim>& state, const For
   const ForceSelection selection =
       options.selection.value_or(has_forces ? ForceSelection::kClosest : ForceSelection::kCanonical);
   StaticForces<Dim> problem(file, packing,
-                            {options.friction, options.kn, options.kt, stress_of<Dim>(options.stress)});
+                            {.friction = options.friction,
+                             .kn = options.kn,
+                             .kt = options.kt,
+                             .stress = stress_of<Dim>(options.stress),
+                             .axis_stress = std::nullopt});
   const ContactForces<Dim> canonical = problem.canonical();
   const ContactForces<Dim> found = selection == ForceSelection::kCanonical ? canonical : problem.closest();
 

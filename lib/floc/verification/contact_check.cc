@@ -30,7 +30,7 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
 /// spring pulls.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  const Law& law = law_of(packing, c);
+  const Law& law = packing.law_of(c);
   if (!c.distant && law.force_exponent() == 1.0 && !law.keeps_overlap())
     return -c.kn * c.gap - (touches(packing, c) ? pull_off_force(packing, c) : 0.0);
   Contact<Dim> by_law = c;
@@ -68,7 +68,7 @@ template <int Dim>
 std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double open) {
   std::vector<Contact<Dim>> missing = unlisted_pairs(packing, interacting_pairs(packing));
   for (Contact<Dim>& c : missing) refresh_contact(packing, c);
-  std::erase_if(missing, [&](const Contact<Dim>& c) { return !(c.gap < law_of(packing, c).range() - open); });
+  std::erase_if(missing, [&](const Contact<Dim>& c) { return !(c.gap < packing.law_of(c).range() - open); });
   return missing;
 }
 
@@ -83,7 +83,7 @@ ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance) {
     check.n_distant += c.distant;
     check.n_pulling += c.normal_force < -kNoForce * largest;
     check.n_mobilised += c.is_mobilised();
-    const Mobilised beyond = mobilised(law_of(packing, c), c, -kCapTolerance);
+    const Mobilised beyond = mobilised(packing.law_of(c), c, -kCapTolerance);
     check.n_beyond_cap += (beyond.sliding && !c.shear_force.isZero(0.0)) ||
                           (beyond.rolling && !c.rolling_moment.isZero(0.0)) ||
                           (beyond.twisting && c.twisting_moment != 0.0);

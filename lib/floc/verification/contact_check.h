@@ -7,13 +7,6 @@
 
 namespace floc {
 
-/// Returns the contact law of a contact: the law between grains or, for a contact of a grain with a wall, the law of
-/// the walls.
-template <int Dim>
-const Law& law_of(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  return packing.is_wall(contact.j) ? packing.wall_law : packing.law;
-}
-
 /// Returns a bound on the rounding error of the distance between two grains (length). The positions of the grains, the
 /// difference of these positions, and the radii are rounded.
 template <int Dim>

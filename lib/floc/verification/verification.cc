@@ -88,7 +88,7 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   for (const Contact<Dim>& c : recomputed.contacts) {
     if (!listed.insert({identity(c), c.key}).second)
       wrong(name_of(recomputed, c) + " are in the contact list twice");
-    if (c.distant && c.gap >= law_of(recomputed, c).range() + open && bridge_volume(recomputed, c) == 0.0)
+    if (c.distant && c.gap >= recomputed.law_of(c).range() + open && bridge_volume(recomputed, c) == 0.0)
       wrong(fmt::format("{} are in the contact list although they do not interact at their gap of {:.2g}",
                         name_of(recomputed, c), c.gap));
   }
@@ -379,7 +379,7 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
                                name_of(stored, c), recorded ? "" : "not ", flag));
   };
   for (const Contact<Dim>& c : stored.contacts) {
-    const Law& law = law_of(stored, c);
+    const Law& law = stored.law_of(c);
     const Mobilised near = mobilised(law, c, kFlagTolerance), at = mobilised(law, c, kAtCap);
     compare(c, "sliding", c.sliding, near.sliding, at.sliding);
     compare(c, "yielding in rolling", c.rolling_yield, near.rolling, at.rolling);

@@ -14,6 +14,7 @@ struct ConstantAdhesion {
 
   static constexpr const char* kKeyword = "constant";
   static constexpr Family kFamily = Family::springs;
+  static constexpr bool kGoesWithRigid = true;
   static constexpr bool kIsInEveryFile = true;
   static constexpr Number<ConstantAdhesion> kNumbers[] = {
       {"force", &ConstantAdhesion::pull_off_force, Unit::force, "F0", Requirement::not_negative,

@@ -25,6 +25,11 @@ bool interacts_at(const Law& law, const Grains<Dim>& grains, const Contact<Dim>&
 /// whose surfaces are too far apart to interact.
 template <int Dim>
 void refresh_kind(Packing<Dim>& packing, bool with_walls) {
+  if (packing.law.is_rigid()) {
+    for (Contact<Dim>& c : packing.contacts)
+      if (packing.is_wall(c.j) == with_walls) place(locate(packing, c), c);
+    return;
+  }
   std::visit(
       [&](const auto& law) {
         for (Contact<Dim>& c : packing.contacts)
@@ -34,6 +39,14 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
         });
       },
       compose_law(with_walls ? packing.wall_law : packing.law));
+}
+
+/// Returns whether the tangential force of a rigid contact is at Coulomb's limit.
+/// @param tolerance  fraction of the limit by which the force may lie below it
+template <int Dim>
+bool slides(const Law& law, const Contact<Dim>& c, double tolerance) {
+  const double limit = law.friction_coefficient() * c.elastic_force;
+  return limit > 0.0 && c.shear_force.norm() >= (1.0 - tolerance) * limit;
 }
 
 /// Sets the elastic force, history and stiffnesses of a contact whose normal force, shear force and moments are given
@@ -69,8 +82,8 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
 
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact) {
-  std::visit([&](const auto& law) { refresh(law, packing, contact); },
-             compose_law(packing.is_wall(contact.j) ? packing.wall_law : packing.law));
+  if (packing.law_of(contact).is_rigid()) return place(locate(packing, contact), contact);
+  std::visit([&](const auto& law) { refresh(law, packing, contact); }, compose_law(packing.law_of(contact)));
 }
 
 template <int Dim>
@@ -81,13 +94,15 @@ void refresh_contacts(Packing<Dim>& packing) {
 
 template <int Dim>
 bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  if (packing.law_of(contact).is_rigid()) return contact.elastic_force > 0.0 || contact.gap <= 0.0;
   return std::visit([&](const auto& law) { return touches(law, packing.grains, contact); },
-                    compose_law(packing.is_wall(contact.j) ? packing.wall_law : packing.law));
+                    compose_law(packing.law_of(contact)));
 }
 
 template <int Dim>
 Mobilised mobilised(const Law& parameters, const Contact<Dim>& contact, double tolerance) {
   if (contact.distant) return {};
+  if (parameters.is_rigid()) return {.sliding = slides(parameters, contact, tolerance)};
   return std::visit(
       [&]<class Law>(const Law& law) {
         return law.template mobilised<Dim>(contact.elastic_force, packed_history<Law, Dim>(contact.history),
@@ -99,6 +114,13 @@ Mobilised mobilised(const Law& parameters, const Contact<Dim>& contact, double t
 template <int Dim>
 void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std::optional<double> kt,
                       double tolerance, Contact<Dim>& contact) {
+  if (packing.law.is_rigid()) {
+    contact.elastic_force = std::max(contact.normal_force + pull_off_force(packing, contact), 0.0);
+    contact.kn = kn.value_or(0.0);
+    contact.kt = kt.value_or(0.0);
+    contact.sliding = slides(packing.law, contact, tolerance);
+    return;
+  }
   std::visit(
       [&](const auto& law) {
         set_forces(law, pull_off_force(packing, contact), packing.grains, kn, kt, tolerance, contact);

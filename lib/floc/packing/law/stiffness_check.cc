@@ -33,7 +33,8 @@ std::string factor_text(double least, double largest) {
 template <int Dim>
 Stiffnesses law_stiffnesses(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   Contact<Dim> by_law = contact;
-  const LawParameters& parameters = packing.is_wall(contact.j) ? packing.wall_law : packing.law;
+  const Law& parameters = packing.is_wall(contact.j) ? packing.wall_law : packing.law;
+  if (parameters.is_rigid()) return stiffnesses(contact);
   std::visit(
       [&]<class Law>(const Law& law) {
         if (contact.distant || !kFollowsFromForce<Law>) return refresh_contact(packing, by_law);

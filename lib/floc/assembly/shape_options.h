@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "floc/shape/generators.h"
+
+namespace floc {
+
+/// Shape of regular polygons (2D).
+struct PolygonOptions {
+  int sides = 5;
+};
+/// Shape of rectangles or cuboids, whose sides have these proportions, one per dimension.
+struct BoxShapeOptions {
+  std::vector<double> sides;
+};
+/// Shape of capsules that are `aspect` times as long as they are thick.
+struct CapsuleOptions {
+  double aspect = 2.0;
+};
+/// Shapes that are read from a file.
+struct FileShapeOptions {
+  std::string file;  ///< path of the file
+  int vertices = 0;  ///< number of vertices to which each shape is reduced; 0 keeps all
+};
+
+/// Shapes of the grains of a scene (table grains.shape). All shapes have the diameter 1 and are magnified to the
+/// diameters of the grains.
+struct ShapeOptions {
+  std::variant<PolygonOptions, BoxShapeOptions, HullOptions, CutOptions, VoronoiOptions, CapsuleOptions,
+               FileShapeOptions>
+      kind;
+  double rounding = 0.0;  ///< radius of rounding over the diameter, from 0 to 0.45
+  int count = 60;         ///< number of different shapes that are drawn
+};
+
+}  // namespace floc

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+namespace floc {
+
+/// Forces with which a packing of rigid grains at rest is recorded. In general many sets of forces balance the grains.
+enum class RigidForces {
+  closest,    ///< the balanced forces closest to those of the last time step
+  canonical,  ///< the balanced forces of least elastic energy, which do not depend on the history
+  stepped,    ///< the forces of the last time step
+};
+
+/// Numerical settings of contact dynamics, the implicit time integration of rigid grains (docs/numerics.md).
+struct ContactDynamicsOptions {
+  /// Longest time step in units of T = sqrt(m/(P a^(Dim-2))), with the mass m and the diameter a of the largest grain
+  /// and the pressure P. It is halved as long as grains move too far in a step.
+  double time_step = 0.05;
+  /// Error of the impulses of a time step, over the mean normal impulse, at which the sweeps over the contacts end.
+  double sweep_tolerance = 1e-3;
+  /// Largest number of sweeps over the contacts in a time step. A step that needs more counts as unfinished.
+  int max_sweeps = 400;
+  double restitution = 0.0;  ///< coefficient of restitution of normal impacts, from 0 to 1
+  RigidForces forces = RigidForces::closest;
+  /// Largest gap or overlap of a contact that carries a force, over the diameter of its smaller grain; absent: 1e-4 for
+  /// disks and spheres, 1e-3 for grains with corners.
+  std::optional<double> gap_tolerance;
+};
+
+}  // namespace floc

@@ -1,0 +1,310 @@
+#include "floc/relaxation/contact_dynamics_relaxer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/wrap.h"
+#include "floc/relaxation/members_as_json.h"
+#include "floc/relaxation/relaxer.h"
+#include "floc/rigid/static_forces.h"
+
+namespace floc {
+namespace {
+
+/// Number of time steps by which a relaxation advances at once.
+constexpr int kSteps = 20;
+/// Number of calm steps after which the motion counts as ended, largest relative error of the stress in them, and
+/// largest root mean square velocity, in units of d/T.
+constexpr int kCalmSteps = 40;
+constexpr double kStressError = 0.03;
+constexpr double kCalmVelocity = 6e-3;
+/// Longest time step of grains at rest in units of T, and largest number of sweeps in it.
+constexpr double kRestingStep = 0.5;
+constexpr int kRestingSweeps = 300;
+/// Largest net force on a grain, over the mean normal force, at which balanced forces are sought: for round grains and
+/// for grains with corners.
+constexpr double kNearBalanceRound = 1e-3;
+constexpr double kNearBalanceAngular = 3e-2;
+/// Number of steps at rest between two searches for balanced forces, and after which they are sought in any case.
+constexpr int kStepsBetweenTrials = 50;
+/// Number of steps at rest after which the relaxation is given up.
+constexpr int kMostRestingSteps = 3000;
+/// Default gap tolerance over the diameter of the smaller grain, for round grains and for grains with corners.
+constexpr double kGapToleranceRound = 1e-4;
+constexpr double kGapToleranceAngular = 1e-3;
+/// Force of a contact, over the mean normal force, below which the contact carries no force.
+constexpr double kCarries = 1e-9;
+/// Share of Coulomb's limit by which a tangential force may lie below it and still count as sliding.
+constexpr double kAtLimit = 1e-9;
+
+/// Function that calls visit(name, member) for every member of a ContactDynamicsProgress, with the name that the member
+/// has in checkpoints.
+constexpr auto kMembers = [](auto& p, const auto& visit) {
+  visit("phase", p.phase);
+  visit("n_steps", p.n_steps);
+  visit("n_sweeps", p.n_sweeps);
+  visit("n_unfinished", p.n_unfinished);
+  visit("time", p.time);
+  visit("time_step", p.time_step);
+  visit("deepest_overlap", p.deepest_overlap);
+  visit("calm_steps", p.calm_steps);
+  visit("resting_steps", p.resting_steps);
+  visit("next_trial", p.next_trial);
+  visit("obstacle", p.obstacle);
+};
+
+template <int Dim>
+double mean_normal_force(const Packing<Dim>& packing) {
+  double sum = 0.0;
+  int n = 0;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (c.elastic_force > 0.0) sum += c.elastic_force, ++n;
+  return n == 0 ? 0.0 : sum / n;
+}
+
+template <int Dim>
+double smaller_diameter(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const double radius = packing.grains.radius[c.i];
+  return 2.0 * (packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]));
+}
+
+template <int Dim>
+double rms_velocity(const Grains<Dim>& grains) {
+  double sum = 0.0;
+  for (const Vec<Dim>& v : grains.velocity) sum += v.squaredNorm();
+  return std::sqrt(sum / grains.size());
+}
+
+template <int Dim>
+void stop(Packing<Dim>& packing) {
+  for (Vec<Dim>& v : packing.grains.velocity) v.setZero();
+  for (RotationVector<Dim>& w : packing.grains.angular_velocity) w.setZero();
+  for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
+  packing.cell.velocity.setZero();
+}
+
+}  // namespace
+
+template <int Dim>
+ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& options, Packing<Dim> packing,
+                                                    const LoadTarget<Dim>& load, const std::string& progress)
+    : options_(options), packing_(std::move(packing)), target_(load.stress) {
+  if (load.any_strained() || load.offset)
+    throw InputError("load", "rigid grains are loaded by a pressure on all axes only in this version of floc");
+  if (!(target_.minCoeff() > 0.0))
+    throw InputError("load", "rigid grains need a positive pressure: without one, no force is determined");
+  if (!progress.empty())
+    progress_ =
+        members_from_json<ContactDynamicsProgress>(progress, "progress",
+                                                   "the text does not hold the progress of a relaxation of "
+                                                   "rigid grains in the format of this version of floc",
+                                                   kMembers);
+  time_unit_ = inertial_time(packing_, target_);
+  measure();
+}
+
+template <int Dim>
+ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
+  const ContactDynamicsOptions& own = options_.contact_dynamics;
+  const bool resting = progress_.phase == ContactDynamicsProgress::resting;
+  return {.longest_step = (resting ? kRestingStep : own.time_step) * time_unit_,
+          .sweep_tolerance = own.sweep_tolerance,
+          .max_sweeps = resting ? std::min(kRestingSweeps, own.max_sweeps) : own.max_sweeps,
+          .restitution = resting ? 0.0 : own.restitution,
+          .threads = options_.threads};
+}
+
+template <int Dim>
+BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
+  BoundaryLoad<Dim> load;
+  load.stress = target_;
+  load.under_stress.fill(true);
+  load.cell_mass = options_.cell_mass;
+  load.strain_rate_cap = strain_rate_cap(options_, packing_, target_);
+  return load;
+}
+
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
+  return options_.contact_dynamics.gap_tolerance.value_or(packing_.grains.are_round() ? kGapToleranceRound
+                                                                                      : kGapToleranceAngular);
+}
+
+/// Returns whether the motion of the packing has nearly ended.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
+  const Vec<Dim> error = static_stress(packing).diagonal() - target_;
+  const double velocity = kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
+  return error.cwiseAbs().maxCoeff() < kStressError * target_.mean() && rms_velocity(packing.grains) < velocity;
+}
+
+/// Makes time steps. Grains are then moved into the cell, so that a relaxation that was stopped continues from the same
+/// positions.
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
+  const ContactDynamicsSettings chosen = settings();
+  const double first =
+      progress_.time_step > 0.0 ? std::min(progress_.time_step, chosen.longest_step) : chosen.longest_step;
+  const bool at_rest = progress_.phase == ContactDynamicsProgress::resting;
+  ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first);
+  for (int k = 0; k < n_steps; ++k) {
+    motion.step(at_rest);
+    progress_.time += motion.last_step();
+    progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
+    if (observer_.callback && k + 1 < n_steps) observer_.callback(motion.packing(), progress_.time);
+  }
+  progress_.n_steps += motion.counts().n_steps;
+  progress_.n_sweeps += motion.counts().n_sweeps;
+  progress_.n_unfinished += motion.counts().n_unfinished;
+  progress_.deepest_overlap = std::max(progress_.deepest_overlap, motion.counts().deepest_overlap);
+  progress_.time_step = motion.time_step();
+  packing_ = motion.release_packing();
+  wrap_into_cell(packing_);
+  measure();
+  if (observer_.callback) observer_.callback(packing_, progress_.time);
+}
+
+template <int Dim>
+RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
+  if (progress_.phase == ContactDynamicsProgress::resting) return rest();
+  make_steps(kSteps);
+  if (progress_.calm_steps >= kCalmSteps) {
+    progress_.phase = ContactDynamicsProgress::resting;
+    progress_.time_step = 0.0;
+  }
+  return progress_.time > options_.max_time * time_unit_ ? RelaxationStatus::gave_up
+                                                         : RelaxationStatus::running;
+}
+
+/// Makes steps of grains at rest, and seeks balanced forces when the net forces are small or after many steps.
+template <int Dim>
+RelaxationStatus ContactDynamicsRelaxer<Dim>::rest() {
+  make_steps(kSteps);
+  progress_.resting_steps += kSteps;
+  const bool tries =
+      progress_.resting_steps >= progress_.next_trial &&
+      (forces_are_nearly_balanced() || progress_.resting_steps >= progress_.next_trial + kStepsBetweenTrials);
+  if (tries) {
+    if (find_balanced_forces()) return RelaxationStatus::converged;
+    progress_.next_trial = progress_.resting_steps + kStepsBetweenTrials;
+  }
+  return progress_.resting_steps >= kMostRestingSteps ? RelaxationStatus::gave_up : RelaxationStatus::running;
+}
+
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::forces_are_nearly_balanced() const {
+  double largest = 0.0;
+  for (const Vec<Dim>& force : net_forces(packing_).force) largest = std::max(largest, force.norm());
+  const double limit = packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
+  return largest < limit * mean_normal_force(packing_);
+}
+
+/// Returns the largest gap or overlap of a contact that carries a force, over the diameter of the smaller grain.
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::largest_carrying_gap() const {
+  const double least = 1e-6 * mean_normal_force(packing_);
+  double largest = 0.0;
+  for (const Contact<Dim>& c : packing_.contacts)
+    if (c.elastic_force > least) largest = std::max(largest, std::abs(c.gap) / smaller_diameter(packing_, c));
+  return largest;
+}
+
+/// Replaces the forces of the last step by forces that balance all grains exactly, if there are such forces.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
+  const double tolerance = gap_tolerance();
+  if (const double gap = largest_carrying_gap(); gap > tolerance) {
+    progress_.obstacle = fmt::format(
+        "a contact with a gap of {:.2g} of the smaller diameter carries a force, but the tolerance is {:.2g}",
+        gap, tolerance);
+    return false;
+  }
+  Packing<Dim> rested = packing_;
+  stop(rested);
+  std::erase_if(rested.contacts,
+                [&](const Contact<Dim>& c) { return c.gap > tolerance * smaller_diameter(rested, c); });
+  try {
+    if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
+  } catch (const NoResult& reason) {
+    progress_.obstacle = reason.what();
+    return false;
+  }
+  const Mat<Dim> stress = static_stress(rested);
+  const Residuals reached = residuals(rested, target_, stress);
+  if (!reached.within(options_.tolerance)) {
+    progress_.obstacle = worst_residual(reached, options_.tolerance, rested.grains.id);
+    return false;
+  }
+  packing_ = std::move(rested);
+  stress_ = stress;
+  residuals_ = reached;
+  const std::string names[] = {"closest", "canonical", "stepped"};
+  ending_ = names[static_cast<int>(options_.contact_dynamics.forces)];
+  return true;
+}
+
+/// Replaces the forces of a packing at rest by forces that balance all grains and the load, and removes contacts
+/// without a force.
+/// @throws NoResult if there are no such forces
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) const {
+  ForceBalanceOptions<Dim> options;
+  options.axis_stress = target_;
+  StaticForces<Dim> forces("the packing", packing, options);
+  const bool closest = options_.contact_dynamics.forces == RigidForces::closest;
+  const ContactForces<Dim> found = closest ? forces.closest() : forces.canonical();
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
+    Contact<Dim>& c = packing.contacts[k];
+    const double adhesion = std::max(0.0, c.elastic_force - c.normal_force);
+    c.normal_force = found.normal_force[k];
+    c.elastic_force = c.normal_force + adhesion;
+    c.shear_force = found.shear_force[k];
+    const double limit = found.friction_limit[k];
+    c.sliding = limit > 0.0 && c.shear_force.norm() >= (1.0 - kAtLimit) * limit;
+  }
+  const double least = kCarries * mean_normal_force(packing);
+  std::erase_if(packing.contacts, [&](const Contact<Dim>& c) { return !(c.elastic_force > least); });
+}
+
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::measure() {
+  stress_ = static_stress(packing_);
+  residuals_ = residuals(packing_, target_, stress_);
+}
+
+template <int Dim>
+RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
+  RelaxationReport report;
+  report.residuals = residuals_;
+  report.ending = ending_;
+  const bool resting = progress_.phase == ContactDynamicsProgress::resting;
+  report.phase = resting ? "finishing" : "moving";
+  report.time = progress_.time;
+  report.n_steps = progress_.n_steps;
+  if (!ending_.empty()) return report;
+  if (resting)
+    report.blocking =
+        progress_.obstacle.empty() ? "the net forces on the grains are not small yet" : progress_.obstacle;
+  else
+    report.blocking = fmt::format(
+        "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
+        "unit T, or "
+        "the stress differs by more than {:.0f} % from the imposed one",
+        rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains), 100.0 * kStressError);
+  return report;
+}
+
+template <int Dim>
+std::string ContactDynamicsRelaxer<Dim>::progress() const {
+  return members_as_json(progress_, kMembers);
+}
+
+template class ContactDynamicsRelaxer<2>;
+template class ContactDynamicsRelaxer<3>;
+
+}  // namespace floc

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "floc/relaxation/blocking_criterion.h"
+#include "floc/relaxation/equilibrator.h"
+#include "floc/rigid/contact_dynamics.h"
+
+namespace floc {
+
+/// Progress of the relaxation of rigid grains. Together with the packing it determines how the relaxation continues.
+struct ContactDynamicsProgress {
+  enum Phase {
+    moving,   ///< the grains move under the load
+    resting,  ///< all velocities are set to zero before each step
+  };
+  int phase = moving;
+  std::int64_t n_steps = 0;   ///< number of time steps so far
+  std::int64_t n_sweeps = 0;  ///< number of sweeps over all contacts so far
+  std::int64_t n_unfinished =
+      0;                   ///< number of time steps that ended before their impulses were within tolerance
+  double time = 0.0;       ///< simulated time so far (time)
+  double time_step = 0.0;  ///< next time step (time); 0 before the first step
+  double deepest_overlap = 0.0;  ///< deepest overlap so far, over the diameter of the smaller grain
+  int calm_steps = 0;            ///< number of time steps since the packing last moved or was out of balance
+  int resting_steps = 0;         ///< number of time steps of the phase `resting`
+  int next_trial = 0;    ///< number of steps of the phase `resting` at which balanced forces are sought next
+  std::string obstacle;  ///< reason why no balanced forces were found last; empty before the first trial
+};
+
+/// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell, in three phases:
+/// 1. The grains move under the load (contact_dynamics.h) until the stress is within 3 % of the imposed one and the
+/// root mean square velocity is below 6e-3 d/T for 40 steps, with the largest diameter d and the time unit T =
+/// sqrt(m/(P d^(Dim-2))).
+/// 2. All velocities are set to zero before each step, until the net forces are small.
+/// 3. With the grains held, forces are sought that balance all grains and the stress and satisfy Coulomb's conditions
+/// (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 goes on.
+template <int Dim>
+class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
+ public:
+  /// @throws InputError if the load imposes a length or a shear of the cell, or no pressure
+  ContactDynamicsRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
+                         const std::string& progress = "");
+
+  RelaxationStatus advance() override;
+  void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
+
+  const Packing<Dim>& packing() const override { return packing_; }
+  Packing<Dim> release_packing() override { return std::move(packing_); }
+  const Mat<Dim>& stress() const override { return stress_; }
+  const Vec<Dim>& target_stress() const override { return target_; }
+  RelaxationReport report() const override;
+  std::string progress() const override;
+
+ private:
+  ContactDynamicsSettings settings() const;
+  BoundaryLoad<Dim> boundary_load() const;
+  double gap_tolerance() const;
+  bool is_calm(const Packing<Dim>& packing) const;
+  void make_steps(int n_steps);
+  bool forces_are_nearly_balanced() const;
+  double largest_carrying_gap() const;
+  bool find_balanced_forces();
+  void set_balanced_forces(Packing<Dim>& packing) const;
+  RelaxationStatus rest();
+  void measure();
+
+  RelaxationOptions options_;
+  Packing<Dim> packing_;
+  Vec<Dim> target_;  ///< stress imposed on each axis (force/length^(Dim-1))
+  ContactDynamicsProgress progress_;
+  Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
+  Residuals residuals_;
+  std::string ending_;
+  double time_unit_;  ///< T = sqrt(m/(P d^(Dim-2))) (time)
+  MotionObserver<Dim> observer_;
+};
+
+}  // namespace floc

@@ -1,0 +1,276 @@
+#include "floc/rigid/contact_dynamics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "floc/base/error.h"
+#include "floc/geometry/frame.h"
+#include "floc/network/contact_network.h"
+#include "floc/packing/locate.h"
+
+namespace floc {
+namespace {
+
+/// Largest displacement of a grain in a time step, over its diameter. Shapes with corners allow less, since the
+/// features that meet change within a step.
+constexpr double kRoundStep = 2e-2;
+constexpr double kAngularStep = 2e-3;
+/// Deepest overlap that a step may cause, over the diameter of the smaller grain.
+constexpr double kDeepest = 1e-2;
+/// Number of times that a step is halved because of its overlaps.
+constexpr int kMostHalvings = 5;
+/// Share of an overlap that a step removes.
+constexpr double kStabilisation = 0.1;
+/// Share of the displacement limit below which the next time step is doubled.
+constexpr double kTimid = 0.4;
+/// Share of Coulomb's limit by which a tangential impulse may lie below it and still count as sliding.
+constexpr double kAtLimit = 1e-9;
+
+/// Whether the adhesion of a contact acts in a step: the surfaces touch, or have held each other in the last step.
+template <int Dim>
+bool sticks(const Contact<Dim>& c) {
+  return c.gap <= 0.0 || c.elastic_force > 0.0;
+}
+
+template <int Dim>
+Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVector<Dim>& angle) {
+  if constexpr (Dim == 2) {
+    return orientation + angle[0];
+  } else {
+    const double size = angle.norm();
+    if (size == 0.0) return orientation;
+    return (Eigen::Quaterniond(Eigen::AngleAxisd(size, angle / size)) * orientation).normalized();
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<Dim>& load,
+                                      const ContactDynamicsSettings& settings, double time_step)
+    : packing_(std::move(packing)),
+      load_(load),
+      settings_(settings),
+      time_step_(time_step),
+      step_limit_(packing_.grains.are_round() ? kRoundStep : kAngularStep),
+      grain_mass_(std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0)) {
+  std::vector<Contact<Dim>> contacts = points_.find(packing_, reach());
+  carry_forces(packing_, packing_.contacts, contacts);
+  packing_.contacts = std::move(contacts);
+}
+
+/// Gap up to which contact points take part in a step: twice the largest displacement of the two grains together.
+template <int Dim>
+double ContactDynamics<Dim>::reach() const {
+  const double largest = *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
+  return 4.0 * step_limit_ * 2.0 * largest;
+}
+
+/// Returns the motion of the grains and walls at the end of a step without contacts.
+template <int Dim>
+BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const {
+  const Grains<Dim>& g = packing_.grains;
+  BodyMotion<Dim> out;
+  for (int i = 0; i < g.size(); ++i) {
+    Vec<Dim> v = at_rest ? Vec<Dim>(Vec<Dim>::Zero()) : g.velocity[i];
+    RotationVector<Dim> w = at_rest ? RotationVector<Dim>(RotationVector<Dim>::Zero()) : g.angular_velocity[i];
+    if (!external_force.empty()) v += dt / g.mass[i] * external_force[i];
+    const Mat<kRotations<Dim>> inertia = g.inertia_tensor(i);
+    const Mat<kRotations<Dim>> inverse = inertia.inverse();
+    // The spin of a body without moments changes by Euler's equations if its axes have different moments of inertia.
+    if constexpr (Dim == 3)
+      if (!g.are_round()) w -= dt * inverse * w.cross(inertia * w);
+    out.velocity.push_back(v);
+    out.angular_velocity.push_back(w);
+    out.inverse_mass.push_back(Vec<Dim>::Constant(1.0 / g.mass[i]));
+    out.inverse_inertia.push_back(inverse);
+  }
+  const double volume = packing_.cell.volume();
+  for (const Wall<Dim>& wall : packing_.walls) {
+    const double inverse = 1.0 / wall.mass;  // zero for a wall that forces do not move
+    const double force = load_.stress[wall.axis] * volume / packing_.cell.matrix(wall.axis, wall.axis);
+    const double start = at_rest && inverse > 0.0 ? 0.0 : wall.velocity;
+    out.velocity.push_back((start - wall.side * dt * inverse * force) * Vec<Dim>::Unit(wall.axis));
+    out.angular_velocity.push_back(RotationVector<Dim>::Zero());
+    out.inverse_mass.push_back(inverse * Vec<Dim>::Unit(wall.axis));
+    out.inverse_inertia.push_back(Mat<kRotations<Dim>>::Zero());
+  }
+  const Mat<Dim> rate = packing_.cell.rate();
+  for (int a = 0; a < Dim; ++a) {
+    if (between_walls(packing_.walls, a)) continue;
+    out.stretch[a] = rate(a, a);
+    if (!load_.under_stress[a]) continue;
+    // The side moves by M_a L' = V (sigma_a - P_a) - (V P_a/E) L, with the rate cap E: without contacts its rate ends at
+    // -E.
+    const double side = packing_.cell.matrix(a, a);
+    const double mass = load_.cell_mass * grain_mass_ * side * side;
+    const double force = volume * load_.stress[a];
+    const double drag = 1.0 + dt * force / (load_.strain_rate_cap * mass);
+    out.stretch[a] = ((at_rest ? 0.0 : rate(a, a)) - dt * force / mass) / drag;
+    out.inverse_stretch_mass[a] = 1.0 / (mass * drag);
+  }
+  return out;
+}
+
+/// Returns the rate of change of the gap of a contact at the start of a step (length/time).
+template <int Dim>
+double ContactDynamics<Dim>::gap_rate(const Contact<Dim>& c) const {
+  const Grains<Dim>& g = packing_.grains;
+  Vec<Dim> u = -g.velocity[c.i] - cross<double>(g.angular_velocity[c.i], c.arm_i);
+  if (packing_.is_wall(c.j))
+    u[packing_.wall(c.j).axis] += packing_.wall(c.j).velocity;
+  else
+    u += g.velocity[c.j] + cross<double>(g.angular_velocity[c.j], c.arm_j) +
+         packing_.cell.rate() * (c.arm_i - c.arm_j);
+  return u.dot(c.normal);
+}
+
+/// Returns the contact points as contacts of a step, with impulses of the last step. If impacts are elastic, points
+/// across a gap do not take part: they could close to a gap of zero, where the approach speed of the impact is lost.
+template <int Dim>
+std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, std::vector<int>& source) const {
+  Mat<Dim> shear = packing_.cell.rate();
+  shear.diagonal().setZero();
+  std::vector<StepContact<Dim>> out;
+  for (std::size_t at = 0; at < packing_.contacts.size(); ++at) {
+    const Contact<Dim>& c = packing_.contacts[at];
+    const bool elastic_impact = settings_.restitution > 0.0;
+    if (elastic_impact && c.gap > 0.0 && !sticks(c)) continue;
+    source.push_back(static_cast<int>(at));
+    StepContact<Dim>& k = out.emplace_back();
+    const Law& law = packing_.law_of(c);
+    k.i = c.i;
+    k.j = c.j;
+    k.arm_i = c.arm_i;
+    k.arm_j = c.arm_j;
+    k.branch = packing_.is_wall(c.j) ? Vec<Dim>(Vec<Dim>::Zero()) : Vec<Dim>(c.arm_i - c.arm_j);
+    k.frame = contact_frame(c.normal);
+    k.friction = law.friction_coefficient();
+    k.adhesion = sticks(c) ? dt * law.pull_off_force() : 0.0;
+    k.bias = k.frame.transpose() * (shear * k.branch);
+    k.bias[0] += elastic_impact ? settings_.restitution * std::min(0.0, gap_rate(c))
+                                : (c.gap > 0.0 ? 1.0 : kStabilisation) * c.gap / dt;
+    k.impulse = -dt * (k.frame.transpose() * c.shear_force);
+    k.impulse[0] = dt * c.elastic_force;
+  }
+  return out;
+}
+
+template <int Dim>
+auto ContactDynamics<Dim>::solve(double dt, bool at_rest) const -> Trial {
+  Trial trial;
+  trial.motion = free_motion(dt, at_rest);
+  trial.contacts = step_contacts(dt, trial.source);
+  GaussSeidel<Dim> method(trial.motion, trial.contacts, settings_.threads);
+  trial.sweeps = method.solve(settings_.sweep_tolerance, settings_.max_sweeps);
+  return trial;
+}
+
+template <int Dim>
+double ContactDynamics<Dim>::largest_share_moved(const BodyMotion<Dim>& motion, double dt) const {
+  const Grains<Dim>& g = packing_.grains;
+  double largest = 0.0;
+  for (int i = 0; i < g.size(); ++i) {
+    const double speed = motion.velocity[i].norm() + motion.angular_velocity[i].norm() * g.radius[i];
+    largest = std::max(largest, speed * dt / (2.0 * g.radius[i]));
+  }
+  return largest;
+}
+
+/// Returns the packing at the end of a step, with the contacts at its start, which carry the forces of the step.
+template <int Dim>
+Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
+  Packing<Dim> out = packing_;
+  Mat<Dim> rate = out.cell.rate();
+  for (int a = 0; a < Dim; ++a)
+    if (!between_walls(out.walls, a)) rate(a, a) = trial.motion.stretch[a];
+  Grains<Dim>& g = out.grains;
+  g.position_low.clear();
+  for (int i = 0; i < g.size(); ++i) {
+    g.velocity[i] = trial.motion.velocity[i];
+    g.angular_velocity[i] = trial.motion.angular_velocity[i];
+    g.position[i] += dt * (rate * g.position[i] + g.velocity[i]);
+    g.orientation[i] = turned<Dim>(g.orientation[i], dt * g.angular_velocity[i]);
+  }
+  out.cell.matrix += dt * out.cell.matrix * rate.transpose();
+  out.cell.velocity = out.cell.matrix * rate.transpose();
+  for (std::size_t w = 0; w < out.walls.size(); ++w) {
+    Wall<Dim>& wall = out.walls[w];
+    wall.velocity = trial.motion.velocity[static_cast<std::size_t>(g.size()) + w][wall.axis];
+    wall.position += dt * wall.velocity;
+    out.cell.matrix(wall.axis, wall.axis) += wall.side * dt * wall.velocity;
+    out.cell.velocity(wall.axis, wall.axis) += wall.side * wall.velocity;
+  }
+  for (Contact<Dim>& c : out.contacts) c.normal_force = c.elastic_force = 0.0, c.shear_force.setZero();
+  for (std::size_t k = 0; k < trial.contacts.size(); ++k) {
+    const StepContact<Dim>& from = trial.contacts[k];
+    Contact<Dim>& c = out.contacts[static_cast<std::size_t>(trial.source[k])];
+    c.elastic_force = from.impulse[0] / dt;
+    c.normal_force = (from.impulse[0] - from.adhesion) / dt;
+    c.shear_force = -(from.frame * from.impulse - from.impulse[0] * c.normal) / dt;
+    const double slip_limit = from.friction * from.impulse[0];
+    c.sliding =
+        slip_limit > 0.0 && from.impulse.template tail<Dim - 1>().norm() >= (1.0 - kAtLimit) * slip_limit;
+  }
+  return out;
+}
+
+/// Returns the deepest overlap of contacts over the diameter of the smaller grain, and sets `where` to its contact.
+template <int Dim>
+double ContactDynamics<Dim>::deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const {
+  double deepest = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) {
+    const double radius = packing.grains.radius[c.i];
+    const double smaller = packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]);
+    if (-c.gap / (2.0 * smaller) > deepest) deepest = -c.gap / (2.0 * smaller), where = &c;
+  }
+  return deepest;
+}
+
+template <int Dim>
+void ContactDynamics<Dim>::step(bool at_rest) {
+  const Contact<Dim>* where = nullptr;
+  const double allowed = std::max(kDeepest, deepest_overlap(packing_, where));
+  double dt = time_step_;
+  for (int halvings = 0;;) {
+    const Trial trial = solve(dt, at_rest);
+    const double share = largest_share_moved(trial.motion, dt);
+    if (share > step_limit_) {
+      dt *= 0.5;
+      continue;
+    }
+    Packing<Dim> next = moved(trial, dt);
+    std::vector<Contact<Dim>> contacts = points_.find(next, reach());
+    carry_forces(next, next.contacts, contacts);
+    next.contacts = std::move(contacts);
+    const double deepest = deepest_overlap(next, where);
+    if (deepest > allowed) {
+      if (++halvings > kMostHalvings)
+        throw NoResult(
+            fmt::format("grains {} and {} would overlap by {:.2g} of the smaller diameter in a time step, even "
+                        "after the step was "
+                        "halved {} times; the largest overlap allowed is {:.2g}",
+                        next.grains.name(where->i), next.is_wall(where->j) ? -1 : next.grains.name(where->j),
+                        deepest, kMostHalvings, allowed));
+      dt *= 0.5;
+      continue;
+    }
+    packing_ = std::move(next);
+    last_step_ = dt;
+    time_step_ =
+        share < kTimid * step_limit_ && halvings == 0 ? std::min(2.0 * dt, settings_.longest_step) : dt;
+    ++counts_.n_steps;
+    counts_.n_sweeps += trial.sweeps.n_sweeps;
+    counts_.n_unfinished += !trial.sweeps.converged;
+    counts_.deepest_overlap = std::max(counts_.deepest_overlap, deepest);
+    return;
+  }
+}
+
+template class ContactDynamics<2>;
+template class ContactDynamics<3>;
+
+}  // namespace floc

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "floc/packing/packing.h"
+#include "floc/rigid/contact_points.h"
+#include "floc/rigid/gauss_seidel.h"
+
+namespace floc {
+
+/// Load on the boundary of a packing in contact dynamics. On an axis under stress the side of the periodic cell, or the
+/// pair of walls, moves; other sides keep their rate of change Cell::velocity.
+template <int Dim>
+struct BoundaryLoad {
+  Vec<Dim> stress = Vec<Dim>::Zero();  ///< stress on each axis, compression positive (force/length^(Dim-1))
+  std::array<bool, Dim> under_stress = {};  ///< whether the stress is imposed on this axis
+  double cell_mass = 1.0;                   ///< mass of a side of the cell over the mass of all grains
+  /// Rate |L'/L| at which a side of the cell without contacts moves in the end (1/time): a drag acts on the side.
+  double strain_rate_cap = std::numeric_limits<double>::infinity();
+};
+
+/// Settings of the time steps of contact dynamics.
+struct ContactDynamicsSettings {
+  double longest_step;  ///< longest time step (time)
+  double
+      sweep_tolerance;  ///< error of the impulses at which the sweeps of a step end, over the mean normal impulse
+  int max_sweeps;       ///< number of sweeps after which the sweeps of a step end in any case
+  double restitution = 0.0;
+  int threads = 1;
+};
+
+/// Counts of the time steps that contact dynamics has made.
+struct StepCounts {
+  std::int64_t n_steps = 0;
+  std::int64_t n_sweeps = 0;
+  std::int64_t n_unfinished = 0;  ///< steps that ended at the largest number of sweeps
+  double deepest_overlap = 0.0;   ///< deepest overlap of all steps, over the diameter of the smaller grain
+};
+
+/// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). The impulses of all
+/// contacts in a step solve Signorini's and Coulomb's conditions for the velocities at the end of the step
+/// (gauss_seidel.h). The time step is halved as long as a grain would move more than 2e-2 of its diameter (2e-3 for
+/// grains with corners) or an overlap would become deeper than 1e-2 of the diameter of the smaller grain.
+///
+/// The contacts of the packing are all contact points closer than the reach of a step. They carry the forces of the
+/// last step (its impulses over the time step), from which the impulses of the next step start.
+template <int Dim>
+class ContactDynamics {
+ public:
+  /// @param time_step  time step to begin with (time)
+  /// @throws InputError as find_pairs()
+  ContactDynamics(Packing<Dim> packing, const BoundaryLoad<Dim>& load, const ContactDynamicsSettings& settings,
+                  double time_step);
+
+  /// Makes one time step.
+  /// @param at_rest  whether all velocities are set to zero before the step
+  /// @throws NoResult if overlaps stay too deep although the time step was halved several times
+  void step(bool at_rest);
+
+  /// Force (force) that acts on each grain in addition to the contacts, such as its weight; empty: none.
+  std::vector<Vec<Dim>> external_force;
+
+  const Packing<Dim>& packing() const { return packing_; }
+  Packing<Dim> release_packing() { return std::move(packing_); }
+  const StepCounts& counts() const { return counts_; }
+  double time_step() const { return time_step_; }  ///< next time step (time)
+  double last_step() const { return last_step_; }  ///< length of the last time step (time)
+
+ private:
+  struct Trial {
+    BodyMotion<Dim> motion;
+    std::vector<StepContact<Dim>> contacts;
+    std::vector<int> source;  ///< index in the contacts of the packing of each contact of the step
+    SweepResult sweeps;
+  };
+
+  double reach() const;
+  BodyMotion<Dim> free_motion(double dt, bool at_rest) const;
+  double gap_rate(const Contact<Dim>& contact) const;
+  std::vector<StepContact<Dim>> step_contacts(double dt, std::vector<int>& source) const;
+  Trial solve(double dt, bool at_rest) const;
+  double largest_share_moved(const BodyMotion<Dim>& motion, double dt) const;
+  Packing<Dim> moved(const Trial& trial, double dt) const;
+  double deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const;
+
+  Packing<Dim> packing_;
+  BoundaryLoad<Dim> load_;
+  ContactDynamicsSettings settings_;
+  double time_step_, last_step_ = 0.0;
+  double step_limit_;  ///< largest displacement of a grain in a step, over its diameter
+  double grain_mass_;  ///< mass of all grains
+  ContactPoints<Dim> points_;
+  StepCounts counts_;
+};
+
+}  // namespace floc

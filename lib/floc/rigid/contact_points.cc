@@ -1,0 +1,132 @@
+#include "floc/rigid/contact_points.h"
+
+#include <algorithm>
+
+#include "floc/packing/contact_order.h"
+#include "floc/packing/locate.h"
+#include "floc/shape/plane_manifold.h"
+#include "floc/shape/point_memory.h"
+
+namespace floc {
+namespace {
+
+/// Pairs of shapes whose points have different keys match up to this distance, over the smaller radius.
+constexpr double kMatchingShare = 0.25;
+
+template <int Dim>
+void append(const Manifold<Dim>& manifold, Contact<Dim> contact, const Vec<Dim>& branch,
+            std::vector<Contact<Dim>>& out) {
+  contact.normal = manifold.normal;
+  contact.type = manifold.type;
+  for (int p = 0; p < manifold.n; ++p) {
+    const ManifoldPoint<Dim>& point = manifold.points[p];
+    contact.key = static_cast<int>(point.key);
+    contact.gap = point.gap;
+    contact.arm_i = point.arm;
+    contact.arm_j = point.arm - branch;
+    out.push_back(contact);
+  }
+}
+
+template <int Dim>
+Contact<Dim> contact_of(const NeighborPair<Dim>& pair) {
+  Contact<Dim> contact;
+  contact.i = pair.i;
+  contact.j = pair.j;
+  contact.image = pair.image;
+  return contact;
+}
+
+template <int Dim>
+bool same_pair(const Contact<Dim>& c, const Contact<Dim>& d) {
+  return c.i == d.i && c.j == d.j && c.image == d.image;
+}
+
+template <int Dim>
+void take_forces(const Contact<Dim>& from, Contact<Dim>& to) {
+  to.normal_force = from.normal_force;
+  to.elastic_force = from.elastic_force;
+  to.shear_force = from.shear_force - from.shear_force.dot(to.normal) * to.normal;
+  to.sliding = from.sliding;
+}
+
+template <int Dim>
+std::vector<ManifoldPoint<Dim>> points_of(std::span<const Contact<Dim>> contacts) {
+  std::vector<ManifoldPoint<Dim>> points;
+  for (const Contact<Dim>& c : contacts) points.push_back({c.arm_i, c.gap, static_cast<std::uint32_t>(c.key)});
+  return points;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, double reach) {
+  const Grains<Dim>& grains = packing.grains;
+  std::vector<Contact<Dim>> out;
+  std::vector<KnownPair> known;
+  std::size_t next = 0;
+  for (const NeighborPair<Dim>& pair :
+       find_pairs(search_cell(packing.cell, packing.walls, reach), grains, reach)) {
+    Contact<Dim> contact = contact_of(pair);
+    if (grains.are_round()) {
+      place(locate(packing, contact), contact);
+      if (contact.gap < reach) out.push_back(contact);
+      continue;
+    }
+    while (next < known_.size() && precedes(known_[next].pair, pair)) ++next;
+    KnownPair& now = known.emplace_back(KnownPair{pair, {}});
+    if (next < known_.size() && !precedes(pair, known_[next].pair)) now.features = known_[next].features;
+    const Vec<Dim> r = branch(packing, contact);
+    const PlacedShape<Dim> first = grains.placed(pair.i);
+    PlacedShape<Dim> second = grains.placed(pair.j);
+    second.position = first.position + r;
+    append(contact_manifold(first, second, reach, &now.features), contact, r, out);
+  }
+  known_ = std::move(known);
+  for (NeighborPair<Dim> pair : find_wall_pairs(packing.walls, grains, reach)) {
+    const Wall<Dim>& wall = packing.walls[pair.j];
+    pair.j += grains.size();
+    Contact<Dim> contact = contact_of(pair);
+    if (grains.are_round()) {
+      place(locate(packing, contact), contact);
+      out.push_back(contact);
+    } else {
+      append(plane_manifold(grains.placed(pair.i), wall.normal(), wall.side * wall.position, reach), contact,
+             branch(packing, contact), out);
+    }
+  }
+  std::sort(out.begin(), out.end(), precedes<Contact<Dim>>);
+  return out;
+}
+
+template <int Dim>
+void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& before,
+                  std::vector<Contact<Dim>>& now) {
+  std::size_t old = 0;
+  for (std::size_t first = 0, last; first < now.size(); first = last) {
+    last = first;
+    while (last < now.size() && same_pair(now[first], now[last])) ++last;
+    Contact<Dim> lowest = now[first];
+    lowest.key = std::numeric_limits<int>::min();
+    while (old < before.size() && precedes(before[old], lowest)) ++old;
+    std::size_t end = old;
+    while (end < before.size() && same_pair(before[end], now[first])) ++end;
+    if (end == old) continue;
+    const double radius = packing.is_wall(now[first].j) ? packing.grains.radius[now[first].i]
+                                                        : std::min(packing.grains.radius[now[first].i],
+                                                                   packing.grains.radius[now[first].j]);
+    const PointMatches<Dim> match =
+        matched_points<Dim>(points_of<Dim>(std::span(now).subspan(first, last - first)),
+                            points_of<Dim>(std::span(before).subspan(old, end - old)), kMatchingShare * radius);
+    for (std::size_t k = first; k < last; ++k)
+      if (match[k - first] >= 0) take_forces(before[old + static_cast<std::size_t>(match[k - first])], now[k]);
+    old = end;
+  }
+}
+
+template class ContactPoints<2>;
+template class ContactPoints<3>;
+template void carry_forces(const Packing<2>&, const std::vector<Contact<2>>&, std::vector<Contact<2>>&);
+template void carry_forces(const Packing<3>&, const std::vector<Contact<3>>&, std::vector<Contact<3>>&);
+
+}  // namespace floc

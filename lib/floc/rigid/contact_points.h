@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "floc/neighbors/pairs.h"
+#include "floc/packing/packing.h"
+#include "floc/shape/separating_axis.h"
+
+namespace floc {
+
+/// Search for the contact points of a packing. Round grains have one point per pair, grains with corners up to two (2D)
+/// or four (3D). The object remembers the features of each pair along which its shapes were separated last, with which
+/// the next search begins; they change the points only within the margins of contact_manifold().
+template <int Dim>
+class ContactPoints {
+ public:
+  /// Returns the contact points whose gap is smaller than `reach` (length), sorted as the contacts of a packing,
+  /// without forces.
+  /// @throws InputError as find_pairs()
+  std::vector<Contact<Dim>> find(const Packing<Dim>& packing, double reach);
+
+ private:
+  struct KnownPair {
+    NeighborPair<Dim> pair;
+    AxisFeatures features;
+  };
+  std::vector<KnownPair> known_;  ///< pairs of the last search, in its order
+};
+
+/// Gives contact points the forces of the points of an earlier time. A point takes the forces of the earlier point with
+/// the same key. Remaining points of a pair of shapes take those of the nearest earlier point of the pair
+/// (matched_points()). Tangential forces are projected onto the new tangent planes.
+/// @param before, now  contacts sorted as those of a packing
+template <int Dim>
+void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& before,
+                  std::vector<Contact<Dim>>& now);
+
+}  // namespace floc

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "floc/shape/manifold.h"
+
+namespace floc {
+
+/// Computes the contact of a shape and a plane, such as a wall: the vertices whose gap is smaller than `reach`, at most
+/// as many as a Manifold holds. If there are more, the deepest, the one furthest from it, and the two furthest to
+/// either side of the line through these two are kept. The key of a point is the index of its vertex.
+/// @param normal  unit normal of the plane that points away from the shape
+/// @param offset  value of normal . x on the plane
+/// @param reach  largest gap of a contact point (length), >= 0
+template <int Dim>
+Manifold<Dim> plane_manifold(const PlacedShape<Dim>& shape, const Vec<Dim>& normal, double offset,
+                             double reach);
+
+}  // namespace floc

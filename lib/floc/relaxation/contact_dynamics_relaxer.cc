@@ -23,9 +23,19 @@ constexpr int kSteps = 20;
 constexpr int kCalmSteps = 40;
 constexpr double kStressError = 0.03;
 constexpr double kCalmVelocity = 6e-3;
-/// Longest time step of grains at rest in units of T, and largest number of sweeps in it.
-constexpr double kRestingStep = 0.5;
+/// Weight of the stress of the last step in the mean stress. The error of the impulses makes the stress of one step vary
+/// by several percent, although it is small in each contact.
+constexpr double kStressMemory = 0.1;
+/// Factor by which the tolerance of the sweeps is larger while a gas is compressed, and stress over the imposed stress up
+/// to which a packing counts as a gas.
+constexpr double kGasTolerance = 10.0;
+constexpr double kGasStress = 0.3;
+/// Longest and shortest time step of grains at rest in units of T, and largest number of sweeps in it.
+constexpr double kLongestRest = 0.5;
+constexpr double kShortestRest = 1e-3;
 constexpr int kRestingSweeps = 300;
+/// Error of the impulses at which the sweeps of a step at rest end, over the mean normal impulse.
+constexpr double kRestingTolerance = 1e-8;
 /// Largest net force on a grain, over the mean normal force, at which balanced forces are sought: for round grains and
 /// for grains with corners.
 constexpr double kNearBalanceRound = 1e-3;
@@ -55,6 +65,8 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("calm_steps", p.calm_steps);
   visit("resting_steps", p.resting_steps);
   visit("next_trial", p.next_trial);
+  visit("rest_length", p.rest_length);
+  visit("mean_stress", p.mean_stress);
   visit("obstacle", p.obstacle);
 };
 
@@ -106,14 +118,18 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
                                                    kMembers);
   time_unit_ = inertial_time(packing_, target_);
   measure();
+  if (progress_.mean_stress.empty())
+    progress_.mean_stress.assign(stress_.diagonal().begin(), stress_.diagonal().end());
 }
 
 template <int Dim>
 ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   const ContactDynamicsOptions& own = options_.contact_dynamics;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;
-  return {.longest_step = (resting ? kRestingStep : own.time_step) * time_unit_,
-          .sweep_tolerance = own.sweep_tolerance,
+  const bool is_gas = stress_.trace() < kGasStress * target_.sum();
+  return {.longest_step = (resting ? progress_.rest_length : own.time_step) * time_unit_,
+          .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
+                                     : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,
           .max_sweeps = resting ? std::min(kRestingSweeps, own.max_sweeps) : own.max_sweeps,
           .restitution = resting ? 0.0 : own.restitution,
           .threads = options_.threads};
@@ -135,12 +151,17 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
                                                                                       : kGapToleranceAngular);
 }
 
-/// Returns whether the motion of the packing has nearly ended.
+/// Adds the stress after a step to the mean stress, and returns whether the motion of the packing has nearly ended.
 template <int Dim>
-bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
-  const Vec<Dim> error = static_stress(packing).diagonal() - target_;
+bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) {
+  const Vec<Dim> stress = static_stress(packing).diagonal();
+  double error = 0.0;
+  for (int a = 0; a < Dim; ++a) {
+    progress_.mean_stress[a] += kStressMemory * (stress[a] - progress_.mean_stress[a]);
+    error = std::max(error, std::abs(progress_.mean_stress[a] - target_[a]));
+  }
   const double velocity = kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
-  return error.cwiseAbs().maxCoeff() < kStressError * target_.mean() && rms_velocity(packing.grains) < velocity;
+  return error < kStressError * target_.mean() && rms_velocity(packing.grains) < velocity;
 }
 
 /// Makes time steps. Grains are then moved into the cell, so that a relaxation that was stopped continues from the same
@@ -154,7 +175,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first);
   for (int k = 0; k < n_steps; ++k) {
     motion.step(at_rest);
-    progress_.time += motion.last_step();
+    if (!at_rest) progress_.time += motion.last_step();  // steps at rest are no motion in time
     progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
     if (observer_.callback && k + 1 < n_steps) observer_.callback(motion.packing(), progress_.time);
   }
@@ -175,6 +196,7 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
   make_steps(kSteps);
   if (progress_.calm_steps >= kCalmSteps) {
     progress_.phase = ContactDynamicsProgress::resting;
+    progress_.rest_length = kLongestRest;
     progress_.time_step = 0.0;
   }
   return progress_.time > options_.max_time * time_unit_ ? RelaxationStatus::gave_up
@@ -200,14 +222,19 @@ template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::forces_are_nearly_balanced() const {
   double largest = 0.0;
   for (const Vec<Dim>& force : net_forces(packing_).force) largest = std::max(largest, force.norm());
-  const double limit = packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
-  return largest < limit * mean_normal_force(packing_);
+  return largest < near_balance() * mean_normal_force(packing_);
 }
 
-/// Returns the largest gap or overlap of a contact that carries a force, over the diameter of the smaller grain.
+template <int Dim>
+double ContactDynamicsRelaxer<Dim>::near_balance() const {
+  return packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
+}
+
+/// Returns the largest gap or overlap of the contacts whose force exceeds the errors of the balance, over the diameter
+/// of the smaller grain.
 template <int Dim>
 double ContactDynamicsRelaxer<Dim>::largest_carrying_gap() const {
-  const double least = 1e-6 * mean_normal_force(packing_);
+  const double least = near_balance() * mean_normal_force(packing_);
   double largest = 0.0;
   for (const Contact<Dim>& c : packing_.contacts)
     if (c.elastic_force > least) largest = std::max(largest, std::abs(c.gap) / smaller_diameter(packing_, c));
@@ -222,6 +249,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     progress_.obstacle = fmt::format(
         "a contact with a gap of {:.2g} of the smaller diameter carries a force, but the tolerance is {:.2g}",
         gap, tolerance);
+    // Errors of the impulses move the grains in proportion to the square of the time step.
+    progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
     return false;
   }
   Packing<Dim> rested = packing_;
@@ -232,6 +261,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
+    progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
     return false;
   }
   const Mat<Dim> stress = static_stress(rested);

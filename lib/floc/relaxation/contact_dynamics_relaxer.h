@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "floc/relaxation/blocking_criterion.h"
 #include "floc/relaxation/equilibrator.h"
@@ -26,7 +27,10 @@ struct ContactDynamicsProgress {
   double deepest_overlap = 0.0;  ///< deepest overlap so far, over the diameter of the smaller grain
   int calm_steps = 0;            ///< number of time steps since the packing last moved or was out of balance
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
-  int next_trial = 0;    ///< number of steps of the phase `resting` at which balanced forces are sought next
+  int next_trial = 0;  ///< number of steps of the phase `resting` at which balanced forces are sought next
+  double rest_length = 0.0;  ///< longest time step of the phase `resting` (T)
+  /// Mean stress on each axis in the last steps (force/length^(Dim-1)).
+  std::vector<double> mean_stress;
   std::string obstacle;  ///< reason why no balanced forces were found last; empty before the first trial
 };
 
@@ -58,9 +62,10 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   ContactDynamicsSettings settings() const;
   BoundaryLoad<Dim> boundary_load() const;
   double gap_tolerance() const;
-  bool is_calm(const Packing<Dim>& packing) const;
+  bool is_calm(const Packing<Dim>& packing);
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;
+  double near_balance() const;
   double largest_carrying_gap() const;
   bool find_balanced_forces();
   void set_balanced_forces(Packing<Dim>& packing) const;

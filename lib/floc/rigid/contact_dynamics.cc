@@ -62,11 +62,11 @@ ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<D
   packing_.contacts = std::move(contacts);
 }
 
-/// Gap up to which contact points take part in a step: twice the largest displacement of the two grains together.
+/// Gap up to which contact points take part in a step: the largest displacement of two grains towards each other.
 template <int Dim>
 double ContactDynamics<Dim>::reach() const {
   const double largest = *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
-  return 4.0 * step_limit_ * 2.0 * largest;
+  return 2.0 * step_limit_ * 2.0 * largest;
 }
 
 /// Returns the motion of the grains and walls at the end of a step without contacts.

@@ -14,10 +14,10 @@
 namespace floc {
 namespace {
 
-/// Largest displacement of a grain in a time step, over its diameter. Shapes with corners allow less, since the
-/// features that meet change within a step.
-constexpr double kRoundStep = 2e-2;
-constexpr double kAngularStep = 2e-3;
+/// Largest displacement of a grain in a time step, over its diameter. Grains with corners that carry a force may move
+/// less, since the features that meet change within a step.
+constexpr double kLongestMove = 2e-2;
+constexpr double kCarryingMove = 5e-3;
 /// Deepest overlap that a step may cause, over the diameter of the smaller grain.
 constexpr double kDeepest = 1e-2;
 /// Number of times that a step is halved because of its overlaps.
@@ -55,7 +55,6 @@ ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<D
       load_(load),
       settings_(settings),
       time_step_(time_step),
-      step_limit_(packing_.grains.are_round() ? kRoundStep : kAngularStep),
       grain_mass_(std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0)) {
   std::vector<Contact<Dim>> contacts = points_.find(packing_, reach());
   carry_forces(packing_, packing_.contacts, contacts);
@@ -66,7 +65,7 @@ ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<D
 template <int Dim>
 double ContactDynamics<Dim>::reach() const {
   const double largest = *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
-  return 2.0 * step_limit_ * 2.0 * largest;
+  return 2.0 * kLongestMove * 2.0 * largest;
 }
 
 /// Returns the motion of the grains and walls at the end of a step without contacts.
@@ -169,13 +168,19 @@ auto ContactDynamics<Dim>::solve(double dt, bool at_rest) const -> Trial {
   return trial;
 }
 
+/// Returns the largest displacement of a grain in a step, over the displacement that it may have.
 template <int Dim>
-double ContactDynamics<Dim>::largest_share_moved(const BodyMotion<Dim>& motion, double dt) const {
+double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt) const {
   const Grains<Dim>& g = packing_.grains;
+  std::vector<double> allowed(trial.motion.size(), kLongestMove);
+  if (!g.are_round())
+    for (const StepContact<Dim>& c : trial.contacts)
+      if (c.impulse[0] > 0.0) allowed[c.i] = allowed[c.j] = kCarryingMove;
   double largest = 0.0;
   for (int i = 0; i < g.size(); ++i) {
-    const double speed = motion.velocity[i].norm() + motion.angular_velocity[i].norm() * g.radius[i];
-    largest = std::max(largest, speed * dt / (2.0 * g.radius[i]));
+    const double speed =
+        trial.motion.velocity[i].norm() + trial.motion.angular_velocity[i].norm() * g.radius[i];
+    largest = std::max(largest, speed * dt / (2.0 * g.radius[i] * allowed[i]));
   }
   return largest;
 }
@@ -237,8 +242,8 @@ void ContactDynamics<Dim>::step(bool at_rest) {
   double dt = time_step_;
   for (int halvings = 0;;) {
     const Trial trial = solve(dt, at_rest);
-    const double share = largest_share_moved(trial.motion, dt);
-    if (share > step_limit_) {
+    const double share = largest_share_moved(trial, dt);
+    if (share > 1.0) {
       dt *= 0.5;
       continue;
     }
@@ -260,8 +265,7 @@ void ContactDynamics<Dim>::step(bool at_rest) {
     }
     packing_ = std::move(next);
     last_step_ = dt;
-    time_step_ =
-        share < kTimid * step_limit_ && halvings == 0 ? std::min(2.0 * dt, settings_.longest_step) : dt;
+    time_step_ = share < kTimid && halvings == 0 ? std::min(2.0 * dt, settings_.longest_step) : dt;
     ++counts_.n_steps;
     counts_.n_sweeps += trial.sweeps.n_sweeps;
     counts_.n_unfinished += !trial.sweeps.converged;

@@ -42,8 +42,8 @@ struct StepCounts {
 
 /// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). The impulses of all
 /// contacts in a step solve Signorini's and Coulomb's conditions for the velocities at the end of the step
-/// (gauss_seidel.h). The time step is halved as long as a grain would move more than 2e-2 of its diameter (2e-3 for
-/// grains with corners) or an overlap would become deeper than 1e-2 of the diameter of the smaller grain.
+/// (gauss_seidel.h). The time step is halved as long as a grain would move more than 2e-2 of its diameter (5e-3 for
+/// grains with corners that carry a force) or an overlap would become deeper than 1e-2 of the diameter of the smaller grain.
 ///
 /// The contacts of the packing are all contact points closer than the reach of a step. They carry the forces of the
 /// last step (its impulses over the time step), from which the impulses of the next step start.
@@ -82,7 +82,7 @@ class ContactDynamics {
   double gap_rate(const Contact<Dim>& contact) const;
   std::vector<StepContact<Dim>> step_contacts(double dt, std::vector<int>& source) const;
   Trial solve(double dt, bool at_rest) const;
-  double largest_share_moved(const BodyMotion<Dim>& motion, double dt) const;
+  double largest_share_moved(const Trial& trial, double dt) const;
   Packing<Dim> moved(const Trial& trial, double dt) const;
   double deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const;
 
@@ -90,7 +90,6 @@ class ContactDynamics {
   BoundaryLoad<Dim> load_;
   ContactDynamicsSettings settings_;
   double time_step_, last_step_ = 0.0;
-  double step_limit_;  ///< largest displacement of a grain in a step, over its diameter
   double grain_mass_;  ///< mass of all grains
   ContactPoints<Dim> points_;
   StepCounts counts_;

@@ -28,9 +28,9 @@ struct CacheLineAllocator {
   }
 };
 
-/// A vector whose elements begin on a cache line, so that loading a full vector register from it never touches two
-/// cache lines. With std::vector, the speed of loops differed by a tenth, depending on which of their arrays happened
-/// to begin on a cache line.
+/// A vector whose first element lies at the beginning of a cache line. Loading a full vector register from such a
+/// vector never touches two cache lines. With std::vector, the speed of loops differed by a tenth, depending on where
+/// their arrays happened to begin.
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 

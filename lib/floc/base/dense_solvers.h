@@ -7,7 +7,8 @@ namespace floc {
 /// Decompositions of small dense matrices by the library Eigen. They are compiled in one source file, because every
 /// file that instantiates a decomposition takes seconds longer to compile.
 
-/// Eigenvalues in ascending order, and the matrix whose columns are the corresponding eigenvectors.
+/// Eigenvalues of a symmetric matrix in ascending order, and the matrix whose columns are its eigenvectors in this
+/// order.
 struct SymmetricEigen {
   Eigen::VectorXd values;
   Eigen::MatrixXd vectors;
@@ -26,16 +27,16 @@ Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const E
 /// Returns the solution of a linear system with a symmetric matrix, which need not be definite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// Returns the x that minimises |columns x - y|, and if there are several, the one with the smallest norm.
+/// Returns the vector x that minimises |columns x - y|. If several vectors do, returns the one with the smallest norm.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
 /// Extends the columns of a matrix to an orthonormal basis of the whole space, and returns the first `count` vectors of
 /// this basis as the columns of a matrix. The first columns.cols() of them span the same space as `columns`.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
-/// Least-squares solution x = R^-1 Q^T y of the system A x = y, and the matrix R^-1. The factors of A = Q R, Q with
-/// orthonormal columns and R upper triangular, are computed by Householder reflections. @pre the columns of A are
-/// independent
+/// Least-squares solution x = R^-1 Q^T y of the system A x = y, and the matrix R^-1. Householder reflections factorize
+/// A = Q R, where Q has orthonormal columns and R is upper triangular.
+/// @pre the columns of A are linearly independent
 struct LinearSystemByQr {
   Eigen::VectorXd solution;
   Eigen::MatrixXd inverse_of_r;

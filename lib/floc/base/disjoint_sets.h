@@ -18,7 +18,7 @@ class DisjointSets {
     return i;
   }
 
-  /// Merges the sets of i and j. @return whether they were different sets
+  /// Merges the set that holds i and the set that holds j. @return whether these were two different sets
   bool join(int i, int j) {
     i = root(i), j = root(j);
     if (i == j) return false;

@@ -5,8 +5,9 @@
 namespace floc {
 
 /// A double-double number: the unevaluated sum high + low of two doubles, where |low| is at most half a unit in the
-/// last place of `high`. It has a precision of about 106 bits. It is used for differences of nearly equal numbers,
-/// where a double is not precise enough (Dekker 1971; Hida, Li and Bailey 2001, "sloppy" forms).
+/// last place of `high`. Its precision is about 106 bits. It is used for differences of nearly equal numbers, where a
+/// double is not precise enough. The operators are those of Dekker (1971) and the "sloppy" ones, which are fast, of
+/// Hida, Li and Bailey (2001).
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;
@@ -14,14 +15,14 @@ struct DoubleDouble {
   double rounded() const { return high + low; }
 };
 
-/// Returns p + q without error.
+/// Returns p + q as a double-double number, without rounding error.
 inline DoubleDouble exact_sum(double p, double q) {
   const double sum = p + q;
   const double q_taken = sum - p;
   return {sum, (p - (sum - q_taken)) + (q - q_taken)};
 }
 
-/// Returns p q without error (except for underflow).
+/// Returns the product p q as a double-double number, without rounding error unless it underflows.
 inline DoubleDouble exact_product(double p, double q) {
   const double product = p * q;
   return {product, std::fma(p, q, -product)};

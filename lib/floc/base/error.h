@@ -5,12 +5,12 @@
 
 namespace floc {
 
-/// Error in the input of the user. The message gives the place (file, with line or dataset), the key, its value, and
-/// the expected value. The program prints this message and ends with exit code 4.
+/// Error in the input of the user. The message gives the place (file, with line or dataset), the key or option at
+/// fault, its value, and the expected value. The program prints this message and ends with exit code 4.
 class InputError : public std::runtime_error {
  public:
-  /// @param place  file, "file:line" or "file:/dataset", printed before the problem; may be empty
-  /// @param problem  key, its value and the expected value, in words
+  /// @param place  file, "file:line" or "file:/dataset", printed before `problem`; may be empty
+  /// @param problem  key or option at fault, its value and the expected value, in words
   InputError(const std::string& place, const std::string& problem);
 };
 

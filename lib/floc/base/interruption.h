@@ -5,7 +5,7 @@
 namespace floc {
 
 /// Registers a function that the long computations of this thread call now and then, to learn whether they should go
-/// on. It stays registered as long as this object exists.
+/// on. The function stays registered as long as this object exists.
 class InterruptionListener {
  public:
   /// @param asked  function that returns if the computation may go on, and otherwise throws the exception that ends it

@@ -11,7 +11,7 @@ namespace floc {
 /// so that results are reproducible: those of the standard library differ between implementations.
 class RandomStream {
  public:
-  /// Starts a stream of random numbers. Streams of one seed with different values of `purpose` are independent.
+  /// Starts a stream of random numbers. Streams with the same `seed` and different values of `purpose` are independent.
   RandomStream(std::uint64_t seed, std::uint64_t purpose) : state_(seed) {
     state_ = next() ^ (purpose * 0xd1342543de82ef95ULL);
     next();

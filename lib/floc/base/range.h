@@ -44,7 +44,7 @@ std::string range_fault(const std::string& name, std::int64_t value, const Whole
 void require_in_range(const std::string& name, double value, const NumberRange& range);
 void require_in_range(const std::string& name, std::int64_t value, const WholeRange& range);
 /// Checks that no faults were found in the options of a computation.
-/// @param faults  messages about the faults, as returned by the function validate() of the options
+/// @param faults  messages about the faults, as the function validate() of the options returns them
 /// @throws InputError with all messages, if there are any
 void refuse_faults(const std::vector<std::string>& faults);
 

@@ -20,8 +20,8 @@ void require_text(const std::string& place, std::string_view beginning);
 /// Returns `text` without the byte order mark of UTF-8 at its beginning, if it has one.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// Returns words to add to the message that `text` is not a number. They say that a decimal point is expected if the
-/// only fault of `text` is a comma in place of this point; otherwise the result is an empty string.
+/// Returns words to add to the message that `text` is not a number. If a comma in place of the decimal point is the
+/// only fault of `text`, the words say that a point is expected. Otherwise the result is an empty string.
 std::string decimal_comma_hint(std::string_view text);
 
 }  // namespace floc

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// The seeds from `first` to `last`, both included. Each seed gives one sample of an ensemble.
+/// Seeds of random numbers, from `first` to `last`, both included. Each seed gives one packing of an ensemble.
 struct SeedRange {
   std::uint64_t first;
   std::uint64_t last;

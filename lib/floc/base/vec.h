@@ -24,7 +24,7 @@ inline constexpr int kDofs = Dim + kRotations<Dim>;
 template <int Dim, class T = double>
 using RotationVector = Eigen::Matrix<T, kRotations<Dim>, 1>;
 
-/// Number of components of a symmetric strain or stress: 3 in 2D, 6 in 3D.
+/// Number of independent components of a symmetric tensor, such as strain or stress: 3 in 2D, 6 in 3D.
 template <int Dim>
 inline constexpr int kSymmetric = Dim*(Dim + 1) / 2;
 

@@ -8,9 +8,9 @@
 namespace floc {
 
 /// Returns the elongation of a contact spring, shortened to a length of at most `limit` >= 0 without a change of
-/// direction. An elongation with one component is clamped; the components of a vector are scaled together (circular
-/// Coulomb cone). The history of a contact stores the elongation and not the force: a spring that is shortened because
-/// the limit drops does not recover when the limit rises again.
+/// direction. An elongation with one component is clamped; the components of a vector are scaled together, as in a
+/// circular Coulomb cone. The history of the contact stores this elongation and not the force. A spring that was
+/// shortened because the limit dropped therefore does not recover when the limit rises again.
 template <class V, class T>
 inline V capped(const V& spring, const T& limit) {
   if constexpr (V::RowsAtCompileTime == 1) {
@@ -29,7 +29,7 @@ inline V capped(const V& spring, const T& limit) {
 /// share this rule.
 /// @param elastic  elastic part FNe of the normal force (force)
 /// @param history  elongation of the spring, updated
-/// @return force of the spring after the update
+/// @return force of the contact spring after the update
 template <class V, class T>
 inline V respond_capped(double coefficient, double stiffness, const T& elastic, const V& increment,
                         T* history) {

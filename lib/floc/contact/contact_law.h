@@ -25,17 +25,18 @@ struct ContactMotion {
   T damping;             ///< damping coefficient of the pair, from ContactLaw::damping_coefficient()
   /// Tangential displacement of grain j relative to grain i since the history of the contact was last updated (length).
   Shear<Dim, T> slip;
-  /// Rotation of grain i relative to grain j since the history of the contact was last updated (radians); for spheres
-  /// without the rotation about the normal (rolling_part()).
+  /// Rotation of grain i relative to grain j since the history of the contact was last updated (radians). For spheres,
+  /// the rotation about the normal is left out; `twist` has it.
   RotationVector<Dim, T> relative_rotation;
   /// For spheres, rotation of grain i relative to grain j about the normal since the history of the contact was last
   /// updated (radians).
   T twist = T(0);
 };
 
-/// Forces and moments that a contact exerts on its grains i and j. The force on j is `normal` along the unit normal n
-/// plus -`shear` in the tangent plane; the force on i is opposite. In addition to the moments of these forces, the
-/// contact exerts the moments `rolling` and `twisting` n on j, and the opposite moments on i.
+/// Forces and moments that a contact exerts on its grains i and j. With the unit normal n from i to j, the force on j
+/// is (normal.force() + viscous) n - shear, where `shear` lies in the tangent plane; the force on i is opposite.
+/// Besides the moments of these forces, the contact exerts the moments `rolling` and `twisting` n on j, and the
+/// opposite moments on i.
 template <int Dim, class T = double>
 struct ContactForces {
   NormalResponse<T> normal;  ///< static normal force, its elastic and adhesive parts and its stiffnesses
@@ -46,7 +47,7 @@ struct ContactForces {
   T twisting = T(0);               ///< for spheres, twisting moment on grain j about n (force * length)
 };
 
-/// Stiffnesses of one contact in the elastic network of contacts: normal, tangential, rolling and twisting.
+/// Stiffnesses of one contact in the elastic network of contacts, in which every contact is a set of springs.
 struct ContactStiffness {
   /// Normal stiffness K_N for small reversible motions, or -F0/D0 if surfaces with pull-off force F0 attract
   /// each other across a gap within the range D0 (force/length).
@@ -56,7 +57,7 @@ struct ContactStiffness {
   double twisting = 0.0;  ///< twisting stiffness K_tw (force * length), 0 when the surfaces do not touch
 };
 
-/// Empty type that contains no parameters of a pair of grains, for contact laws that need only the geometry of the
+/// Empty struct in place of the parameters of a pair of grains, for contact laws that need only the geometry of the
 /// pair.
 struct NoPairParameters {};
 
@@ -90,8 +91,8 @@ struct ContactLaw {
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
-  /// Whether the law depends on the reduced radius of a pair of grains; the next constant tells this for the reduced
-  /// mass. The dynamics loads either number only for laws that depend on it.
+  /// Whether the law depends on the reduced radius of a pair of grains, and in the next constant, whether it depends on
+  /// their reduced mass. The dynamics loads these numbers only for laws that depend on them.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
   || requires { requires Adhesion::kNeedsReducedRadius; };
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
@@ -228,8 +229,8 @@ struct ContactLaw {
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// Returns the energy stored by the elastic normal force of a contact with this history (elastic_energy()). The next
-  /// function returns the energy of the attraction of the contact (attraction_energy()).
+  /// Returns the energy that the elastic normal force stores in a contact with this history. The next function returns
+  /// the energy of the attraction between the two grains.
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
                            const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -318,13 +319,14 @@ struct ContactLaw {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
 
-  /// Returns upper bounds on the stiffnesses that a contact of this pair can have under this load.
+  /// Returns upper bounds on the stiffnesses that a contact of this pair can have in a packing with the largest
+  /// overlap, force and impact speed `load`.
   ContactStiffness stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     return touching(of_stiffness(0.0, repulsion.stiffness_bound(pair, load)));
   }
 
-  /// Returns which springs of a touching contact have forces at their caps. This is the only criterion of sliding in
-  /// the program.
+  /// Returns which springs of a touching contact have forces at their caps. Every part of the program uses this
+  /// criterion of sliding.
   /// @param tolerance  fraction of the cap by which a force may lie below the cap and still count as being at the cap
   template <int Dim>
   Mobilised mobilised(double elastic, const PackedHistory<kHistorySize<Dim>>& history, double tolerance) const {
@@ -346,8 +348,8 @@ struct ContactLaw {
                          [[maybe_unused]] PackedHistory<kHistorySize<Dim>>& history) const {
     if constexpr (kKeepsOverlap) repulsion.set_force(pair, elastic, history.value);
   }
-  /// Sets the springs of a contact so that they carry given forces (signs as in ContactForces) at given
-  /// stiffnesses.
+  /// Sets the elongations of the springs of a contact so that they exert the given force and moments at the stiffnesses
+  /// `k`. The signs are those of ContactForces.
   template <int Dim>
   void set_force(const Shear<Dim>& shear, const RotationVector<Dim>& rolling_moment,
                  [[maybe_unused]] double twisting_moment, const ContactStiffness& k,

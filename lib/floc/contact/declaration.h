@@ -52,7 +52,7 @@ struct Number {
   const char* key;  ///< last part, KEY, of the key contact.SLOT.KEY in a scene file
   double Model::*member;
   Unit unit;
-  const char* symbol;       ///< symbol of the parameter in formulas, such as "K_N"
+  const char* symbol;       ///< symbol of the parameter in formulas, such as "K_N" for a stiffness
   Requirement requirement;  ///< requirement on every value, also on a value that a load path sets
   const char* expectation;  ///< value expected in a scene file, in words, for messages
   const char* meaning;      ///< description of the parameter in one line
@@ -78,8 +78,8 @@ struct Choice {
   void (*set)(Model&, int);
 };
 
-/// Return and set the index of the keyword that a model has chosen, if the model stores it as an enumeration in its
-/// member `kMember`. Choice::get and Choice::set point to these functions. They are not lambdas, because a model
+/// Get and set the index of the keyword that a model has chosen, for models that store it as an enumeration in the
+/// member `kMember`. Choice::get and Choice::set point to these two functions. They are not lambdas, because a model
 /// declares its choices before its own definition is complete.
 template <class Model, auto kMember>
 int chosen(const Model& model) {

@@ -16,8 +16,8 @@ namespace floc {
 
 namespace detail {
 
-/// Largest history (number of numbers) among those models of one slot of a contact law (normal, adhesion, ...) that are
-/// valid in a given dimension.
+/// Size of the largest history that a model of one slot of a contact law (normal, adhesion, ...) stores per contact,
+/// among the models that are valid in a given dimension.
 template <class Slot>
 struct WidestHistory;
 template <class... Models>
@@ -48,7 +48,7 @@ static_assert(
 
 }  // namespace detail
 
-/// Returns the index in a ContactHistory of the number that has index k in the PackedHistory of the contact under
+/// Returns the index in a ContactHistory of the number that has index k in a PackedHistory, under the contact law
 /// `Law`.
 template <class Law, int Dim>
 constexpr int history_place(int k) {
@@ -64,7 +64,7 @@ constexpr int history_place(int k) {
   return HistoryLayout<Dim>::kAdhesion + k - n_normal - n_friction - n_rolling - n_twisting;
 }
 
-/// Returns whether the number with index k in the PackedHistory of a contact under `Law` is the first component of a
+/// Returns whether the number with index k in a PackedHistory, under the contact law `Law`, is the first component of a
 /// vector in the tangent plane of a 3D contact.
 template <class Law, int Dim>
 constexpr bool begins_tangent(int k) {

@@ -51,14 +51,18 @@ class Law {
   /// Returns the model of liquid bridges; null if the law has no model of liquid bridges, or if the bridges cannot
   /// attract (CapillaryAdhesion::acts()).
   const CapillaryAdhesion* liquid() const;
-  /// Returns the modulus by which pressures are divided to make them dimensionless if grains do not adhere
-  /// (force/length^(Dim-1)). For linear contacts of stiffness K_N between grains of diameter a it is K_N/a^(Dim-2), for
+  /// Returns the modulus by which the pressures of grains without adhesion are divided to make them dimensionless
+  /// (force/length^(dim-1)). For linear contacts of stiffness K_N between grains of diameter a it is K_N/a^(dim-2). For
   /// Hertz contacts with Young's modulus E and Poisson's ratio nu it is E/(1 - nu^2).
   double contact_modulus(int dim, double diameter) const;
 
+<<<<<<< HEAD
   /// Whether the contacts are rigid: their surfaces do not overlap, and their forces are not functions of the geometry.
   bool is_rigid() const;
   /// Whether the normal force depends on the history of the overlap, and so dissipates energy.
+=======
+  /// Whether the normal force depends on earlier overlaps of the contact, and so dissipates energy.
+>>>>>>> w_wa
   bool keeps_overlap() const;
   /// Whether the normal law itself includes the adhesion.
   bool adheres_by_itself() const;

@@ -45,7 +45,7 @@ struct DeclaredModel {
   const DeclaredNumber* number(const std::string& number_key) const;
 };
 
-/// Returns whether a model can be put into a contact law without more faults between the models of the law than before.
+/// Returns whether a model can be put into a contact law without a new conflict between the models of the law.
 bool fits(const DeclaredModel& model, LawParameters law);
 
 /// Declaration of a slot of a contact law (normal, adhesion, damping, ...) and of the models that it can hold.

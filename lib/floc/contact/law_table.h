@@ -14,10 +14,16 @@
 ///      with a closed form.
 namespace floc {
 
+<<<<<<< HEAD
 /// Whether the program contains the contact law composed of these models. It does if three conditions hold: each model
 /// can be combined with the normal law (kGoesWith, model_traits.h); rolling resistance comes with friction and without
 /// liquid bridges (kRollsFreely); twisting resistance comes with a rolling spring, whose coefficient may be zero.
 /// Rigid contacts are never composed, because their forces are not functions of the geometry.
+=======
+/// Whether the program contains the contact law composed of these models. Three conditions must hold: each model can be
+/// combined with the normal law (kGoesWith, model_traits.h); a law with rolling resistance has friction and no liquid
+/// bridges (kRollsFreely); a law with twisting resistance has a rolling spring, whose coefficient may be zero.
+>>>>>>> w_wa
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled =
     family_of<Normal>() != Family::rigid&& kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<
@@ -41,8 +47,8 @@ struct Joined<LawList<Laws...>> {
 template <class... A, class... B, class... Rest>
 struct Joined<LawList<A...>, LawList<B...>, Rest...> : Joined<LawList<A..., B...>, Rest...> {};
 
-/// List of all compiled contact laws that contain the chosen models `Models` and one model of each of the remaining
-/// slots `Slots`. The recursion chooses the model of one slot (normal, adhesion, ...) after the other.
+/// List of all compiled contact laws that contain the models `Models`, already chosen, and one model of each of the
+/// other slots `Slots` (normal, adhesion, ...). The recursion chooses the model of one slot after the other.
 template <class Models, class... Slots>
 struct Compositions;
 template <class... M>
@@ -77,8 +83,8 @@ struct ComposedLaw {
 /// @throws InputError if the contacts are rigid
 AnyContactLaw compose_law(const LawParameters& parameters);
 
-/// Composes a contact law as compose_law() does, but always with a friction spring. If the law has no friction, the
-/// coefficient of this spring is zero, so that the spring carries no force.
+/// Composes a contact law as compose_law() does, but always with a friction spring. For a law without friction the
+/// friction coefficient of this spring is zero, so that it carries no force.
 AnyContactLaw compose_with_friction(const LawParameters& parameters);
 
 }  // namespace floc

@@ -120,7 +120,7 @@ inline constexpr bool kRollsFreely = requires {
   requires Model::kRollsFreely;
 };
 
-/// Whether state files store the numbers of a model for every contact law, even if the law does not have the
+/// Whether every state file stores the numbers of a model, even if the contact law of the state does not have this
 /// model.
 template <class Model>
 inline constexpr bool kIsInEveryFile = requires {

@@ -9,8 +9,8 @@
 
 namespace floc {
 
-/// Object of type `Model` that has no effect, for composed contact laws that need a model of this type. The force of a
-/// spring without effect is capped at zero, so that the stiffness of the spring may be any positive number.
+/// Object of type `Model` that has no effect, for composed contact laws that need a model of this type. The cap on the
+/// force of such a spring is zero, so that its stiffness may be any positive number.
 template <class Model>
 inline constexpr Model kNeutral{};
 template <>

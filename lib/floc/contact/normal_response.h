@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Static normal force of a contact at one gap, with its elastic and adhesive parts and its stiffnesses. The other
-/// models of a contact law use no other results of the normal law and the adhesion. Friction and rolling resistance use
-/// `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction"); dashpots use `touches`,
+/// Static normal force of a contact at one gap, with its elastic and adhesive parts and its stiffnesses. All that the
+/// other models of a contact law need from the normal law and the adhesion is here. Friction and rolling resistance use
+/// `elastic`, because their caps do not depend on the adhesion (docs/physics.md, "Friction"). Dashpots use `touches`,
 /// because they act while the surfaces touch.
 template <class T>
 struct NormalResponse {

@@ -16,8 +16,7 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// A fit to the mean curve of at least this many samples takes its weights and standard errors from the scatter of the
-/// samples.
+/// Smallest number of samples whose scatter gives the weights and the standard errors of the fit to their mean curve.
 constexpr Eigen::Index kMinSamples = 3;
 
 const char* name_of(Law law) {
@@ -38,9 +37,8 @@ Eigen::MatrixXd deviations_of(const Eigen::MatrixXd& samples) {
   return samples.colwise() - samples.rowwise().mean();
 }
 
-/// Returns the variance of 1/Phi between samples at each pressure. A few samples determine the variance at one
-/// pressure badly, so it is averaged over five neighbouring pressures, and is raised to at least a tenth of the
-/// mean variance.
+/// Returns the variance of 1/Phi between samples at each pressure. Because a few samples determine it badly, it is
+/// averaged over five neighbouring pressures, and is raised to at least a tenth of the mean variance.
 Eigen::VectorXd smooth_variance(const Eigen::MatrixXd& samples) {
   constexpr Eigen::Index kReach = 2;
   constexpr double kMinRelativeVariance = 0.1;
@@ -81,8 +79,8 @@ struct Window {
 };
 
 Window given_window(const ConsolidationCurve& curve, std::pair<double, double> window) {
-  // Relative tolerance of the bounds of the window: a bound typed with a few digits still includes the point whose
-  // pressure it was rounded from.
+  // Relative tolerance of the bounds of the window, so that a bound that was typed with a few digits includes the point
+  // whose pressure was rounded to it.
   constexpr double kTyped = 1e-3;
   const auto inside = [&](double P) {
     return P >= window.first * (1 - kTyped) && P <= window.second * (1 + kTyped);
@@ -92,8 +90,8 @@ Window given_window(const ConsolidationCurve& curve, std::pair<double, double> w
           static_cast<int>(std::count_if(begin, curve.P_star.end(), inside)), 0};
 }
 
-/// Returns the window of points to which a consolidation law is fitted: the regimes that the law describes, of a curve
-/// of `n` points.
+/// Returns the window of points to which a consolidation law is fitted: the points of those regimes that the law
+/// describes. @param n  number of points of the curve
 Window window_of(Law law, const Regimes& regimes, int n) {
   const int k = regimes.n_plateau;
   if (law == Law::full) return {k, n - k, k};
@@ -140,8 +138,8 @@ void describe_window(const ConsolidationCurve& curve, const Window& window, Cons
   fit.window_high = curve.P_star[window.first + window.n - 1];
 }
 
-/// Returns the correlations of the first `n` parameters. The sign is reversed for parameters fitted as their
-/// inverse, such as 1/Phi_max, which falls as Phi_max grows.
+/// Returns the correlation matrix of the first `n` parameters of a fit. The sign is reversed for a parameter of which
+/// the inverse was fitted, such as Phi_max, because 1/Phi_max falls as Phi_max grows.
 Eigen::MatrixXd correlation_of(const std::vector<Quantity>& quantities, Eigen::Index n,
                                const Eigen::MatrixXd& covariance) {
   Eigen::MatrixXd gradients(n, covariance.cols());
@@ -183,7 +181,7 @@ PhysicalRange range_of(const std::string& name) {
   return {0.0, is_fraction ? 1.0 : std::numeric_limits<double>::infinity()};
 }
 
-/// Adds the parameters of a fitted consolidation law, with their intervals and with warnings, to the result `fit`.
+/// Adds the parameters of a fitted consolidation law, their 95 % intervals and warnings about them to `fit`.
 /// @param last_phi  solid fraction at the highest pressure fitted; lower bound of Phi_max if the fit gives no Phi_max
 void add_parameters(const LawEstimate& estimate, const Covariance& covariance, double last_phi,
                     ConsolidationFit& fit) {
@@ -210,8 +208,8 @@ void add_parameters(const LawEstimate& estimate, const Covariance& covariance, d
   fit.correlation = correlation_of(quantities, n_free, covariance.matrix);
 }
 
-/// Adds the parameters of a fit to data that end before P1*, the pressure at which regime III begins: lambda of the law
-/// that the data can identify, and lower bounds of Phi_max and P1*.
+/// Adds the parameters of a fit to data that end before P1*, the pressure at which regime III begins: the slope lambda
+/// of regime II, and lower bounds of Phi_max and P1*.
 void bound_regime_three(const LawEstimate& reported, const Covariance& covariance, double last_phi,
                         ConsolidationFit& fit) {
   const std::vector<Quantity> quantities = quantities_of(reported);
@@ -250,10 +248,10 @@ void check_independence(const LawEstimate& estimate, ConsolidationFit& fit) {
 }
 
 /// Warns if the plateau of regime I is not level, as in the recompression of a soil. The fit takes for P0* the pressure
-/// at which the mean level of the plateau meets the line of regime II. The warning gives the pressure at which a
-/// sloping line through the points of the plateau meets the line of regime II.
+/// at which the line of regime II meets the mean level of the plateau. The warning gives the pressure at which it meets
+/// a sloping line through the plateau.
 void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
-  // Smallest slope of the plateau worth a warning, as a share of the slope lambda of regime II
+  // smallest slope of the plateau worth a warning, as a share of lambda, the slope of regime II
   constexpr double kLevel = 0.1;
   constexpr double kSignificant = 3.0;
   const LawPoints& plateau = estimate.plateau;
@@ -274,8 +272,8 @@ void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit) {
       slope, 100.0 * slope / lambda, std::exp(log_P)));
 }
 
-/// Fits the law again after moving one end of the window of fitted points by one point, for both ends and both
-/// directions. Warns if lambda changes by more than its standard error.
+/// Moves one end of the range of fitted points by one point and fits the law again, for both ends and both directions.
+/// Warns if lambda, the slope of regime II, changes by more than its standard error.
 void shift_window(const LawEstimate& estimate, const LawPoints& all, const Window& window,
                   ConsolidationFit& fit) {
   if (estimate.law == Law::power) return;
@@ -310,7 +308,7 @@ void shift_window(const LawEstimate& estimate, const LawPoints& all, const Windo
 }
 
 /// Adds the uncertainty of the ends of the regimes to the covariance of the coordinates theta of a fit. For every other
-/// probable end of a regime, the law is fitted again to the window that ends there, and the squared change of theta is
+/// probable end of a regime, the law is fitted again to the points up to this end, and the squared change of theta is
 /// added, weighted by the probability of this end.
 void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Window& window,
                             const Regimes& regimes, Covariance& covariance) {
@@ -353,8 +351,8 @@ std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covar
   return parts;
 }
 
-/// Returns the estimate of the consolidation law that the points can identify: the line of regime II if the points do
-/// not show the bend of the full law, otherwise the law that was fitted.
+/// Returns the fit of the law that the points can identify: the line of regime II if `estimate` is the full law and the
+/// points do not show its bend, otherwise `estimate`.
 LawEstimate identifiable_estimate(LawEstimate estimate) {
   if (estimate.law == Law::full && !detects_regime_three(estimate.points, estimate.solution) &&
       !detects_bend(estimate.points, estimate.solution)) {
@@ -382,8 +380,7 @@ void add_bootstrap(const LawEstimate& reported, const Eigen::MatrixXd& samples,
   for (FittedParameter& p : fit.bootstrap) (void)keep_in_range(range_of(p.name), p);
 }
 
-/// Fits a consolidation law to the points of a window, and derives the parameters, errors and warnings of the
-/// fit.
+/// Fits a consolidation law to the points of a window, and adds the parameters, errors and warnings to `fit`.
 ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, const Window& window,
                             const ConsolidationOptions& options, ConsolidationFit fit) {
   const Law law = options.law;

@@ -15,23 +15,23 @@
 
 namespace floc {
 
-/// Weights of the points of a consolidation curve in a fit. Each value names the errors that 1/Phi (Phi is the solid
-/// fraction) is assumed to have.
+/// Weights of the points of a consolidation curve in a fit. Each choice assumes other errors of the inverse solid
+/// fraction 1/Phi.
 enum class Weighting {
-  automatic,  ///< `scatter` if the curve is a mean of three samples or more, otherwise `relative`
+  automatic,  ///< `scatter` if the curve is the mean over three samples or more, otherwise `relative`
   uniform,    ///< equal errors at all points
-  relative,   ///< errors in proportion to 1/Phi, the volume of the sample per volume of its grains
+  relative,   ///< errors in proportion to 1/Phi
   scatter,    ///< errors of a mean over several samples, computed from the scatter between these samples
 };
 
 struct ConsolidationOptions {
   ConsolidationLaw law = ConsolidationLaw::full;
-  /// Lowest and highest reduced pressure P* of the points to fit. If absent, the regimes of the curve are searched for:
-  /// I (plateau), II (line in ln P*) and III (power law). The full law is then fitted to regimes II and III, the line
-  /// to regime II, the power law to regime III.
+  /// Lowest and highest reduced pressure P* of the points to fit. If absent, the regimes of the curve are found first:
+  /// a plateau (regime I), a line in ln P* (II) and a power law (III). The full law is then fitted to regimes II and
+  /// III, the line to regime II, and the power law to regime III.
   std::optional<std::pair<double, double>> window;
-  /// Whether P0*, the pressure at which regime II begins, is set to the first pressure fitted. Otherwise P0* is the
-  /// pressure at which the plateau of regime I meets the line of regime II.
+  /// Whether P0*, the pressure at which the line of regime II begins, is set to the first pressure fitted. Otherwise
+  /// P0* is the pressure at which this line meets the plateau of regime I.
   bool hold_P0 = false;
   Weighting weighting = Weighting::automatic;
   Loss loss = Loss::squared;
@@ -43,30 +43,33 @@ struct ConsolidationOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Consolidation curve of one sample, or mean curve of several samples: points in the order of growing
+/// Solid fraction against pressure of one sample, or its mean over several samples: points in the order of growing
 /// pressure.
 struct ConsolidationCurve {
-  /// Reduced pressure P*, such as a P/F0 in 2D (diameter a, pull-off force F0), > 0.
+  /// Reduced pressure P* > 0. In 2D with adhesion it is a P/F0, with the grain diameter a, the pressure P and the
+  /// pull-off force F0.
   std::vector<double> P_star;
   std::vector<double> phi;  ///< solid fraction, > 0
   /// For a mean curve, 1/Phi of each sample (one row per pressure, one column per sample); otherwise empty.
   Eigen::MatrixXd samples;
 };
 
-/// Value of lambda, the slope of regime II, if one end of the window of fitted points moves by one point of the curve.
+/// Value of lambda, the slope of the line of regime II, from a fit for which one end of the range of fitted points is
+/// moved by one point.
 struct WindowShift {
   /// End that moves: "first row earlier", "first row later", "last row earlier" or "last row later".
   std::string change;
-  /// Value of lambda from the fit to the moved window; absent if fewer than three points of regime II are left in it.
+  /// Value of lambda from this fit; absent if it leaves fewer than three points to regime II.
   std::optional<double> lambda;
 };
 
-/// The two parts of the standard error of a parameter of the consolidation law; their squares add up to the square of
-/// the error.
+/// Two parts of the standard error of a parameter of the consolidation law. Their squares add up to the square of the
+/// standard error.
 struct ErrorParts {
   std::string name;      ///< name of the parameter
   double scatter = 0.0;  ///< part from the scatter between samples or from the residuals of the fit
-  /// Part from the uncertain ends of the regimes: spread of the parameter over the points at which the regimes may end.
+  /// Part from the uncertain ends of the regimes: scatter of the parameter over the points at which the regimes may
+  /// end.
   double regimes = 0.0;
 };
 
@@ -76,7 +79,7 @@ struct ConsolidationFit {
   ConsolidationLaw law = ConsolidationLaw::full;
   double window_low = 0.0, window_high = 0.0;  ///< first and last reduced pressure fitted
   std::vector<int> used;                       ///< indices of the points fitted
-  std::optional<Regimes> regimes;              ///< regimes of the whole curve; absent if the window was given
+  std::optional<Regimes> regimes;  ///< regimes of the whole curve; absent if the options give the window
   /// Number of points before the window that form the plateau of regime I.
   int n_plateau = 0;
   /// Last reduced pressure of the plateau of regime I; 0 if there is no plateau.
@@ -86,22 +89,22 @@ struct ConsolidationFit {
   std::vector<std::string> correlated;
   Eigen::MatrixXd correlation;  ///< correlation matrix of the fitted parameters
   double rms = 0.0;             ///< root mean square residual of 1/Phi over the points fitted
-  /// Law that `theta` describes: the line of regime II if the points do not show the bend of the full law, otherwise
-  /// `law`.
+  /// Law of which `theta` are the parameters: the line of regime II if the points do not show the bend of the full law,
+  /// otherwise `law`.
   ConsolidationLaw reported_law = ConsolidationLaw::full;
-  Eigen::VectorXd theta;                       ///< solution, in the coordinates that LawSolution defines
-  Eigen::VectorXd fitted;                      ///< values of 1/Phi by the fitted law at the points fitted
-  Eigen::VectorXd weights;                     ///< weights with which the points were fitted
+  Eigen::VectorXd theta;    ///< fitted parameters of the law, as LawSolution defines them
+  Eigen::VectorXd fitted;   ///< inverse solid fraction 1/Phi of the fitted law at each point fitted
+  Eigen::VectorXd weights;  ///< weights with which the points were fitted
   Weighting weighting = Weighting::automatic;  ///< weighting that the fit used
   /// True if the standard errors are from the scatter between samples, false if they are from the residuals of the fit.
   bool errors_from_samples = false;
   std::vector<ErrorParts> error_parts;  ///< parts of the standard error of each parameter that has one
   /// Names of the parameters whose 95 % interval is from the profile likelihood.
   std::vector<std::string> profiled;
-  /// Values of lambda after an end of the window has moved by one point; moves beyond the ends of the curve are left
-  /// out.
+  /// Values of lambda, the slope of the line of regime II, after one end of the window has been moved by one point.
+  /// Moves beyond the ends of the curve are left out.
   std::vector<WindowShift> window_shifts;
-  int n_bootstrapped = 0;  ///< number of bootstrap fits that have a regime II
+  int n_bootstrapped = 0;  ///< number of bootstrap fits that leave at least three points to regime II
   /// Mean, standard deviation and percentiles 2.5 and 97.5 of each parameter over the bootstrap fits.
   std::vector<FittedParameter> bootstrap;
   std::vector<std::string> warnings;
@@ -114,22 +117,21 @@ struct ConsolidationFit {
   const FittedParameter* find(const std::string& name) const;
 };
 
-/// Fits a consolidation law to a curve of the solid fraction Phi against the reduced pressure P*, by weighted least
-/// squares in 1/Phi, with a robust loss function if the options choose one.
+/// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi against the
+/// reduced pressure P*, by weighted least squares in 1/Phi, with a robust loss function if the options choose one.
 ///
-/// Standard errors of a fit to a single curve follow from the covariance at the solution, scaled by the residual
-/// variance. For a mean of three samples or more they follow from the scatter of the samples: the deviation of each
-/// sample from the mean is carried through the linearised fit, which takes the correlation of errors along the curve
-/// into account. If the regimes were searched for, the spread of the parameters over the probable ends of the regimes
-/// is added.
+/// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
+/// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
+/// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
+/// scatter of the parameters over the probable ends of the regimes is added.
 ///
-/// Intervals follow from Student's t in ln(parameter), or in 1/Phi for Phi0; for alpha and Phi_max they follow from the
-/// profile likelihood. The bootstrap draws samples of a mean curve (one fewer than there are, which makes the variance
-/// unbiased) or residuals of a single curve.
+/// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of alpha
+/// and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over samples, and
+/// otherwise residuals.
 ///
 /// If the data end before P1*, the pressure at which regime III begins, the fit gives bounds of P1* and Phi_max and no
-/// value of alpha. There is no fit if the points are too few, if all lie in regime I, or if the solid fraction does not
-/// grow with pressure; `failure_reason` then gives the reason.
+/// value of the exponent alpha. There is no fit, but a `failure_reason`, if the points are too few, if all of them lie
+/// in regime I, or if the solid fraction does not grow with pressure.
 /// @pre All pressures and solid fractions are positive and finite, and the pressures grow.
 /// @throws InputError with the faults of the options if they are not valid
 [[nodiscard]] ConsolidationFit fit_consolidation(const ConsolidationCurve& curve,

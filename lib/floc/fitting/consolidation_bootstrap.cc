@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// Draws samples with replacement, one fewer than there are. Returns the mean of 1/Phi over the drawn samples, first at
-/// the points of the plateau, then at the points of the window.
+/// Draws samples with replacement, one fewer than there are. Returns the mean of 1/Phi over the drawn samples at each
+/// point: first at the points of the plateau, then at the other points fitted.
 Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& random) {
   const Eigen::Index n_drawn = samples.cols() - 1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples.rows());
@@ -22,7 +22,7 @@ Eigen::VectorXd mean_of_draw(const Eigen::MatrixXd& samples, RandomStream& rando
 }
 
 /// Residuals from which the bootstrap draws, and fitted values to which it adds the drawn residuals. Each residual is
-/// enlarged according to the leverage of its point, so that all have the residual variance.
+/// enlarged according to the leverage of its point, so that all residuals have the same variance.
 struct ResidualPool {
   Eigen::VectorXd fitted, weight, residuals;
 

@@ -9,14 +9,14 @@ namespace floc {
 ///
 ///   g(x) = ln{ e^x [1 - exp(-u)]^(1/alpha) },  u = exp(-alpha x) = (P1*/P*)^alpha
 ///
-/// Far below P1*, g tends to x, and far above to -u/(2 alpha). T is any scalar type (`double`, Ceres' Jet). The result
-/// is exact to rounding from P*/P1* = 1e-12 to 1e12, where the formula as printed in [GRC2008] loses all digits.
+/// g tends to x far below P1*, and to -u/(2 alpha) far above. T is any scalar type (`double`, Ceres' Jet). The result
+/// is exact to rounding from P*/P1* = 1e-12 to 1e12, unlike the printed formula, which loses all digits.
 /// @param alpha  exponent of the power law in regime III, > 0
 template <class T>
 T consolidation_bracket(const T& x, const T& alpha) {
   using std::exp, std::expm1, std::log, std::log1p;
   const T log_u = -alpha * x;
-  // Here exp(-u) is below the smallest double, so that g = x.
+  // For such a large u, exp(-u) is below the smallest double, so that g = x.
   if (log_u > T(6.7)) return x;
   const T u = exp(log_u);
   if (u > T(1.0)) return x + log1p(-exp(-u)) / alpha;
@@ -27,14 +27,14 @@ T consolidation_bracket(const T& x, const T& alpha) {
   return (-u / 2.0 + u2 * (1.0 / 24.0 - u2 * (1.0 / 2880.0 - u2 * (1.0 / 181440.0 - u2 / 9676800.0)))) / alpha;
 }
 
-/// Parameters of the full law of consolidation, for the solid fraction Phi at the reduced pressure P*:
+/// Parameters of the full law of consolidation, which gives the solid fraction Phi at the reduced pressure P*:
 ///
 ///   1/Phi = 1/Phi_max - lambda g(ln(P*/P1*))
 ///
-/// The function g is consolidation_bracket(). This is Eq. 9 of [GRC2008], which contains 1/Phi0 = 1/Phi_max + lambda
-/// ln(P1*/P0*) instead of 1/Phi_max; the pressure P0* may have any value.
+/// The function g is consolidation_bracket(). Eq. 9 of [GRC2008] is the same law, written with the solid fraction Phi0
+/// at a pressure P0* of free choice: 1/Phi0 = 1/Phi_max + lambda ln(P1*/P0*).
 struct ConsolidationLawParameters {
-  double lambda;   ///< plasticity index, > 0
+  double lambda;   ///< plasticity index, the slope -d(1/Phi)/dlnP* in regime II, > 0
   double alpha;    ///< exponent of the power law in regime III, > 0
   double phi_max;  ///< limit of the solid fraction at high pressure
   double P1_star;  ///< reduced pressure at which regime III begins, > 0

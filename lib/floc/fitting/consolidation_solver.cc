@@ -71,8 +71,8 @@ Eigen::VectorXd grid(double low, double high, int n) {
   return Eigen::VectorXd::LinSpaced(n, low, high);
 }
 
-// For a given alpha (and P1*) the consolidation laws are linear in the other parameters, so that the starting
-// point of the solver follows from a straight line fitted to the data.
+// For a given exponent alpha and, in the full law, a given P1*, the consolidation laws are linear in the other
+// parameters. A starting point of the solver therefore follows from a straight line fitted to the data.
 
 std::vector<Start> log_starts(const LawPoints& points) {
   const Line line = fit_line(points.log_P.array() - points.log_P[0], points);
@@ -99,8 +99,8 @@ std::vector<Start> full_starts(const LawPoints& points) {
   const Eigen::VectorXd& log_P = points.log_P;
   const double first = log_P[0];
   const double end = log_P[log_P.size() - 1] + 1.0;
-  // The starting values of ln P1* are half a unit apart, close enough to find the minimum. A curve over a wide range of
-  // pressures therefore needs more starting values.
+  // The starting values of ln P1* are 0.5 apart, close enough to find the minimum. A wide range of pressures needs more
+  // of them.
   const int n_P1 = std::clamp(static_cast<int>(std::ceil((end - first) / 0.5)) + 1, 16, 128);
   for (const double alpha_log : grid(std::log(0.2), std::log(6.0), 10))
     for (const double log_P1 : grid(first, end, n_P1)) {
@@ -122,8 +122,8 @@ std::vector<Residual> residuals_of(const LawPoints& points) {
   return residuals;
 }
 
-/// Returns limits of the parameters alpha and P1*, far beyond the values at which the consolidation laws reach
-/// their limiting forms. Without these limits the two parameters could diverge.
+/// Returns limits of the parameters alpha and P1*, which could diverge without them. They lie far beyond the values at
+/// which the consolidation laws reach their limiting forms.
 std::vector<ParameterLimits> limits_of(int n_parameters, const LawPoints& points) {
   constexpr double kFar = 15.0;
   std::vector<ParameterLimits> limits;
@@ -143,8 +143,8 @@ std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd
   const std::vector<Residual> residuals = residuals_of<Residual>(points);
   const std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
   auto found = minimize(residuals, start, {}, held);
-  // The solver is less exact with limits of the parameters. It therefore runs without limits first, and with limits
-  // only if it then fails or goes beyond them.
+  // The solver is less exact with limits of the parameters. It therefore runs without limits first, and runs with
+  // limits only if that fails or leads beyond the limits.
   if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
   if (!found) return std::nullopt;
   return LawSolution{std::move(found->theta), std::move(found->residuals), std::move(found->jacobian),
@@ -252,8 +252,8 @@ std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoint
   for (Start& start : starts) {
     Eigen::VectorXd end = start.theta;
     const double left = minimize_law(law, points, end);
-    // A solution beyond the limits of alpha and P1* does not replace the starting point, because no minimum within the
-    // limits can be found from there.
+    // A solution beyond the limits of alpha and P1* does not replace the starting point, because it leads to no minimum
+    // within the limits.
     if (left < start.sum_of_squares && within(limits, end)) start = {end, left};
   }
   const auto best = std::min_element(starts.begin(), starts.end(), less);

@@ -21,7 +21,7 @@ int n_parameters(ConsolidationLaw law);
 struct LawPoints {
   Eigen::VectorXd log_P;   ///< ln P*
   Eigen::VectorXd y;       ///< 1/Phi
-  Eigen::VectorXd weight;  ///< factor of the residual of each point; of order one, > 0
+  Eigen::VectorXd weight;  ///< factor by which the residual of each point is multiplied; of order one, > 0
 
   int size() const { return static_cast<int>(y.size()); }
   LawPoints range(int first, int n) const {
@@ -29,41 +29,43 @@ struct LawPoints {
   }
 };
 
-/// Least-squares solution of one law on given points. The coordinates theta keep lambda, alpha, A1 and P1 positive (y
-/// is 1/Phi, P_first the first pressure fitted, A1 the value of y - 1/Phi_max at this pressure, g the function
-/// consolidation_bracket()):
+/// Least-squares fit of a consolidation law to given points. The entries of theta are chosen so that lambda, alpha, A1
+/// and P1 are positive for any theta. Below, y is 1/Phi, P_first is the first pressure fitted, y1 and A1 are the values
+/// of y and of y - 1/Phi_max at this pressure, and g is consolidation_bracket():
 ///   log    theta = (ln lambda, y1)                          y = y1 - lambda ln(P/P_first)
 ///   power  theta = (ln A1, ln alpha, 1/Phi_max)             y = 1/Phi_max + A1 (P/P_first)^-alpha
 ///   full   theta = (ln lambda, ln alpha, 1/Phi_max, ln P1)  y = 1/Phi_max - lambda g(ln P - ln P1)
 struct LawSolution {
   Eigen::VectorXd theta;
   Eigen::VectorXd residuals;  ///< weighted residuals of the points, law minus data
-  /// Derivatives of the weighted residuals with respect to theta; empty if a coordinate was held fixed.
+  /// Derivatives of the weighted residuals with respect to theta; empty if an entry of theta was held fixed.
   Eigen::MatrixXd jacobian;
   double sum_of_squares = 0.0;  ///< sum of squares of the weighted residuals
 };
 
-/// Returns 1/Phi, the inverse solid fraction, by a consolidation law at the reduced pressure P* with ln P* = `log_P`;
-/// `log_P_first` is ln P* of the first point that the law was fitted to.
+/// Returns the inverse solid fraction 1/Phi of a consolidation law at the reduced pressure exp(log_P). `log_P_first` is
+/// ln P* of the first point to which the law was fitted.
 double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_P, double log_P_first);
 
-/// Fits a consolidation law. Starting points are found by linear least squares on a grid of the nonlinear parameters;
-/// from the best few of them the solver descends to a minimum, and the best minimum is refined to rounding by
-/// Levenberg-Marquardt (Ceres). The solution is absent if no starting point has a positive lambda (A for the power
-/// law), that is, if the solid fraction does not grow with pressure.
+/// Fits a consolidation law:
+/// 1. For each point of a grid of the nonlinear parameters, linear least squares give the other ones: a starting point.
+/// 2. From the best few starting points, the solver descends to a minimum.
+/// 3. The best minimum is refined to rounding by Levenberg-Marquardt (Ceres).
+///
+/// The solution is absent if no starting point gives a solid fraction that grows with pressure.
 /// @pre There are more points than parameters.
 [[nodiscard]] std::optional<LawSolution> solve_law(ConsolidationLaw law, const LawPoints& points);
 
-/// Fits a consolidation law to rounding, from the coordinates `start` on.
-/// @param held  index of a coordinate of theta to hold fixed; -1 to fit all
+/// Fits a consolidation law to rounding, from the starting point `start` of theta.
+/// @param held  index of an entry of theta to hold fixed; -1 to fit all
 [[nodiscard]] std::optional<LawSolution> solve_law_from(ConsolidationLaw law, const LawPoints& points,
                                                         const Eigen::VectorXd& start, int held = -1);
 
 // The functions below are meant for searches over many windows: they are fast, but accurate only to about half of the
 // digits of a double.
 
-/// Returns the coordinates of a consolidation law at the best of the minima reached from the `n_tried` best
-/// starting points. The result is absent if no starting point has a positive lambda (A for the power law).
+/// Returns theta of a consolidation law at the best of the minima that the solver reaches from the `n_tried` best
+/// starting points. The result is absent if no starting point gives a solid fraction that grows with pressure.
 [[nodiscard]] std::optional<Eigen::VectorXd> start_of_law(ConsolidationLaw law, const LawPoints& points,
                                                           int n_tried);
 
@@ -71,8 +73,8 @@ double law_value(ConsolidationLaw law, const Eigen::VectorXd& theta, double log_
 /// @return the sum of squares at the minimum
 double minimize_law(ConsolidationLaw law, const LawPoints& points, Eigen::VectorXd& theta);
 
-/// Return the sum of squared residuals of the line of regime II, or of the power law, by linear least squares
-/// (for the power law at the best alpha). The result is absent if the solid fraction does not grow with
+/// Return the sum of squared residuals of a straight line in ln P* (regime II), and of a power law of P* with its best
+/// exponent (regime III), fitted by least squares. The result is absent if the solid fraction does not grow with
 /// pressure.
 [[nodiscard]] std::optional<double> residual_of_line(const LawPoints& points);
 [[nodiscard]] std::optional<double> residual_of_power_law(const LawPoints& points);

@@ -56,8 +56,8 @@ ExponentEstimate fit_exponent(const std::vector<CutSample>& windows) {
       if (w.n > 0) left += w.n * mean_of(b, w);
     return left;
   };
-  // excess(b) falls with b, and its root is the maximum of the likelihood. If there is no root within a factor kFar of
-  // n/sum, the exponent for windows without an upper end, then all values lie at one end of their windows, and the
+  // excess(b) falls with b, and its root is the maximum of the likelihood. For windows without an upper end, the root
+  // is n/sum. If there is no root within a factor kFar of n/sum, all values lie at one end of their windows, and the
   // likelihood has no maximum.
   const double tail = fit.n / sum;
   constexpr double kFar = 1e6;

@@ -11,10 +11,11 @@ struct CutSample {
   double mean = 0.0;   ///< mean distance of these values from the lower end of the window
 };
 
-/// Returns the summary of the values from low to high, both included. @param high  may be infinite
+/// Returns the summary of the values from `low` to `high`, both included. @param high  upper end of the window; may be
+/// infinite
 CutSample cut_sample(const std::vector<double>& values, double low, double high);
 
-/// Estimate of the exponent b of a distribution P(x) ~ exp(-b x), in the unit of 1/x.
+/// Estimate of the exponent b of a probability density P(x) ~ exp(-b x), in the unit of 1/x.
 struct ExponentEstimate {
   bool found = false;  ///< false if there are fewer than ten values, or if the likelihood has no maximum
   int n = 0;           ///< number of values in all windows
@@ -22,10 +23,10 @@ struct ExponentEstimate {
   double error = 0.0;  ///< standard error, from Fisher's information
 };
 
-/// Estimates one exponent b shared by several windows by maximum likelihood; the number n of values in each window is
-/// taken as given. The estimate is the root b of: sum over the windows of n (m(b) - mean) = 0. Here `mean` is the mean
-/// of the values in a window, from its lower end, and m(b) = 1/b - w/(exp(b w) - 1) is the mean expected in a window of
-/// width w.
+/// Estimates, by maximum likelihood, one exponent b for the values in several windows of an exponential distribution.
+/// The number n of values in each window is taken as given. b is the root of the sum over the windows of n (m(b) -
+/// mean). Here `mean` is the mean distance of the values from the lower end of their window, and m(b) = 1/b - w/(exp(b
+/// w) - 1) is its expected value in a window of width w.
 [[nodiscard]] ExponentEstimate fit_exponent(const std::vector<CutSample>& windows);
 
 }  // namespace floc

@@ -25,12 +25,12 @@ constexpr int kParameters = 7;
 constexpr std::array<const char*, kParameters> kNames = {"e_min", "De", "C", "A", "s_m", "a", "b"};
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 
-/// Residual of the void ratio e of one sample. The pressure at which the plateau is evaluated is divided by its
-/// geometric mean over the samples, because the law has a plateau at this mean, but not always at the reference
-/// pressure p_D.
+/// Residual of the void ratio e of one sample. In the fit, the plateau refers to the geometric mean of the pressures of
+/// the samples, because the law may have a pole between them and the reference pressure p_D.
 struct CompactionResidual {
   static constexpr int kParameters = floc::kParameters;
-  double log_p;  ///< ln of the pressure at which the plateau is evaluated, over its geometric mean
+  /// logarithm of the pressure at which the plateau is evaluated, in units of its geometric mean over the samples
+  double log_p;
   double log_x, e, weight;
   template <class T>
   T operator()(const T* theta) const {
@@ -43,7 +43,8 @@ using Residuals = std::vector<CompactionResidual>;
 struct CompactionData {
   std::vector<int> rows;  ///< index of the sample of each residual
   Residuals residuals;
-  /// Ln of p_D over the geometric mean of the pressures at which the plateau is evaluated.
+  /// Logarithm of the reference pressure p_D in units of the geometric mean of the pressures at which the plateau is
+  /// evaluated.
   double log_p_D = 0.0;
   double log_x_1 = 0.0;  ///< ln x at eta* = 1, with x = eta*/eta_m and eta* = sc/sqrt(p se)
 
@@ -60,9 +61,10 @@ double plateau_pressure(const CompactedSample& s, PlateauPressure plateau) {
   return plateau == PlateauPressure::own ? s.p : s.sc * s.sc / s.se;
 }
 
-/// Sets the parameters De and C of the plateau in a starting point `theta`, which already has e_min and the power laws
-/// of e_r. They follow from a linear fit of e_r/(e - e_min) = 1/De + C ln p. Returns false if this fit gives no
-/// positive De.
+/// Sets the parameters De and C of the plateau in a starting point `theta`, which already has e_min and the two power
+/// laws that give e_r. De and C follow from a linear fit of e_r/(e - e_min) = 1/De + C ln p, where p is the pressure at
+/// which the plateau is evaluated.
+/// @return false if this fit gives no positive De
 bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
   const auto n = static_cast<Eigen::Index>(data.size());
   Eigen::MatrixXd columns(n, 2);
@@ -79,7 +81,7 @@ bool add_plateau(const Residuals& data, Eigen::VectorXd& theta) {
     columns.row(i) << over * over / e_r, over * over / e_r * r.log_p;
     y[i] = over;
   }
-  // If the pressure does not vary, the solution is not unique, and the solution of least norm is taken.
+  // If all samples have one pressure, the solution is not unique, and the solution with the smallest norm is taken.
   const Eigen::Vector2d found = least_squares_solution(columns, y);
   if (!(found[0] > 0.0) || !found.allFinite()) return false;
   theta[1] = -std::log(found[0]);
@@ -127,12 +129,13 @@ std::optional<LeastSquaresSolution> solve(const Residuals& data) {
 struct RobustView {
   Eigen::VectorXd misfit;  ///< void ratio e minus its value by the law
   double deviation = 0.0;  ///< standard deviation of the misfit of a sample that follows the law
-  /// True for samples that may be flagged: above the plateau of the law, or at eta* = sc/sqrt(p se) > 1.
+  /// True for samples that may be flagged, because they lie above the plateau of the law or have eta* = sc/sqrt(p se) >
+  /// 1.
   std::vector<bool> may_flag;
 };
 
-/// Fits the law with weights that are recomputed from the residuals until the solution no longer changes.
-/// Samples far from the law then have almost no weight.
+/// Fits the law with weights that are recomputed from the residuals until the solution no longer changes, so that
+/// samples far from the law have almost no weight. Returns the misfit of each sample.
 std::optional<RobustView> robust_view(const CompactionData& data) {
   auto solution = solve(data.residuals);
   if (!solution) return std::nullopt;
@@ -166,8 +169,8 @@ std::optional<RobustView> robust_view(const CompactionData& data) {
   return view;
 }
 
-/// Returns the indices of the samples beside the plateau: those with view.may_flag that miss the law by more than
-/// `n_deviations` standard deviations.
+/// Returns the indices of the samples beside the plateau: samples that view.may_flag allows to flag, and that miss the
+/// law by more than `n_deviations` standard deviations.
 std::vector<int> beside_plateau(const CompactionData& data, const RobustView& view, double n_deviations) {
   std::vector<int> rows;
   for (std::size_t k = 0; k < data.rows.size(); ++k)
@@ -176,8 +179,8 @@ std::vector<int> beside_plateau(const CompactionData& data, const RobustView& vi
   return rows;
 }
 
-/// Returns the coordinates in which the standard errors are computed: e_min, 1/De, C, and the logarithms of A,
-/// s_m, a and b.
+/// Converts the fitted numbers theta into the quantities of which standard errors are computed: e_min, 1/De, C, and the
+/// logarithms of A, s_m, a and b.
 Parameters coordinates(const Eigen::VectorXd& t, double log_p_D) {
   Parameters y;
   y << t[0], std::exp(-t[1]) + t[2] * log_p_D, t[2], t[3], -std::log(std::exp(t[3]) + std::exp(t[4])), t[5],
@@ -185,7 +188,7 @@ Parameters coordinates(const Eigen::VectorXd& t, double log_p_D) {
   return y;
 }
 
-/// Returns the derivatives of coordinates() with respect to theta.
+/// Returns the derivatives of coordinates() with respect to the fitted numbers theta.
 Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   const double A = std::exp(t[3]), rest = std::exp(t[4]), a = std::exp(t[5]), b = a + std::exp(t[6]);
   Eigen::MatrixXd G = Eigen::MatrixXd::Identity(kParameters, kParameters);
@@ -195,8 +198,10 @@ Eigen::MatrixXd gradients(const Eigen::VectorXd& t, double log_p_D) {
   return G;
 }
 
-/// Returns the standard errors of coordinates(). The variance of a coordinate is summed only over the parameters theta
-/// on which it depends, because other parameters may have infinite variance.
+/// Returns the standard errors of coordinates(). The variance of a coordinate is summed only over the entries of theta
+/// on which it depends, because other entries may have infinite variance.
+/// @param G  gradients() of the coordinates
+/// @param covariance  covariance of theta
 Parameters errors_of(const Eigen::MatrixXd& G, const Eigen::MatrixXd& covariance) {
   Parameters errors;
   for (int k = 0; k < kParameters; ++k) {
@@ -234,16 +239,16 @@ struct CompactionEstimate {
   double variance = 0.0;       ///< variance of the residuals
   double scatter_share = 1.0;  ///< share of `variance` that is scatter between repeated runs
   Eigen::MatrixXd covariance;  ///< covariance of theta, from the residuals
-  /// Values of coordinates(), their errors from the residuals (`scatter`), and their errors from the choice of the
-  /// samples left out (`spread`).
+  /// Values of coordinates(), their standard errors from the residuals (`scatter`), and their standard errors from the
+  /// choice of the samples left out (`spread`).
   Parameters value, scatter, spread;
 
   int dof() const { return static_cast<int>(data.rows.size()) - kParameters; }
   double error(int k) const { return std::hypot(scatter[k], spread[k]); }
 };
 
-/// Returns the root mean square change of each fitted coordinate if more samples, or fewer, are left out because they
-/// miss the plateau.
+/// Returns the root mean square change of each of coordinates() if samples are flagged as beside the plateau at a
+/// smaller or a larger distance from the law.
 Parameters spread_over_flags(const CompactionEstimate& estimate, const CompactionData& all,
                              const RobustView& view, const std::vector<int>& flagged) {
   Parameters sum = Parameters::Zero();
@@ -276,7 +281,7 @@ FittedParameter parameter_of(const CompactionEstimate& e, int k) {
   return from_logarithm(name, e.value[k], e.error(k), t95);
 }
 
-/// Replaces the interval of the parameter A or a by the interval that the profile likelihood of ln A or ln a gives.
+/// Replaces the 95 % interval of the parameter A or a by the one that the profile likelihood of ln A or ln a gives.
 void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionFit& fit) {
   const double error = e.error(k);
   // With a standard error this small, changes of the sum of squares are only rounding, and the interval from the
@@ -284,8 +289,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   if (!std::isfinite(error) || error < 1e-9) return;
   const double t95 = student_t_95(e.dof());
   const double inflated = std::pow(t95 * error / e.scatter[k], 2) * e.variance;
-  // The search for the ends of the interval stops at a factor of a hundred from the solution, because the parameters
-  // beyond have no meaning for the law.
+  // The search for the ends of the interval stops at a factor of 100 from the solution, because the law has no meaning
+  // for parameters beyond.
   const double reach = std::log(100.0);
   const double center = e.value[k];
   const ProfileSearch search{
@@ -303,8 +308,8 @@ void profile(const CompactionEstimate& e, int k, FittedParameter& p, CompactionF
   });
   p.low95 = p.high95 = std::nullopt;
   fit.profiled.push_back(p.name);
-  // Smallest trusted width of the interval, as a share of its width by the covariance. Along a valley of nearly equal
-  // solutions the solver stops early, which makes the interval wrongly narrow.
+  // Smallest width at which the interval is trusted, as a share of its width from the covariance. Along a valley of
+  // nearly equal solutions the solver stops early, which makes the interval too narrow.
   constexpr double kFollowed = 0.1;
   const double width = 2.0 * t95 * error;
   p.identified = false;
@@ -325,8 +330,8 @@ CompactionErrorParts parts_of(const CompactionEstimate& e, int k, const FittedPa
           unit * e.scatter[k] * std::sqrt(1.0 - e.scatter_share), unit * e.spread[k]};
 }
 
-/// Returns the number of samples that determine the first power law A x^a: dense samples, with e_r < 1/2, in which A
-/// x^a is larger than the second power law (1/s_m - A) x^b.
+/// Returns the number of samples that determine the first power law A x^a of the law: dense samples (e_r < 1/2) for
+/// which A x^a is larger than the second power law (1/s_m - A) x^b.
 int n_of_first_power(const CompactionEstimate& e) {
   const Eigen::VectorXd& t = e.solution.theta;
   const double a = std::exp(t[5]), step = std::exp(t[6]);
@@ -337,8 +342,8 @@ int n_of_first_power(const CompactionEstimate& e) {
 }
 
 void add_parameters(const CompactionEstimate& e, CompactionFit& fit) {
-  // Two samples determine the prefactor and the exponent of the first power law, a third separates it from the second
-  // power law.
+  // Two samples determine the prefactor and the exponent of the first power law. A third sample is needed to tell it
+  // from the second power law.
   const bool sees_first_power = n_of_first_power(e) >= 3;
   for (int k = 0; k < kParameters; ++k) {
     FittedParameter p = parameter_of(e, k);
@@ -382,7 +387,7 @@ CompactionData data_of(const std::vector<CompactedSample>& samples, const Compac
   for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
     const CompactedSample& s = samples[static_cast<std::size_t>(i)];
     const double p = plateau_pressure(s, reference.plateau);
-    // The relative tolerance keeps a sample at p_0 whose pressure was rounded.
+    // The tolerance keeps samples whose pressure is p_0 but was rounded.
     if (p < p_0 * (1 - 1e-6)) {
       fit.below_p_0.push_back(i);
       continue;

@@ -14,14 +14,14 @@ namespace floc {
 struct CompactedSample {
   double e;   ///< void ratio, > 0
   double p;   ///< pressure, > 0
-  double sc;  ///< cohesion f_c/d^2 (pull-off force f_c over squared diameter), > 0, in the unit of p
-  double se;  ///< stiffness k_n/d (normal stiffness of a contact over diameter), > 0, in the unit of p
+  double sc;  ///< cohesion: pull-off force over squared grain diameter, > 0, in the unit of p
+  double se;  ///< stiffness: normal stiffness of a contact over grain diameter, > 0, in the unit of p
 };
 
-/// Pressure at which the plateau of the law is evaluated for a sample.
+/// Pressure at which the plateau of the void ratio is evaluated in the law of dynamic compaction.
 enum class PlateauPressure {
   own,  ///< pressure p of the sample
-  /// Pressure p_crit = sc^2/se at which eta* = sc/sqrt(p se) is 1, as in the law printed in [SVI2024].
+  /// pressure p_crit = sc^2/se at which eta* = sc/sqrt(p se) is 1 for the sample, as in the law printed in [SVI2024]
   critical,
 };
 
@@ -30,10 +30,12 @@ enum class PlateauPressure {
 struct CompactionReference {
   /// Pressure at which the plateau of the void ratio is e_min + De, in the unit of p; 0.01 MPa in [SVI2024].
   double p_D = 0.01;
-  double eta_m = 0.045;  ///< value of eta* = sc/sqrt(p se) at which (1 - e_r)/e_r = s_m; 0.045 in [SVI2024]
-  /// Samples are fitted only if their plateau is evaluated at a pressure of at least p_0. If p_0 is 0, there is no
-  /// limit for PlateauPressure::own. For `critical` the limit is then p_D, because the published plateau has a pole not
-  /// far below p_D.
+  /// Reference value by which eta* = sc/sqrt(p se) is divided in the law; 0.045 in [SVI2024]. At this eta*, the
+  /// relative void ratio e_r is such that (1 - e_r)/e_r is the parameter s_m.
+  double eta_m = 0.045;
+  /// Lower limit of the pressure at which the plateau is evaluated; samples below it are not fitted. If p_0 is 0, there
+  /// is no limit for PlateauPressure::own, and p_D is the limit for PlateauPressure::critical, because the published
+  /// plateau has a pole not far below p_D.
   double p_0 = 0.0;
   PlateauPressure plateau = PlateauPressure::own;
 
@@ -46,7 +48,7 @@ struct CompactionReference {
 ///   e = e_min + e_r De/(1 + C De ln(p/p_D))
 ///   e_r = S/(1 + S),   S = A x^a + (1/s_m - A) x^b,   x = eta*/eta_m,   eta* = sc/sqrt(p se)
 ///
-/// @param theta           coordinates e_min, ln De, C, ln A, ln(1/s_m - A), ln a, ln(b - a)
+/// @param theta           the seven numbers e_min, ln De, C, ln A, ln(1/s_m - A), ln a and ln(b - a)
 /// @param log_p_over_p_D  ln(p/p_D), with p the pressure at which the plateau is evaluated (PlateauPressure)
 /// @param log_x           ln x, with eta* at the pressure p of the sample
 template <class T>
@@ -59,14 +61,15 @@ T compacted_void_ratio(const T* theta, double log_p_over_p_D, double log_x) {
   return theta[0] + De / (1.0 + theta[2] * De * log_p_over_p_D) * S / (1.0 + S);
 }
 
-/// Parts of the standard error of a parameter of the law of dynamic compaction; their squares add up to the square of
-/// the error.
+/// Parts of the standard error of a parameter of the law of dynamic compaction. Their squares add up to the square of
+/// the standard error.
 struct CompactionErrorParts {
-  std::string name;      ///< name of the parameter
-  double scatter = 0.0;  ///< part from the scatter between repeated runs; without such runs, from the residuals
-  /// Part from the misfit of the law beyond the scatter of repeated runs; 0 without such runs.
+  std::string name;  ///< name of the parameter
+  /// part from the scatter between repeated runs; from the residuals if no run is repeated
+  double scatter = 0.0;
+  /// Part from the misfit of the law beyond the scatter between repeated runs; 0 if no run is repeated.
   double law = 0.0;
-  /// Part from the choice of the samples that are flagged as beside the plateau and left out.
+  /// Part from the choice of the samples that are left out because they do not lie on the plateau of the law.
   double plateau = 0.0;
 };
 
@@ -79,8 +82,9 @@ struct CompactionFit {
   std::vector<int> used;  ///< indices of the samples fitted
   /// Indices of samples left out because their plateau is evaluated at a pressure below p_0.
   std::vector<int> below_p_0;
-  std::vector<int> beside_plateau;  ///< indices of samples left out because they miss the plateau of the law
-  double rms = 0.0;                 ///< root mean square residual of the void ratio e
+  /// indices of samples left out because they do not lie on the plateau of the law
+  std::vector<int> beside_plateau;
+  double rms = 0.0;  ///< root mean square residual of the void ratio e
   /// True if CompactionErrorParts::scatter is from repeated runs (equal p, sc and se), false if it is from the
   /// residuals.
   bool errors_from_runs = false;
@@ -95,13 +99,15 @@ struct CompactionFit {
 
 /// Fits the law of dynamic compaction by least squares in the void ratio e, from starting points on a grid.
 ///
-/// Samples beside the plateau are flagged and not fitted. These are samples above the plateau, or at eta* > 1, that
-/// miss the law of a robust fit to all samples by more than four standard deviations of its residuals. Standard errors
-/// follow from the covariance at the solution, scaled by the residual variance, and from the change of the parameters
-/// if samples are flagged from 2.5 or from 6 standard deviations on instead of four. Intervals follow from Student's t
-/// in e_min, 1/De, C and the logarithms of the other parameters; for A and a from the profile likelihood. There is no
-/// fit with fewer than eight samples (see `failure_reason`). Parameters that the samples do not identify have no value,
-/// and a warning names them.
+/// Samples beside the plateau are flagged and not fitted. These are samples that lie above the plateau or have eta* >
+/// 1, and miss a robust fit to all samples by more than four standard deviations.
+///
+/// Standard errors have two parts: one follows from the residuals, the other is the change of the parameters if samples
+/// are flagged from 2.5 or 6 standard deviations on. The 95 % intervals follow from Student's t in e_min, 1/De, C and
+/// the logarithms of the other parameters; those of A and a follow from the profile likelihood.
+///
+/// There is no fit, but a `failure_reason`, with fewer than eight samples. Parameters that the samples do not identify
+/// have no value, and a warning names them.
 /// @throws InputError with the faults of the reference values if they are not valid
 [[nodiscard]] CompactionFit fit_dynamic_compaction(const std::vector<CompactedSample>& samples,
                                                    const CompactionReference& reference);

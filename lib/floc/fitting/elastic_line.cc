@@ -21,10 +21,10 @@ double secant(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eigen::Index i
   return (P[i + 1] - P[i]) / (y[i + 1] - y[i]);
 }
 
-/// Returns true if ln Phi against P is curved: the quadratic term of a fitted parabola exceeds both its error and
-/// rounding.
-/// @param n_errors  number of standard errors that the quadratic term must exceed; if absent, the half width of a 95 %
-/// interval
+/// Returns whether y = ln Phi is a curved function of the pressure P: the quadratic term of a fitted parabola exceeds
+/// both its error and rounding.
+/// @param n_errors  number of standard errors that the quadratic term must exceed; if absent, it must exceed the half
+/// width of its 95 % interval
 bool is_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, std::optional<double> n_errors = {}) {
   if (P.size() < 4) return false;
   const Eigen::ArrayXd x = (P.array() - P.mean()) / (P.maxCoeff() - P.minCoeff());
@@ -52,7 +52,8 @@ FittedPart line_through(const Eigen::VectorXd& P, const Eigen::VectorXd& y, Eige
   return {first, n, fit_linear(columns, y.segment(first, n))};
 }
 
-/// Returns whether the line fitted to a whole branch has a positive modulus, so that Phi falls with the pressure.
+/// Returns whether the line fitted to a whole branch has a positive modulus, that is, whether the solid fraction falls
+/// as the pressure falls.
 bool falls_as_a_whole(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   return line_through(P, y, 0, P.size()).fit.coefficients[1] > 0.0;
 }
@@ -81,9 +82,9 @@ bool falls_throughout(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const 
   return secants(P, y, part).first > 0.0;
 }
 
-/// Returns the longest straight part at either end of a branch; of two parts of equal length, the part at low
-/// pressures. If the line through the whole branch has no positive modulus, Phi must fall from every point of the part
-/// to the next lower pressure.
+/// Returns the longest straight part of a branch that begins or ends at an end of the branch; of two parts of equal
+/// length, the one at low pressures. If the line through the whole branch has no positive modulus, the solid fraction
+/// must fall from every point of the part to the next lower pressure.
 std::optional<FittedPart> straight_part(const Eigen::VectorXd& P, const Eigen::VectorXd& y) {
   constexpr Eigen::Index kFewest = 4;
   // Number of standard errors beyond which a part of the branch counts as curved; a 95 % interval from few points would
@@ -107,8 +108,8 @@ FittedParameter not_identified(const std::string& name) {
 }
 
 /// Sets the parameters B (bulk modulus) and phi_unloaded (solid fraction at zero pressure) from the line through a part
-/// of a branch. If the branch is curved and this part nearly straight, the interval of B is widened to contain every
-/// modulus between neighbouring points.
+/// of a branch. If the branch is curved and the moduli between neighbouring points of the part are nearly equal, the
+/// interval of B is widened to contain all of them.
 void set_parameters(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const FittedPart& part,
                     ElasticFit& fit) {
   const double t95 = student_t_95(part.fit.dof);
@@ -141,7 +142,7 @@ std::string words_of_curved(bool falls, const ElasticFit& fit) {
       fit.secant_low, fit.secant_high);
 }
 
-/// Adds the moduli of a curved branch, which has no single modulus, and a warning.
+/// Adds the parameters of a curved branch, which has no single modulus, and a warning to `fit`.
 /// @param part  the longest straight part of the branch; absent if no part is straight
 void fit_curved(const Eigen::VectorXd& P, const Eigen::VectorXd& y, const std::optional<FittedPart>& part,
                 ElasticFit& fit) {

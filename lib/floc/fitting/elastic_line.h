@@ -19,7 +19,7 @@ struct ElasticFit {
   /// Root mean square residual of ln Phi over the points fitted, with Phi the solid fraction.
   double rms = 0.0;
   int first = 0;     ///< index of the first point fitted, among the points given
-  int n_points = 0;  ///< number of points fitted: all, unless the branch is curved
+  int n_points = 0;  ///< number of points fitted: all points, unless the branch is curved
   /// True if the bulk modulus B is that of a part of the branch only, or is not identified.
   bool is_curved = false;
   std::vector<std::string> warnings;
@@ -27,23 +27,23 @@ struct ElasticFit {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits the bulk modulus B of a branch on which the solid fraction Phi follows dPhi/Phi = dP/B with the pressure P: the
-/// straight line ln Phi = ln Phi_0 + P/B, by least squares.
+/// Fits the bulk modulus B of a branch of a load path on which the solid fraction Phi changes with the pressure P by
+/// dPhi/Phi = dP/B: the straight line ln Phi = ln Phi_0 + P/B, by least squares.
 ///
 /// A branch that is curved beyond its scatter has no single modulus. B is then the modulus of the longest straight part
-/// at either end of the branch, of at least four pressures. A part is straight if its points lie on a line within their
-/// scatter, or if all moduli between neighbouring pressures are within 15 % of B. In the second case the interval of B
-/// contains these moduli. If no part is straight, B is not identified. phi_unloaded is identified only if the straight
-/// part reaches the lowest pressure.
+/// at either end of the branch that has at least four pressures. A part is straight if its points lie on a line within
+/// their scatter, or if all moduli between neighbouring pressures are within 15 % of B; the interval of B then contains
+/// these moduli. If no part is straight, B is not identified. The solid fraction at zero pressure is identified only if
+/// the straight part reaches the lowest pressure.
 ///
-/// The line through a whole branch may have a negative modulus, for instance if the packing collapses as the pressure
-/// begins to fall. Such a branch has no single modulus either, and Phi must fall from every point of its straight part
-/// to the next lower pressure. There is no fit with fewer than three points, or if such a branch has no straight part.
+/// If the line through the whole branch has a negative modulus, for instance because the packing collapses as the
+/// pressure begins to fall, a part is straight only if, in addition, Phi falls from every point to the next lower
+/// pressure. There is no fit if such a branch has no straight part, or if there are fewer than three points.
 /// @param P  pressures, >= 0, growing or falling   @param phi  solid fractions, in (0, 1), one per pressure
 [[nodiscard]] ElasticFit fit_elastic(const std::vector<double>& P, const std::vector<double>& phi);
 
-/// Compares the fitted bulk modulus with the moduli computed from the contact networks of the first and the last state
-/// fitted. Removes B, with a warning, if both moduli lie on one side of the 95 % interval of B.
+/// Compares the fitted bulk modulus B with the moduli that the contact networks of the first and the last state fitted
+/// have. If both of these lie on one side of the 95 % interval of B, removes the value of B and adds a warning.
 void hold_against(double B_first, double B_last, ElasticFit& fit);
 
 }  // namespace floc

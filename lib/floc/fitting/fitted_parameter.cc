@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// A parameter whose 95 % interval extends beyond this factor above or below its value is not identified.
+/// A parameter is not identified if its 95 % interval extends beyond its value times this factor or divided by it.
 constexpr double kIdentifiedFactor = 10.0;
 
 }  // namespace

@@ -15,15 +15,15 @@ struct FittedParameter {
   bool identified = true;                ///< whether the data determine the parameter to within a factor of ten
 };
 
-/// Returns the parameter exp(c) from c and the standard error of c. The interval is symmetric in c.
-/// @param t95  half width of a 95 % interval in standard errors
+/// Returns the parameter exp(c) from c and the standard error of c. Its 95 % interval is symmetric in c.
+/// @param t95  half width of a 95 % interval, in standard errors
 FittedParameter from_logarithm(const std::string& name, double c, double error, double t95);
 
-/// Returns the parameter 1/y from y > 0 and the standard error of y. The interval is symmetric in y. It has no upper
-/// end in 1/y if it reaches zero in y.
+/// Returns the parameter 1/y from y > 0 and the standard error of y. Its 95 % interval is symmetric in y. If the
+/// interval of y reaches zero, the interval of 1/y has no upper end.
 FittedParameter from_inverse(const std::string& name, double y, double error, double t95);
 
-/// Returns a parameter that may have either sign, with an interval symmetric about its value.
+/// Returns a parameter that may have either sign, with a 95 % interval that is symmetric about its value.
 FittedParameter from_value(const std::string& name, double value, double error, double t95);
 
 /// Returns a parameter that was given, not fitted.

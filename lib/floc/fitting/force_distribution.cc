@@ -26,16 +26,16 @@ double log_likelihood(const ForceLaw& law, double parameter, const std::vector<d
   return sum;
 }
 
-/// Returns the parameter of a force law for which the forces f have the largest log-likelihood, by golden-section
-/// search; the log-likelihood has one maximum.
+/// Returns the parameter of a force law at which the log-likelihood of the forces f is largest, by golden-section
+/// search. The log-likelihood has one maximum.
 double maximize(const ForceLaw& law, const std::vector<double>& f) {
   constexpr double kGolden = 0.6180339887498949;
   double low = law.low, high = law.high;
   double inner = high - kGolden * (high - low), outer = low + kGolden * (high - low);
   double at_inner = log_likelihood(law, inner, f), at_outer = log_likelihood(law, outer, f);
   while (high - low > 1e-9 * (law.high - law.low)) {
-    // Beyond the largest parameter for which the law is a probability density, the log-likelihood is -infinity, so that
-    // this comparison discards the upper side.
+    // The log-likelihood is -infinity for parameters that are so large that the law is no probability density. With
+    // `>=`, the comparison then discards the upper side.
     if (at_inner >= at_outer) {
       high = outer, outer = inner, at_outer = at_inner;
       inner = high - kGolden * (high - low);
@@ -87,8 +87,9 @@ double normalize(std::vector<double>& forces) {
   return mean;
 }
 
-/// Returns the p-value of a fit: the share of `n_draws` random samples of `n` forces whose Kolmogorov-Smirnov distance
-/// from the law fitted to the sample itself is at least `found`.
+/// Returns the p-value of a fit. Random samples of `n` forces are drawn from the fitted law, and the law is fitted
+/// again to each. The p-value is the share of samples whose Kolmogorov-Smirnov distance from this fit is at least
+/// `found`.
 template <class Draw, class Distance>
 double share_as_far(const ForceFitOptions& options, int n, double found, const Draw& draw,
                     const Distance& distance) {

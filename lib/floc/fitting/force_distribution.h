@@ -11,8 +11,8 @@
 
 namespace floc {
 
-// Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. For networks in compression, f
-// is the force over the mean force, so that the distributions have norm and mean 1.
+// Distributions of contact forces f ([RTV2010], Eqs 2-5), each with one free parameter. For compressive forces, f is
+// the force divided by the mean force, so that the distributions have norm and mean 1.
 
 /// Distribution of the contact force f >= 0 with one free parameter.
 struct ForceLaw {
@@ -30,8 +30,8 @@ struct ForceLaw {
 /// beta^2 = (1-alpha)(2-alpha) and 1/k = 1/(1-alpha) + 1/beta. The free parameter is alpha < 1.
 const ForceLaw& power_exponential();
 
-/// Returns the law with the probability density P(f) = a (1 - b exp(-f^2)) exp(-beta f), in which a and b follow from
-/// norm and mean 1. The free parameter is beta.
+/// Returns the law with the probability density P(f) = a (1 - b exp(-f^2)) exp(-beta f). The free parameter is beta; a
+/// and b follow from the conditions that norm and mean are 1.
 const ForceLaw& quadratic_exponential();
 
 /// Fit of a force distribution by maximum likelihood and the quality of the fit, or the reason why there is no fit.
@@ -47,8 +47,8 @@ struct ForceFit {
   /// Kolmogorov-Smirnov distance: largest difference between the cumulative distributions of the forces and the
   /// law.
   double distance = 0.0;
-  /// Share of random samples from the fitted law whose distance from the law fitted to the sample itself is at least
-  /// `distance`.
+  /// Probability of a distance of at least `distance` if the forces follow the law. It is found from random samples of
+  /// the fitted law, to each of which the law is fitted again.
   double p_value = 0.0;
 
   bool found() const { return failure_reason.empty(); }
@@ -70,9 +70,9 @@ struct ForceFitOptions {
 [[nodiscard]] ForceFit fit_compressive_forces(const ForceLaw& law, std::vector<double> forces,
                                               const ForceFitOptions& options);
 
-/// Fits an exponential tail, P(f) ~ exp[-(f - threshold)/f_0] beyond the threshold; the free parameter is f_0,
-/// in the unit of the forces. There is no fit with fewer than 10 forces beyond the threshold.
-/// @param forces  magnitudes of the forces, > 0   @param threshold  smallest force of the tail, >= 0
+/// Fits an exponential tail, P(f) ~ exp[-(f - threshold)/f_0] beyond the threshold; the free parameter is f_0, in the
+/// unit of the forces. There is no fit with fewer than 10 forces beyond the threshold.
+/// @param forces  magnitudes of the forces, > 0   @param threshold  force beyond which the tail begins, >= 0
 /// @throws InputError if the threshold is negative or options.n_draws is not in ForceFitOptions::kDraws
 [[nodiscard]] ForceFit fit_exponential_tail(const std::string& form, const std::vector<double>& forces,
                                             double threshold, const ForceFitOptions& options);

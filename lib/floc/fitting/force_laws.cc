@@ -34,8 +34,8 @@ struct PowerExponential {
   }
 };
 
-/// Force distribution quadratic_exponential() with its constants a and b. They follow from norm and mean, with I_m the
-/// integral of f^m exp(-f^2 - beta f) over f > 0:
+/// Force distribution quadratic_exponential() with its constants a and b. These follow from its norm and its mean,
+/// where I_m is the integral of f^m exp(-f^2 - beta f) over f > 0:
 ///   norm  a (1/beta - b I_0) = 1,  mean  a (1/beta^2 - b I_1) = 1
 struct QuadraticExponential {
   double beta, b, a;

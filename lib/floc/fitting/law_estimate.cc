@@ -24,11 +24,11 @@ Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
 }
 
 /// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with their
-/// gradients. If there is a plateau, the line begins where it meets the plateau. Without a plateau, P0* is the first
+/// gradients. With a plateau, the line begins where it meets the plateau. Without a plateau, it begins at the first
 /// pressure, and only Phi0 is added.
 ///
-/// The line is given by one of its points, at ln P* = log_P and 1/Phi = y; `to_log_P` and `to_y` are the gradients of
-/// log_P and y with respect to the coordinates of the fit.
+/// `log_P` and `y` are ln P* and 1/Phi of a point on the line. `to_log_P` and `to_y` are their gradients with respect
+/// to the coordinates of the fit.
 void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::VectorXd& to_log_P, double y,
                              const Eigen::VectorXd& to_y, std::vector<Quantity>& quantities) {
   const double lambda = std::exp(e.solution.theta[0]);
@@ -45,8 +45,8 @@ void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::Ve
       {"Phi0", true, y - lambda * distance, to_y + lambda * to_log_P - lambda * distance * unit(n, 0)});
 }
 
-/// Returns a function of the value at which one coordinate is held: it fits the other coordinates and returns the
-/// smallest sum of squares. Each call starts from the solution of the call before.
+/// Returns a function that holds one coordinate at a given value, fits the other coordinates, and returns the sum of
+/// squares. Each call starts from the solution of the call before.
 ProfileFunction profile_of(const LawEstimate& estimate, int coordinate) {
   return [&estimate, coordinate, theta = estimate.solution.theta](double value) mutable {
     Eigen::VectorXd start = theta;
@@ -126,7 +126,7 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
   Eigen::MatrixXd finite = unscaled;
   for (Eigen::Index k = 0; k < n; ++k)
     if (!std::isfinite(finite(k, k))) finite.row(k).setZero(), finite.col(k).setZero();
-  // Change of the coordinates due to the deviation of each sample (coordinates x samples).
+  // Change of each coordinate of the fit (rows) that the deviation of each sample (columns) causes.
   Eigen::MatrixXd change(n + (n_plateau > 0 ? 1 : 0), deviations.cols());
   change.topRows(n) =
       finite * e.solution.jacobian.transpose() * e.points.weight.asDiagonal() * deviations.bottomRows(n_window);
@@ -159,7 +159,7 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   const double center = estimate.solution.theta[coordinate];
   const double t95 = student_t_95(covariance.dof);
   const double error = std::sqrt(covariance.matrix(coordinate, coordinate));
-  // Standard error below which changes of the sum of squares are only rounding; the interval then follows from the
+  // Below this standard error, changes of the sum of squares are only rounding, and the interval follows from the
   // covariance.
   constexpr double kRounding = 1e-9;
   if (error < kRounding) return {center - t95 * error, center + t95 * error};

@@ -10,8 +10,9 @@
 
 namespace floc {
 
-/// A consolidation law fitted to a window of points, from which its parameters and their errors follow. The coordinates
-/// of the fit are theta and, if there is a plateau before the window, the level of 1/Phi on the plateau.
+/// A consolidation law fitted to a range of points. The coordinates of the fit are theta (LawSolution) and, if there is
+/// a plateau before these points, the mean inverse solid fraction 1/Phi on the plateau. The parameters of the law
+/// follow from them.
 struct LawEstimate {
   ConsolidationLaw law;
   LawPoints points;
@@ -22,14 +23,15 @@ struct LawEstimate {
   bool has_plateau() const { return plateau.size() > 0; }
 };
 
-/// Converts the coordinates theta of a law to another first pressure, to which they refer: the law is unchanged, and ln
-/// P of the first pressure grows by `step`.
+/// Converts the coordinates theta of a consolidation law, which refer to the first pressure fitted, so that they refer
+/// to another pressure. The law does not change.
+/// @param step  ln of the other pressure over the first pressure fitted
 Eigen::VectorXd at_first_pressure(ConsolidationLaw law, Eigen::VectorXd theta, double step);
 
 /// Returns the weighted mean of 1/Phi over the points; NaN if there are none.
 double mean_level(const LawPoints& points);
 
-/// A parameter of the law with its gradient with respect to the coordinates of the fit.
+/// A parameter of a consolidation law, with its gradient with respect to the coordinates of the fit.
 struct Quantity {
   std::string name;
   bool is_inverse;  ///< true if the parameter is 1/value, false if it is exp(value)
@@ -39,8 +41,9 @@ struct Quantity {
   double parameter() const;
 };
 
-/// Returns the parameters of a law; the first ones correspond to the entries of theta. P0* is left out if there is no
-/// plateau, because it is then given, not fitted.
+/// Returns the parameters of a fitted consolidation law. The first ones correspond to the entries of theta. P0*, the
+/// pressure at which the line of regime II begins, is left out if there is no plateau, because it is then given and not
+/// fitted.
 std::vector<Quantity> quantities_of(const LawEstimate& estimate);
 
 /// Covariance of the coordinates of a fit, and the number of degrees of freedom of this covariance.
@@ -55,17 +58,18 @@ Covariance covariance_from_residuals(const LawEstimate& estimate);
 
 /// Returns the covariance of the coordinates of the fit to a mean of samples, computed from the changes of the
 /// coordinates that the deviation of each sample causes in the linearised fit.
-/// @param deviations  deviation of 1/Phi of each sample from the mean; the rows are the points of the plateau, then of
-/// the window, the columns are two samples or more
+/// @param deviations  deviation of 1/Phi of each sample from the mean over samples. Rows: the points of the plateau,
+/// then the other points fitted; columns: two samples or more
 Covariance covariance_from_samples(const LawEstimate& estimate, const Eigen::MatrixXd& deviations);
 
-/// Returns a parameter with its standard error and an interval by Student's t.
+/// Returns a parameter with its standard error and its 95 % interval by Student's t.
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance);
 
-/// Returns the 95 % interval of one coordinate of theta from the profile of the sum of squares. At the ends of the
-/// interval, the best fit with this coordinate fixed has a sum of squares that exceeds the minimum by t95^2 times the
-/// residual variance (t95 by Student's t), times the ratio of the variance of the coordinate in `covariance` to its
-/// variance from the residuals. An end is absent if the data allow any value on that side.
+/// Returns the 95 % interval of one coordinate of theta from the profile of the sum of squares: the smallest sum of
+/// squares for a fixed value of this coordinate. The interval ends where this sum exceeds the minimum by r (t95 s)^2.
+/// Here t95 is the half width of the interval by Student's t, in standard errors, s^2 the variance of the residuals,
+/// and r the variance of the coordinate in `covariance` over its variance from the residuals. An end is absent if the
+/// data allow any value on that side.
 ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, const Covariance& covariance);
 
 }  // namespace floc

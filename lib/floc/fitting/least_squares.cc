@@ -98,7 +98,7 @@ std::optional<LeastSquaresSolution> minimize(const ResidualFunction& function, c
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  // The tolerances are at rounding, because the problems are tiny and the standard errors come from the
+  // The tolerances are as small as rounding, because the problems are tiny and the standard errors follow from the
   // Jacobian at the solution.
   options.max_num_iterations = 400;
   options.function_tolerance = 1e-16;

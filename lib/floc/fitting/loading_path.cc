@@ -43,7 +43,7 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
 }
 
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows) {
-  int direction = 0;  // sign of the pressure steps of the branch so far: 1, -1 or 0
+  int direction = 0;  // sign of the last change of pressure along the branch: 1, -1 or 0
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const int row = static_cast<int>(i);
     const double change = rows[i].P_star - rows[i - 1].P_star;

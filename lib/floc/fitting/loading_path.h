@@ -24,13 +24,14 @@ struct PathRow {
   double P_star;
   double phi;
   PathLoad load = PathLoad::isotropic;
-  double driven_over_mean = 1.0;  ///< stress on the driven axis over mean stress, for an oedometric row
+  /// stress on the driven axis divided by the mean stress, for an oedometric row
+  double driven_over_mean = 1.0;
 };
 
 /// Kind of the step of pressure that leads to a row of a load path.
 enum class PathStep {
   zero_pressure,  ///< P* = 0
-  first_loading,  ///< assembly and the first loading
+  first_loading,  ///< assembly of the packing, and first loading
   unloading,
   reloading,     ///< loading after an unloading, up to the largest earlier pressure
   later_virgin,  ///< loading after an unloading, beyond the largest earlier pressure
@@ -38,21 +39,21 @@ enum class PathStep {
   test,          ///< the axes are loaded differently, but not as in an oedometer
 };
 
-/// Returns the kinds of the steps of all rows, from the kind of load and the pressures alone, not from the
-/// names of branches.
+/// Returns the kind of the step to each row. It follows from the kinds of load and the pressures alone, not from the
+/// names of the branches.
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
 
-/// Index of a row of a load path whose pressure does not fit its branch, and a description of the pressure expected in
-/// this row.
+/// Index of a row of a load path whose pressure does not fit to its branch, and the pressure expected in this row, in
+/// words.
 struct PathFault {
   int row;
   std::string expected;
 };
 
-/// Returns the first row whose pressure does not fit its branch, or nothing. In consecutive rows with one branch name,
-/// the pressures must strictly grow, strictly fall, or all be equal. If branches have no names, no two consecutive
-/// pressures may be equal. Rows with different loads on the axes always fit, because the stress on an axis with imposed
-/// strain may fall.
+/// Returns the first row whose pressure does not fit its branch, or nothing. Along a branch, which consists of
+/// consecutive rows with one branch name, the pressures must strictly grow, strictly fall, or all be equal. If the rows
+/// have no branch names, no two consecutive pressures may be equal. Rows whose load differs between the axes always
+/// fit, because the stress on an axis with imposed strain may fall.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 
 /// Rows of a load path as a consolidation curve.
@@ -62,8 +63,8 @@ struct Loading {
 };
 
 /// Returns the rows of the first loading; with `virgin`, also the rows of later loadings beyond the largest earlier
-/// pressure. The first loading is found from the pressures. If one of the branches has the name "load", the first
-/// loading consists only of the rows of the branch "assembly" and of the first consecutive rows of the branch "load".
+/// pressure. The first loading is found from the pressures. If there is a branch "load", only rows of the branch
+/// "assembly" and the first consecutive rows of the branch "load" belong to the first loading.
 Loading first_loading(const std::vector<PathRow>& rows, bool virgin = false);
 
 /// A loading that starts again after an unloading.
@@ -77,8 +78,8 @@ std::vector<Reloading> reloadings(const std::vector<PathRow>& rows);
 /// left out.
 std::vector<Loading> unloadings(const std::vector<PathRow>& rows);
 
-/// Returns the mean of 1/Phi over samples (Phi is the solid fraction) at each pressure that all samples have
-/// (to 0.1 %). The result is empty if there is no such pressure.
+/// Returns the mean over samples of the inverse solid fraction 1/Phi, at each pressure that all samples have (to 0.1
+/// %). The result is empty if no pressure is common to all samples.
 ConsolidationCurve mean_curve(const std::vector<ConsolidationCurve>& samples);
 
 }  // namespace floc

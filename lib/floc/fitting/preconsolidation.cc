@@ -22,14 +22,14 @@ Eigen::MatrixXd columns_of_lines(const Eigen::ArrayXd& x, double bend) {
   return columns;
 }
 
-/// Fits two lines to 1/Phi as a function of x = ln P, which meet at ln P_c = `bend`: y_c - kappa (x - bend) below the
-/// bend, y_c - lambda (x - bend) above. The coefficients of the fit are y_c, -kappa and kappa - lambda.
+/// Fits to y = 1/Phi, as a function of x = ln P, two lines that meet at x = `bend`: y_c - kappa (x - bend) below the
+/// bend, and y_c - lambda (x - bend) above. The coefficients of the fit are y_c, -kappa and kappa - lambda.
 LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend) {
   return fit_linear(columns_of_lines(x, bend), y);
 }
 
-/// Returns the correlation of neighbouring residuals, or 0 if it is no larger than chance allows for
-/// independent residuals or if the residuals are rounding. A round bend leaves correlated residuals.
+/// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have it by chance, or if
+/// the residuals are only rounding. A round bend leaves correlated residuals.
 double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = residuals.size();
@@ -40,7 +40,7 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
 }
 
 /// Sum of squared residuals of two lines that meet at a bend, as a function of the place of the bend. It is computed on
-/// a fine grid, because it may have several minima.
+/// a fine grid of places, because it may have several minima.
 struct BendProfile {
   static constexpr int kSteps = 4000;
   Eigen::VectorXd bend, left;
@@ -88,8 +88,8 @@ PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std
         "the reloading branch does not bend towards a steeper line: it does not reach the preconsolidation "
         "pressure");
   PreconsolidationFit fit;
-  // Largest correlation of neighbouring residuals that counts. Correlated residuals count as a smaller number of
-  // independent residuals, which would be zero at a correlation of 1.
+  // Largest correlation of neighbouring residuals that is taken into account. Correlated residuals count as a smaller
+  // number of independent residuals, which would be zero at a correlation of 1.
   constexpr double kMostCorrelated = 0.9;
   const double r = correlation_of_neighbours(y - columns_of_lines(x, bend) * lines.coefficients);
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));

@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Pressure at which a reloaded packing begins to yield again, or the reason why there is no fit.
+/// Preconsolidation pressure, at which a reloaded packing begins to yield again, or the reason why there is no fit.
 struct PreconsolidationFit {
   std::string failure_reason;  ///< reason why there is no fit; empty if there is one
-  /// Parameters P_c (preconsolidation pressure), kappa (slope -d(1/Phi)/dlnP on reloading, with Phi the solid fraction)
-  /// and lambda (slope beyond P_c).
+  /// Parameters P_c (preconsolidation pressure), kappa (slope -d(1/Phi)/dlnP of the solid fraction Phi below P_c) and
+  /// lambda (this slope above P_c).
   std::vector<FittedParameter> parameters;
   double rms = 0.0;  ///< root mean square residual of 1/Phi
   std::vector<std::string> warnings;
@@ -19,15 +19,15 @@ struct PreconsolidationFit {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits the preconsolidation pressure P_c of a reloading branch that continues beyond the largest earlier
-/// pressure, as the bend of
+/// Fits the preconsolidation pressure P_c of a reloading branch that continues beyond the largest earlier pressure, as
+/// the bend of
 ///
 ///   1/Phi = y_c - kappa ln(P/P_c)  for P < P_c,   y_c - lambda ln(P/P_c)  beyond
 ///
-/// by least squares. P_c may lie between two pressures of the branch. Its interval follows from the profile of
-/// the sum of squares, and is widened if neighbouring residuals are correlated, as they are along a round bend.
-/// There is no fit with fewer than two points on either side of P_c, with fewer than five points in all, or if
-/// the curve does not bend towards a steeper line.
+/// by least squares. P_c may lie between two pressures of the branch. The interval of P_c follows from the profile of
+/// the sum of squares, and is widened if neighbouring residuals are correlated, as they are along a round bend. There
+/// is no fit with fewer than two points on either side of P_c, with fewer than five points in all, or if the curve does
+/// not bend towards a steeper line.
 /// @param P  pressures, > 0, growing   @param phi  solid fractions, > 0, one per pressure
 [[nodiscard]] PreconsolidationFit fit_preconsolidation(const std::vector<double>& P,
                                                        const std::vector<double>& phi);

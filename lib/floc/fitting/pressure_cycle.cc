@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns the loading that ends at the row `turn`: this row, and the rows before it from which on the pressure grows
-/// or is constant.
+/// Returns the loading that ends at the row `turn`: this row and the rows right before it, as far back as the pressure
+/// only grows or is constant.
 Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   int first = turn;
   while (first > 0 && rows[first - 1].P_star > 0.0 && rows[first - 1].P_star <= rows[first].P_star) --first;
@@ -20,8 +20,7 @@ Loading loading_up_to(const std::vector<PathRow>& rows, int turn) {
   return up;
 }
 
-/// Returns the index of the last point of a curve at pressure `P`, which is the end of a hold if the pressure
-/// was held there.
+/// Returns the index of the last point of a curve at pressure `P`, after which the pressure was no longer held at `P`.
 std::optional<std::size_t> last_at(const ConsolidationCurve& curve, double P) {
   for (std::size_t k = curve.P_star.size(); k-- > 0;)
     if (std::abs(curve.P_star[k] - P) <= kSamePressure * P) return k;

@@ -12,19 +12,21 @@ namespace floc {
 ///
 ///   -integral of P d(1/Phi), by the trapezoidal rule between the points
 ///
-/// This work times the volume of a grain, pi a^3/6 for spheres, is the work per grain. For a cycle that starts and ends
-/// at the pressure P0, the work is the integral of (1/Phi_up - 1/Phi_down) dP minus P0 (1/Phi_end - 1/Phi_start).
+/// This work times the volume of a grain, pi a^3/6 for a sphere of diameter a, is the work per grain. For a cycle that
+/// starts and ends at the pressure P0, the work is the integral of (1/Phi_up - 1/Phi_down) dP minus P0 (1/Phi_end -
+/// 1/Phi_start).
 double work_of_path(const ConsolidationCurve& path);
 
 /// A loading and the unloading that follows it.
 struct PressureCycle {
   Loading up;    ///< rows from the lowest pressure to the largest
   Loading down;  ///< rows from the largest pressure on
-  /// Pressures that loading and unloading share (to 0.1 %), ascending, without the largest pressure, and the
-  /// solid fractions at these pressures. phi_down - phi_up is the compaction that remains after the cycle.
+  /// Pressures that loading and unloading share (to 0.1 %), ascending, without the largest pressure, and the solid
+  /// fractions at these pressures on loading and on unloading. phi_down - phi_up is the compaction that remains after
+  /// the cycle.
   std::vector<double> P, phi_up, phi_down;
-  /// Work of the cycle by work_of_path(), from the lowest shared pressure up and back to it; absent if no
-  /// pressure is shared.
+  /// Work of the cycle by work_of_path(), from the lowest pressure that loading and unloading share, up and back to it;
+  /// absent if they share no pressure.
   std::optional<double> work;
 };
 

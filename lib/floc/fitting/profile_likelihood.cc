@@ -7,9 +7,9 @@ namespace floc {
 namespace {
 
 /// Returns the coordinate at which the profile of the sum of squares reaches `search.allowed` on one side of the
-/// solution. Growing steps, the first of which is `step` (signed), first bracket this coordinate. It is then found by
-/// false position in the square root of the increase of the sum of squares, which is nearly linear in the coordinate.
-/// The result is absent if the profile does not reach `search.allowed` before `end`, or before the solver fails.
+/// solution. First, growing steps, beginning with `step` (signed), bracket this coordinate. Then it is found by false
+/// position, in the square root of the increase of the sum of squares, which is nearly linear in the coordinate. The
+/// result is absent if the profile does not reach `search.allowed` before `end`, or before the solver fails.
 std::optional<double> crossing(const ProfileSearch& search, double step, double end,
                                const ProfileFunction& profile) {
   const double target = std::sqrt(search.allowed - search.least);

@@ -20,8 +20,8 @@ struct ProfileSearch {
   double step;               ///< first step away from the solution, > 0
 };
 
-/// Profile of the sum of squares: a function of the value at which a coordinate is held, which returns the smallest sum
-/// of squares over all other coordinates; infinite if the solver fails. It may start the solver from the solution of
+/// Profile of the sum of squares: a function that holds one coordinate at `value` and returns the smallest sum of
+/// squares over all other coordinates, or infinity if the solver fails. It may start the solver from the solution of
 /// the call before.
 using ProfileFunction = std::function<double(double value)>;
 

@@ -36,8 +36,8 @@ double residual_of_constant(const LawPoints& points) {
   return (w2 * (points.y.array() - mean).square()).sum();
 }
 
-/// A possible place of the change between two regimes, before point `first`, with the information criterion of the fit
-/// that splits the curve there.
+/// A possible place of the change between two regimes, just before the point `first`, and the information criterion of
+/// the fit that changes from one law to the next there.
 struct Place {
   int first;
   double information;
@@ -47,8 +47,8 @@ bool less_information(const Place& a, const Place& b) {
   return a.information < b.information;
 }
 
-/// Returns the most probable of the possible places of a change between regimes, and all places more probable than 1 %;
-/// `shift` is added to all indices.
+/// Returns the change between two regimes: the most probable of its possible places, and all places more probable than
+/// 1 %. `shift` is added to all indices.
 ChangePoint change_among(std::vector<Place> places, int shift) {
   constexpr double kWorthNaming = 0.01;
   std::stable_sort(places.begin(), places.end(), less_information);
@@ -70,9 +70,9 @@ ChangePoint change_among(std::vector<Place> places, int shift) {
   return change;
 }
 
-/// Returns the weighted sum of squared residuals of the first `k` points about the level of their plateau. The
-/// level is limited to values that the law takes between the last point of the plateau and the next point.
-/// `theta` is the solution of the law on the points after the plateau.
+/// Returns the weighted sum of squared residuals of the plateau, which consists of the first `k` points. The level of
+/// the plateau must be a value that the law takes between the last point of the plateau and the next point.
+/// @param theta  solution of the law fitted to the points after the plateau
 double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
   if (k == 0) return 0.0;
   const double first = points.log_P[k];
@@ -81,19 +81,21 @@ double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen:
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
-/// Returns the place of a plateau end before point `k`, with the information criterion of this choice; `left` is the
-/// sum of squared residuals of the law on the points after the plateau.
+/// Returns the place of the change before the point `k`, where the plateau of regime I ends, with its information
+/// criterion.
+/// @param theta  solution of the law fitted to the points after the plateau
+/// @param left  sum of squared residuals of this fit
 Place plateau_end(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta, double left) {
   // The end of the plateau counts as one more fitted parameter.
   return {k, information(left + residual_of_plateau(law, points, k, theta), points.size(),
                          n_parameters(law) + (k > 0 ? 1 : 0))};
 }
 
-/// Returns the possible ends of a plateau after which the points follow the full law. A place is left out if
-/// fewer than three points remain before P1*, the beginning of regime III.
+/// Returns the possible ends of the plateau of regime I if the points after it follow the full law. A place is left out
+/// if fewer than three points lie between the plateau and P1*, where regime III begins.
 std::vector<Place> ends_before_full_law(const LawPoints& points) {
-  // Number of consecutive places without a regime II after which the search ends: if the plateau reaches P1*,
-  // where regime III begins, a longer plateau leaves no regime II either.
+  // The search gives up after this number of consecutive ends of the plateau that leave no points to regime II. If a
+  // plateau reaches P1*, where regime III begins, a longer plateau leaves none either.
   constexpr int kGiveUp = 3;
   std::vector<Place> places;
   std::optional<Eigen::VectorXd> theta;
@@ -101,8 +103,8 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   int n_failed = 0;
   for (int k = 0; n - k > n_parameters(Law::full) && n_failed < kGiveUp; ++k) {
     const LawPoints rest = points.range(k, n - k);
-    // Each fit leaves out one point more, the first one, than the fit before. It starts from the solution of the fit
-    // before, and also from a new starting point, because the point left out may have hidden the bend of the law.
+    // Each fit leaves out the first point of the fit before. It starts from the solution of that fit, and also from a
+    // new starting point, because the point left out may have hidden the bend of the law.
     double left = kInfinity;
     if (theta) left = minimize_law(Law::full, rest, *theta);
     if (auto other = start_of_law(Law::full, rest, theta ? 1 : 4)) {
@@ -117,7 +119,7 @@ std::vector<Place> ends_before_full_law(const LawPoints& points) {
   return places;
 }
 
-/// Returns the possible ends of a plateau after which the points follow the line of regime II.
+/// Returns the possible ends of the plateau of regime I if the points after it follow the line of regime II.
 std::vector<Place> ends_before_line(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
@@ -127,8 +129,8 @@ std::vector<Place> ends_before_line(const LawPoints& points) {
   return places;
 }
 
-/// Returns the possible beginnings of regime III of a consolidation curve. The points before follow a line in ln P*,
-/// the points after follow a power law. Each of the two is fitted to at least one point more than it has parameters.
+/// Returns the possible beginnings of regime III. The points before it follow a line in ln P*, the points after it a
+/// power law. Both the line and the power law are fitted to at least one point more than they have parameters.
 std::vector<Place> onsets_of_three(const LawPoints& points) {
   std::vector<Place> places;
   const int n = points.size();
@@ -175,7 +177,8 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
   const int n = points.size();
   std::vector<Place> ends = ends_before_full_law(points);
   const std::vector<Place> line_ends = ends_before_line(points);
-  // A curve that a constant or an elastic line explains better than every split has no regimes to separate.
+  // A constant or an elastic line that explains the curve better than any plateau followed by a law leaves no regimes
+  // to separate.
   const double flat = std::min(information(residual_of_constant(points), n, 1),
                                information(residual_of_elasticity(points), n, 2));
   const auto explains_more = [flat](const Place& p) { return p.information < flat; };
@@ -188,7 +191,7 @@ std::optional<Regimes> find_regimes(const LawPoints& points) {
     return places.empty() ? kInfinity
                           : std::min_element(places.begin(), places.end(), less_information)->information;
   };
-  // Data that end before P1*, where regime III begins, do not determine the full law. The line, with fewer
+  // Data that end before P1*, where regime III begins, do not determine the full law. The line of regime II, with fewer
   // parameters, then has the smaller information criterion.
   if (least(line_ends) < least(ends)) ends = line_ends;
   if (ends.empty()) return std::nullopt;

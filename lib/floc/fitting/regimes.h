@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// A possible place of the change from one regime of consolidation to the next, just before the point `first`.
+/// A possible place of the change from one regime of consolidation to the next, and its probability.
 struct ChangePlace {
   int first;
   double probability;
@@ -16,7 +16,8 @@ struct ChangePlace {
 /// Change from one regime of consolidation to the next, between two neighbouring points.
 struct ChangePoint {
   int first;  ///< index of the first point after the most probable change
-  /// Range of `first` over the most probable places, which together have 95 % of the probability.
+  /// Smallest and largest `first` among the most probable places of the change, which together have a probability of 95
+  /// %.
   int low95, high95;
   std::vector<ChangePlace> places;  ///< all places more probable than 1 %, the most probable first
 };
@@ -27,9 +28,9 @@ struct Regimes {
   /// True if a constant, or 1/Phi linear in P* (elastic), explains the points better than any law of
   /// consolidation.
   bool all_in_one = false;
-  int n_plateau = 0;                       ///< number of points of regime I
+  int n_plateau = 0;                       ///< number of points in the plateau of regime I
   std::optional<ChangePoint> plateau_end;  ///< end of regime I; absent if there is surely no plateau
-  /// Beginning of regime III; absent if the points do not distinguish it from the line of regime II.
+  /// Beginning of regime III; absent if the points do not distinguish regime III from the line of regime II.
   std::optional<ChangePoint> onset_three;
   int end_of_two = 0;  ///< index after the last point of regime II
 };
@@ -37,17 +38,17 @@ struct Regimes {
 /// Finds the regimes of a consolidation curve by a change-point search with least squares: each change is put where the
 /// fit has the smallest Bayesian information criterion.
 ///
-/// 1. At the end of regime I, the points are fitted by a constant followed by the full law (or by the line of regime
-/// II, if this explains the points better). The constant must be a value of the law between the last point of the
-/// plateau and the next point.
-/// 2. At the beginning of regime III, the points after the plateau are fitted by a line followed by a power law.
+/// 1. End of regime I: a constant followed by the full law is fitted to the points, or a constant followed by the line
+/// of regime II if that explains them better. The constant must be a value that the law takes between the last point of
+/// the plateau and the next point.
+/// 2. Beginning of regime III: a line followed by a power law is fitted to the points after the plateau.
 ///
-/// The probability of a place is in proportion to exp(-criterion/2).
-/// @return the regimes; absent if no choice leaves three points for regime II
+/// The probability of a place of a change is in proportion to exp(-criterion/2).
+/// @return the regimes; absent if no end of regime I leaves three points to regime II
 [[nodiscard]] std::optional<Regimes> find_regimes(const LawPoints& points);
 
-/// Returns true if the points show the bend of the full consolidation law: the full law, whose solution is
-/// given, explains them better than the line of regime II.
+/// Returns whether the points show the bend of the full consolidation law, that is, whether its solution `full`
+/// explains them better than the line of regime II.
 [[nodiscard]] bool detects_bend(const LawPoints& points, const LawSolution& full);
 
 /// Returns true if the points show the bend of the full consolidation law and also reach beyond P1*, where
@@ -58,8 +59,8 @@ struct Regimes {
 /// full law.
 [[nodiscard]] int n_before_regime_three(const LawPoints& points, const LawSolution& full);
 
-/// Returns false for a solution of the full law that leaves no regime II, because fewer than three points are
-/// below P1*, where regime III begins.
+/// Returns whether a solution leaves at least three points to regime II. For the full law these are the points below
+/// P1*, where regime III begins; any other law leaves enough.
 [[nodiscard]] bool keeps_regime_two(ConsolidationLaw law, const LawPoints& points, const LawSolution& solution);
 
 /// Smallest number of pressures in regime II from which its slope lambda is determined.

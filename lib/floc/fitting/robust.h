@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Loss function of a least-squares fit. The scale of the residuals is their median absolute value, converted
-/// to the standard deviation of a normal distribution.
+/// Loss function of a least-squares fit. The scale of the residuals is their median absolute value times 1.4826, which
+/// is the standard deviation if the residuals are normally distributed.
 enum class Loss {
   squared,  ///< least squares
   huber,    ///< linear for residuals beyond 1.345 times their scale: 95 % efficient for normal errors

@@ -18,8 +18,8 @@ constexpr int kMinBins = 6;
 /// Value of chi squared per degree of freedom above which a warning says that the data do not follow the law.
 constexpr double kFarOff = 9.0;
 
-/// Residual of ln I in one bin of wave numbers, over the standard deviation of ln I, with I the scattered intensity.
-/// The parameters theta are ln I0, ln xi and dF.
+/// Residual of ln I in one bin of wave numbers, divided by the standard deviation of ln I, where I is the scattered
+/// intensity. The parameters theta of the scattering law are ln I0, ln xi and dF.
 struct ScatteringResidual {
   static constexpr int kParameters = 3;
   double k, log_I, weight;
@@ -32,8 +32,9 @@ struct ScatteringResidual {
   }
 };
 
-/// Returns the mean of ln X, with X the average of n exponential random variables of mean 1: digamma(n) - ln n
-/// (Abramowitz and Stegun 6.3.18, and the recurrence for small n).
+/// Returns the bias of the logarithm of an intensity averaged over n wave vectors: the mean of ln X, where X is the
+/// average of n exponential random variables of mean 1. It is digamma(n) - ln n (Abramowitz and Stegun 6.3.18, and the
+/// recurrence for small n).
 double log_bias(double n) {
   double shift = 0.0, m = n;
   for (; m < 6.0; m += 1.0) shift -= 1.0 / m;
@@ -107,8 +108,8 @@ ScatteringFit fit_scattering(const std::vector<ScatteredPoint>& points, double l
   fit.parameters = {from_logarithm("I0", solution->theta[0], error(0), t95),
                     from_logarithm("xi", solution->theta[1], error(1), t95),
                     from_value("dF", solution->theta[2], error(2), t95)};
-  // The exponent dF is the slope of I(k) at wavelengths below the length xi, and has no meaning if xi may have
-  // any value.
+  // The exponent dF is the slope of ln I against ln k at wavelengths below the length xi, up to its sign. It has no
+  // meaning if xi may have any value.
   fit.parameters[2].identified = fit.parameters[1].identified;
   const double xi = *fit.parameters[1].value;
   if (xi * fit.low > 2.0 * std::numbers::pi)

@@ -16,7 +16,8 @@ struct ScatteredPoint {
 };
 
 /// Fit of the scattering law of fractal aggregates of finite size (docs/physics.md, "Structure"), or the reason why
-/// there is no fit. With k the wave number, the law is
+/// there is no fit. The law gives the intensity at the wave number k from the fractal dimension dF and the length xi up
+/// to which the aggregates are fractal:
 ///
 ///   I(k) = I0 / [1 + (k xi/(2 pi))^2]^(dF/2)
 struct ScatteringFit {
@@ -25,8 +26,8 @@ struct ScatteringFit {
   double low = 0.0, high = 0.0;             ///< smallest and largest wave number k of the bins fitted
   int n_points = 0;
   double rms = 0.0;  ///< root mean square residual of ln I
-  /// Chi squared per degree of freedom: mean of squared residuals of ln I over their variance by speckles; near 1 if
-  /// the data follow the law.
+  /// Chi squared per degree of freedom: sum of the squared residuals of ln I, each divided by its variance from
+  /// speckles, over the number of degrees of freedom. It is near 1 if the data follow the law.
   double chi_square = 0.0;
   std::vector<std::string> warnings;
 

@@ -7,14 +7,14 @@
 namespace floc {
 namespace {
 
-/// Returns the area of the part of the unit disk with x > p and y > q; p, q >= 0 and p^2 + q^2 < 1.
+/// Returns the area of the part of the unit disk with x > p and y > q, for t = (p, q) with p, q >= 0 and p^2 + q^2 < 1.
 double beyond_corner(const Vec<2>& t) {
   const double p = t[0], q = t[1];
   return p * q + 0.5 * (std::acos(p) - std::asin(q) - p * std::sqrt(1.0 - p * p) - q * std::sqrt(1.0 - q * q));
 }
 
-/// Returns the volume of the part of the unit ball with x > a, y > b and z > c; a, b, c >= 0, and (a, b, c) lies inside
-/// the ball.
+/// Returns the volume of the part of the unit ball with x > a, y > b and z > c, for a point t = (a, b, c) inside the
+/// ball with a, b, c >= 0.
 double beyond_corner(const Vec<3>& t) {
   double sphere = 2.0 * std::numbers::pi, faces = 0.0;
   for (int k = 0; k < 3; ++k) {
@@ -35,8 +35,8 @@ template <int Dim>
 double beyond(Vec<Dim> t, int axis = 0) {
   for (; axis < Dim; ++axis) {
     if (t[axis] >= 0.0) continue;
-    // The part beyond a plane below the centre is the whole ball less the part beyond the mirror image of the
-    // plane. The whole is counted as twice the half beyond the plane through the centre.
+    // The part beyond a plane below the centre is the whole ball less the part beyond the mirror image of the plane.
+    // The whole ball counts as two halves, each beyond the plane through the centre.
     Vec<Dim> mirrored = t;
     mirrored[axis] = -t[axis];
     t[axis] = 0.0;

@@ -7,10 +7,11 @@ namespace floc {
 /// Returns the volume (in 2D the area) of the intersection of a ball and a box, in closed form. The absolute rounding
 /// error is about 1e-15 radius^Dim.
 ///
-/// By the divergence theorem, the part of a unit ball beyond the three planes x = a, y = b, z = c >= 0 has the volume
-/// (S - a A_a - b A_b - c A_c)/3. A_a, A_b, A_c are the areas of the flat faces of this part, each a part of a disk
-/// beyond two lines. S is the area of its spherical face, by the Gauss-Bonnet theorem. The intersection with a box is a
-/// signed sum of eight such parts, one for each corner (in 2D, four).
+/// The volume is a signed sum over the corners of the box. In units of the radius, and with the centre of the ball as
+/// origin, the term of a corner (a, b, c) with a, b, c >= 0 is the volume of the points x > a, y > b, z > c of the
+/// ball. By the divergence theorem it is (S - a A_a - b A_b - c A_c)/3. Here S is the area of the spherical face of
+/// these points, by the Gauss-Bonnet theorem. A_a, A_b, A_c are the areas of their flat faces, on the planes x = a, y =
+/// b, z = c.
 /// @param centre, radius  centre and radius of the ball (length)
 /// @param low, high       corners of the box, whose edges are along the axes (length); infinite coordinates are allowed
 template <int Dim>

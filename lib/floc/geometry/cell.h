@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Periodic cell, spanned by any lattice vectors, skewed or not.
+/// Periodic cell. Its lattice vectors need not be orthogonal.
 template <int Dim>
 struct Cell {
   /// Lattice vectors of the cell, one per row (length).
@@ -18,7 +18,8 @@ struct Cell {
   /// Returns the area (2D) or volume (3D), which is positive also for a left-handed lattice.
   double volume() const { return std::abs(matrix.determinant()); }
 
-  /// Returns the displacement by `image` lattice vectors to a periodic image: image * matrix (length).
+  /// Returns the displacement from a point to its periodic image that is `image` cells away along each lattice vector:
+  /// image * matrix (length).
   Vec<Dim> shift(const Vec<Dim, int>& image) const {
     return matrix.transpose() * image.template cast<double>();
   }
@@ -36,7 +37,8 @@ struct Cell {
 
   bool rectangular() const { return matrix.isDiagonal(0.0); }
 
-  /// Returns the velocity gradient (1/time): the affine part of a grain's velocity is rate() * x.
+  /// Returns the velocity gradient of the cell (1/time): a grain that moves with the cell has the velocity rate() * x
+  /// at the position x.
   Mat<Dim> rate() const { return velocity.transpose() * matrix.transpose().inverse(); }
 };
 

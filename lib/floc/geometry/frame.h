@@ -6,12 +6,12 @@
 
 namespace floc {
 
-/// Number of components of a tangential displacement: one in 2D, along the tangent; three in 3D, as a vector in space
-/// normal to the contact normal, so that no two tangents have to be chosen.
+/// Number of components of a tangential displacement. In 2D it is one number, along the tangent. In 3D it is a vector
+/// in space, normal to the contact normal, so that no pair of tangents has to be chosen.
 template <int Dim>
 inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
 
-/// Tangential displacement (or force) of a contact, in the frame of the contact.
+/// Tangential displacement or force of a contact: in 2D its component along the tangent, in 3D a vector in space.
 template <int Dim, class T = double>
 using Shear = Eigen::Matrix<T, kShearComponents<Dim>, 1>;
 
@@ -21,7 +21,8 @@ inline Vec<2, T> tangent(const Vec<2, T>& n) {
   return {-n[1], n[0]};
 }
 
-/// Returns spin x arm: the velocity of the point at `arm` from a centre that rotates with angular velocity `spin`.
+/// Returns spin x arm: the velocity of a point that lies at `arm` from the centre of a grain with angular velocity
+/// `spin`.
 template <class T>
 inline Vec<2, T> cross(const RotationVector<2, T>& spin, const Vec<2, T>& arm) {
   return spin[0] * tangent(arm);
@@ -32,7 +33,7 @@ inline Vec<3, T> cross(const RotationVector<3, T>& spin, const Vec<3, T>& arm) {
           spin[0] * arm[1] - spin[1] * arm[0]};
 }
 
-/// Returns arm x force, the moment of a force that acts at `arm` from the centre.
+/// Returns arm x force: the moment about the centre of a grain of a force that acts at `arm` from this centre.
 template <class T>
 inline RotationVector<2, T> moment(const Vec<2, T>& arm, const Vec<2, T>& force) {
   return RotationVector<2, T>(arm[0] * force[1] - arm[1] * force[0]);
@@ -42,7 +43,8 @@ inline RotationVector<3, T> moment(const Vec<3, T>& arm, const Vec<3, T>& force)
   return cross<T>(RotationVector<3, T>(arm), force);
 }
 
-/// Returns the tangential component of a relative displacement at a contact with normal n, in the frame of the contact.
+/// Returns the tangential part of a relative displacement at a contact with unit normal n: in 2D its component along
+/// the tangent, in 3D a vector in space.
 template <class T>
 inline Shear<2, T> to_shear(const Vec<2, T>& n, const Vec<2, T>& displacement) {
   return Shear<2, T>(tangent(n).dot(displacement));
@@ -52,7 +54,7 @@ inline Shear<3, T> to_shear(const Vec<3, T>& n, const Vec<3, T>& displacement) {
   return displacement - n * n.dot(displacement);
 }
 
-/// Returns a tangential displacement (or force), given in the frame of a contact with normal n, as a vector in space.
+/// Returns a tangential displacement or force at a contact with unit normal n as a vector in space.
 template <class T>
 inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
   return tangent(n) * shear[0];
@@ -63,8 +65,8 @@ inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
   return {shear[0], shear[1], shear[2]};
 }
 
-/// Returns the rolling part of a relative rotation: in 2D the whole rotation, in 3D its part normal to the contact
-/// normal n.
+/// Returns the rolling part of a relative rotation at a contact with unit normal n: in 2D the whole rotation, in 3D the
+/// part of the rotation vector that is normal to n.
 template <class T>
 inline RotationVector<2, T> rolling_part(const Vec<2, T>&, const RotationVector<2, T>& rotation) {
   return rotation;
@@ -74,12 +76,12 @@ inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVecto
   return to_shear<T>(n, rotation);
 }
 
-/// Transports the history of a contact (the elongation of its tangential or rolling spring) from the frame of normal n0
-/// to the frame of normal n1. In 2D the frame turns with the normal and the scalar does not change. In 3D the vector is
-/// turned by the smallest rotation that takes n0 to n1, then about the normal by the mean spin of the two grains.
-/// Without both rotations, the force of a rigidly rotating pair of grains would change.
+/// Turns the elongation of the tangential or rolling spring of a contact with the contact, whose unit normal has
+/// changed from n0 to n1. In 2D the elongation is a number along the tangent, and does not change. In 3D it is a
+/// vector. It is turned by the smallest rotation that takes n0 to n1, and then about n1 by the mean spin of the two
+/// grains. Without both rotations, the force between two grains that rotate together as a rigid body would change.
 ///
-/// The last argument is the rotation about the normal, averaged over the two grains (radians; ignored in 2D).
+/// The last argument is the rotation of the grains about the normal, averaged over both (radians; ignored in 2D).
 template <class T>
 inline Shear<2, T> transport(const Shear<2, T>& shear, const Vec<2, T>&, const Vec<2, T>&, const T&) {
   return shear;

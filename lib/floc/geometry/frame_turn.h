@@ -4,26 +4,26 @@
 
 namespace floc {
 
-/// Rotation of the frame of a 3D contact in a short time step, applied to the tangential history of the contact. It is
-/// the smallest rotation that takes the old normal n0 to the new normal n1, followed by a rotation about n1 by the mean
-/// rotation of the two grains. The rotation keeps lengths, and its angle about the normal is correct to second order.
-/// Powers of the angle (radians) from the sixth on are neglected, so that no root or division is needed.
+/// Rotation of a 3D contact in a short time step. It turns the elongation of the tangential spring of the contact: by
+/// the smallest rotation that takes the old normal n0 to the new normal n1, then about n1 by the mean rotation of the
+/// two grains. Lengths are kept, and the angle about the normal is correct to second order. Powers of the angles
+/// (radians) from the sixth on are neglected, so that no root or division is needed.
 template <class T>
 class FrameTurn {
  public:
   FrameTurn() = default;
-  /// @param normal     unit normal after the step
-  /// @param along      displacement of the branch vector in the step: its component along the normal, over the branch
-  /// length after the step
-  /// @param across     displacement of the branch vector in the step: its part normal to the normal, over the branch
-  /// length after the step
-  /// @param spins      sum of the spins of the two grains (radians/time)
+  /// @param normal     unit normal of the contact after the step
+  /// @param along      change of the vector between the centres of the grains in the step: its component along
+  /// `normal`, divided by the distance of the centres after the step
+  /// @param across     change of the vector between the centres of the grains in the step: its part in the tangent
+  /// plane, divided by the distance of the centres after the step
+  /// @param spins      sum of the angular velocities of the two grains (radians/time)
   /// @param time_step  duration of the step (time)
   FrameTurn(const Vec<3, T>& normal, const T& along, const Vec<3, T>& across, const RotationVector<3, T>& spins,
             const T& time_step)
       : n_(normal), across_(across) {
     // The old normal is n0 = (n1 - w)/sqrt(1 + w^2), with the new normal n1 and the vector
-    // w = across/(1 - along) = tilt * across, of which s = w^2.
+    // w = across/(1 - along) = tilt * across, and s = w^2.
     const T tilt = T(1) + along * (T(1) + along * (T(1) + along));
     const T across_squared = across.squaredNorm();
     const T s = tilt * tilt * across_squared;
@@ -38,24 +38,23 @@ class FrameTurn {
     cos_ = (T(1) - squared) * scale;
   }
 
-  /// Returns the normal half way between the old and the new one; its length is 1 up to the square of the angle between
-  /// them.
+  /// Returns the mean of the old and the new normal. Its length differs from 1 by the square of the angle between the
+  /// two.
   const Vec<3, T>& mean_normal() const { return mean_normal_; }
 
-  /// Returns the slip of the two surfaces in the step: the part normal to the mean normal m, projected onto the plane
-  /// normal to the new normal n1. With d the displacement of the branch vector it is P1 Pm (d - s x m). P1 and Pm
-  /// project onto the planes normal to n1 and to m.
-  /// @param length    length of the branch after the step
-  /// @param surfaces  s, displacement of the surface of grain i relative to grain j by rotation: sum of arms times
-  /// rotations
+  /// Returns the slip of the two surfaces in the step (length): P1 Pm (d - s x m). Here d is the change of the vector
+  /// between the centres of the grains, s is `surfaces`, and m is the mean normal. Pm and then P1 project onto the
+  /// planes normal to m and to the new normal n1.
+  /// @param length    distance of the centres of the grains after the step
+  /// @param surfaces  lever arm of grain i times its rotation in the step, plus lever arm of grain j times its rotation
   Vec<3, T> slip(const T& length, const RotationVector<3, T>& surfaces) const {
     // With the mean normal m = n1 - lean across, the two terms of the slip are P1 Pm d = (1 + lean m.d) across and P1
-    // (s x m) = (s + lean (s.n1) across) x n1, where P1 and Pm project onto the planes normal to n1 and to m.
+    // (s x m) = (s + lean (s.n1) across) x n1.
     const RotationVector<3, T> about = surfaces + (lean_ * surfaces.dot(n_)) * across_;
     return (length * (T(1) + lean_ * along_middle_)) * across_ - cross<T>(about, n_);
   }
 
-  /// Returns a vector after the rotation. @param v  vector normal to the old normal
+  /// Returns the vector v after the rotation. @param v  vector normal to the old normal of the contact
   Vec<3, T> operator()(const Vec<3, T>& v) const {
     const Vec<3, T> turned = v - v.dot(n_) * mean_normal_;
     return cos_ * turned + sin_ * moment<T>(n_, turned);
@@ -66,7 +65,7 @@ class FrameTurn {
   T cos_, sin_;
   Vec<3, T> across_;
   T lean_;          // coefficient `lean` in the mean normal m = n1 - lean across
-  T along_middle_;  // displacement of the branch vector along m over the branch length
+  T along_middle_;  // component along m of the change of the vector between the centres, over their distance
 };
 
 }  // namespace floc

@@ -8,15 +8,15 @@
 
 namespace floc {
 
-/// Lattice of a cell, spanned by shorter vectors. Row a of `cell.matrix` is the sum over b of combination(a, b) times
-/// lattice vector b of the original cell.
+/// Lattice of a periodic cell, spanned by shorter vectors than those of the original cell. Row a of `cell.matrix` is
+/// the sum over b of combination(a, b) times lattice vector b of the original cell.
 template <int Dim>
 struct ReducedLattice {
   Cell<Dim> cell;
   Mat<Dim, std::int64_t> combination = Mat<Dim, std::int64_t>::Identity();
   bool is_original = true;
 
-  /// Returns the image in the original lattice that has the same displacement as `image` in this lattice.
+  /// Returns the numbers of lattice vectors of the original cell whose sum is `image` lattice vectors of this cell.
   Vec<Dim, std::int64_t> original(const Vec<Dim, int>& image) const {
     return combination.transpose() * image.template cast<std::int64_t>();
   }

@@ -5,9 +5,9 @@
 
 namespace floc {
 
-/// Point or vector whose coordinates are double-double numbers (unevaluated sums of two doubles). A single double
-/// resolves a coordinate to half a unit in the last place, which matters for a stiff contact: 40 diameters a from the
-/// origin the error is 4e-15 a, or a force of 4e-6 F0 at a stiffness of 1e9 F0/a, with F0 the pull-off force.
+/// Point or vector whose coordinates are double-double numbers (unevaluated sums of two doubles). The rounding error of
+/// a double is too large for stiff contacts: at 40 grain diameters a from the origin it is 4e-15 a, which changes the
+/// force of a contact of stiffness 1e9 F0/a by 4e-6 F0, where F0 is the pull-off force.
 template <int Dim>
 struct DoubleDoubleVec {
   DoubleDouble component[Dim];
@@ -30,7 +30,7 @@ Vec<Dim> rounded(const DoubleDoubleVec<Dim>& v) {
   return out;
 }
 
-/// Returns x displaced to a periodic image: x + image * cell.matrix.
+/// Returns the point x displaced by `image` lattice vectors to a periodic image: x + image * cell.matrix.
 template <int Dim>
 DoubleDoubleVec<Dim> displaced(DoubleDoubleVec<Dim> x, const Cell<Dim>& cell, const Vec<Dim, int>& image) {
   for (int b = 0; b < Dim; ++b)

@@ -15,8 +15,8 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace floc {
 namespace {
 
-/// Returns OpenBLAS's name for its routines with the widest vector instructions that this processor can run; null if
-/// they are no wider than those of the routines that OpenBLAS uses on a processor that it does not know.
+/// Returns OpenBLAS's name for its routines with the widest vector instructions that this processor can run (AVX-512 or
+/// AVX2); null if the processor has neither.
 const char* widest_kernels() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
@@ -27,8 +27,8 @@ const char* widest_kernels() {
   return nullptr;
 }
 
-/// Makes OpenBLAS choose its routines anew if it has chosen those for unknown processors. An OpenBLAS that was built
-/// for a single processor type lacks the functions for this choice (gotoblas_dynamic_...); nothing is done then.
+/// Makes OpenBLAS choose its routines anew if it has not recognised the processor and uses slow ones. Does nothing with
+/// an OpenBLAS that was built for a single type of processor, which lacks the functions gotoblas_dynamic_...
 void choose_kernels() {
   constexpr const char* kVariable = "OPENBLAS_CORETYPE";
   constexpr const char* kFallback = "Prescott";

@@ -85,10 +85,9 @@ class Relaxation {
     return inverse_.definite ? work_ / inverse_.smallest_ratio : work_ * inverse_.inverse_norm;
   }
 
-  /// Returns whether the relaxation is close enough to its end: whether excess(), twice the energy that further
-  /// relaxation would release, is at most `tolerance` times twice the present energy. At least one step is required, so
-  /// that the solution by an approximate inverse is refined once. If `smallest_ratio` has to be estimated from the
-  /// steps, kStepsOfEstimate steps are required.
+  /// Returns whether the energy that further relaxation would release is at most `tolerance` times the present energy.
+  /// At least one step is required, so that the solution by an approximate inverse is refined once. If `smallest_ratio`
+  /// has to be estimated from the steps, kStepsOfEstimate steps are required.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
     if (steps_ < (inverse_.estimated_ratio ? kStepsOfEstimate : 1)) return false;
@@ -98,17 +97,14 @@ class Relaxation {
   }
 
  private:
-  /// kStepsOfEstimate is the number of steps after which Ritz values estimate the lowest eigenvalue of M^-1 K. The
-  /// smallest Ritz value decreases towards this eigenvalue as the iteration continues, and is multiplied by
-  /// kShareOfRitz to make it a safe estimate (it was 5 times too large in a case where few of 2200 contacts had
-  /// changed).
+  /// After kStepsOfEstimate steps, the lowest Ritz value times kShareOfRitz is a safe estimate of the lowest eigenvalue
+  /// of M^-1 K. Ritz values approach this eigenvalue from above; in one case the lowest was still 5 times too large.
   static constexpr int kStepsOfEstimate = 4;
   static constexpr double kShareOfRitz = 0.1;
 
-  /// Returns an estimate of the lowest eigenvalue of the preconditioned matrix M^-1 K: its lowest Ritz value in the
-  /// directions taken so far, times kShareOfRitz, but at most 1; 0 before kStepsOfEstimate steps. The Ritz value is the
-  /// lowest eigenvalue of the tridiagonal matrix of Lanczos' process, whose entries follow from the coefficients alpha
-  /// and beta of conjugate gradients.
+  /// Returns an estimate of the lowest eigenvalue of the preconditioned matrix M^-1 K: its lowest Ritz value times
+  /// kShareOfRitz, but at most 1; 0 before kStepsOfEstimate steps. The lowest Ritz value is the lowest eigenvalue of a
+  /// tridiagonal matrix, whose entries follow from the coefficients alpha and beta of the conjugate gradients.
   double estimated_ratio() const {
     const auto n = static_cast<Eigen::Index>(alphas_.size());
     if (n < kStepsOfEstimate) return 0.0;
@@ -155,7 +151,7 @@ class Relaxation {
   double work_ = 0.0;       // r^T M^-1 r for the residual force r; |r|^2 for an indefinite system
   double load_ = 0.0;       // largest residual force at u = 0
   int steps_ = 0;
-  std::vector<double> alphas_, betas_;  // coefficients alpha and beta of each step
+  std::vector<double> alphas_, betas_;  // coefficients alpha and beta of each step of the conjugate gradients
 };
 
 /// Computes the condensed stiffness S = (A U + B)^T k (A U + B) of a SpringSystem, with the relaxed unknowns `u` as
@@ -166,8 +162,8 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   sum.setZero();
   Extended elongation(n);
   Eigen::VectorXd rounding(n);
-  // An error of U changes the quadratic form S only in second order. The form is summed spring by spring in extended
-  // precision, because the rounding of an assembled stiffness matrix would affect S.
+  // Errors of the relaxed unknowns U change S only in second order. S is summed spring by spring in extended precision,
+  // because the rounding of an assembled stiffness matrix would change it.
   for (Eigen::Index r = 0; r < s.on_free.rows(); ++r) {
     // The terms of the elongation (A U + B)_r nearly cancel. The bound on its rounding error is therefore proportional
     // to the sum of their absolute values.

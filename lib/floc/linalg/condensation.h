@@ -5,9 +5,11 @@
 
 namespace floc {
 
-/// System of springs between free unknowns u and boundary unknowns e, with the energy 1/2 sum_r k_r (A u + B e)_r^2.
+/// System of springs that connect free unknowns u and boundary unknowns e. The elongations of the springs are A u + B
+/// e, and the energy is half the sum of stiffness times squared elongation over the springs.
 struct SpringSystem {
-  Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;  ///< A: one row per spring, one column per free unknown
+  /// matrix A: one row per spring, one column per free unknown
+  Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
       on_boundary;            ///< B: one row per spring, one column per boundary unknown
   Eigen::VectorXd stiffness;  ///< k: stiffness of each spring; may be negative
@@ -16,32 +18,33 @@ struct SpringSystem {
 /// Approximation M^-1 of the inverse of the stiffness matrix K = A^T k A of a SpringSystem, with bounds on its quality.
 struct ApproximateInverse {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< returns M^-1 b for a vector b
-  /// Whether K and M are positive semidefinite. condense() then minimises the energy by conjugate gradients.
+  /// Whether the stiffness matrix K and the matrix M are positive semidefinite. If they are, condense() minimises the
+  /// energy by conjugate gradients.
   bool definite = true;
-  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. 0 if it is unknown; condense() then gives no
-  /// error bound.
+  /// If `definite`: lower bound on the nonzero eigenvalues of M^-1 K. It is 0 if no bound is known; condense() then
+  /// gives no error bound.
   double smallest_ratio = 0.0;
-  /// If `definite` and `smallest_ratio` is unknown: whether condense() estimates that ratio from the Ritz values of its
-  /// conjugate gradients. The error that it returns is then an estimate, not a bound: Ritz values may miss a soft
-  /// motion that the loads hardly excite.
+  /// If `definite` and `smallest_ratio` is unknown: whether condense() estimates it, from the Ritz values of its
+  /// conjugate gradients. The error that condense() returns is then an estimate and not a bound, because Ritz values
+  /// may miss a soft motion that the loads hardly excite.
   bool estimated_ratio = false;
-  /// If not `definite`: upper bound on the 2-norm of K^-1; infinite if it is unknown.
+  /// If not `definite`: upper bound on the 2-norm of K^-1; infinite if no bound is known.
   double inverse_norm = 0.0;
 };
 
 struct CondensationOptions {
-  /// tolerance on the error of the diagonal entries of the condensed stiffness, relative to each of them
+  /// largest error of a diagonal entry of the condensed stiffness, relative to this entry
   double tolerance = 1e-10;
-  /// Largest number of refinement steps per boundary unknown. A good approximate inverse needs one step, and one more
-  /// for each motion of almost zero stiffness that it does not resolve.
+  /// Largest number of refinement steps per boundary unknown. With a good approximate inverse one step is enough. One
+  /// more is needed for each motion of almost zero stiffness that the inverse does not resolve.
   int max_steps = 100;
   /// whether residual forces are computed in extended precision (long double); double precision is several times faster
   bool extended = true;
   /// number of consecutive steps without progress after which the refinement stops, because only rounding errors are
   /// left
   int patience = 5;
-  /// Start values of the free unknowns u, one column per boundary unknown, for example the response of a nearby state;
-  /// empty to start from u = 0.
+  /// Values of the free unknowns u from which the refinement starts, one column per boundary unknown: for example
+  /// `Condensation::response` of a similar system. If empty, the refinement starts from u = 0.
   Eigen::MatrixXd start = {};
 };
 
@@ -53,7 +56,8 @@ struct Condensation {
   Eigen::MatrixXd stiffness;
   /// bound on the error of each entry of `stiffness`; infinite if no bound can be given
   Eigen::MatrixXd error;
-  Eigen::MatrixXd response;  ///< relaxed u, in column j if boundary unknown j is displaced by 1
+  /// free unknowns u after relaxation; in column j, boundary unknown j is displaced by 1
+  Eigen::MatrixXd response;
   /// largest residual force |A^T k (A u + B e)| on a free unknown, in any column of `response`
   double imbalance = 0.0;
   /// largest force |A^T k B e| on a free unknown before relaxation (u = 0), for one boundary unknown displaced by 1
@@ -71,8 +75,8 @@ struct Condensation {
 /// 1. r^T K^-1 r for the residual force r. It is twice the energy that further relaxation would release. It is at most
 ///    r^T M^-1 r / `smallest_ratio`, or |r|^2 |K^-1| if K is indefinite.
 /// 2. The effect of rounding in the entries of A and B, which are assumed correct to a few units in the last place. To
-///    first order, it is the derivative of the energy with respect to these entries at fixed u; the second order, the
-///    square of the change of each spring's elongation, is added. No condition number enters.
+///    first order it is the change of the energy at fixed u. To second order, the square of the change of each spring's
+///    elongation is added. No condition number enters.
 [[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
                                     const CondensationOptions& options);
 

@@ -21,7 +21,8 @@ struct GroupOrder {
   double operations;
 };
 
-/// Graph of the groups of unknowns, for which CHOLMOD finds elimination orders.
+/// Graph whose nodes are the groups of unknowns of a sparse matrix. CHOLMOD finds orders in which to eliminate the
+/// groups.
 class GroupGraph {
  public:
   GroupGraph(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group)

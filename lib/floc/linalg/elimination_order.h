@@ -13,11 +13,12 @@ enum class Ordering {
 };
 
 /// Returns, for each unknown of a symmetric matrix, its place in an elimination order that keeps the Cholesky factor
-/// sparse. The order is a postorder of the elimination tree, so that columns with the same pattern are neighbours.
+/// sparse. The order is a postorder of the elimination tree, so that columns of the factor with the same pattern are
+/// next to each other.
 /// @param lower  lower triangle of the matrix, column-major
 /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
-///               are placed together, which makes the search faster by the square of the group's size and the factor
-///               equally sparse
+///               are placed together. This makes the search for an order faster by the square of the size of a group,
+///               and the factor stays as sparse
 /// @throws std::runtime_error if memory runs out
 Eigen::VectorXi elimination_places(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group,
                                    Ordering ordering);

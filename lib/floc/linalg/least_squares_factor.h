@@ -5,13 +5,14 @@
 
 namespace floc {
 
-/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). It solves A^T A x = b without forming A^T A, whose
-/// rounding would cost digits: its condition number is the square of that of R.
+/// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). It solves A^T A x = b without forming A^T A. The
+/// condition number of R is only the square root of that of A^T A, so that rounding costs fewer digits.
 class LeastSquaresFactor {
  public:
   /// Factorizes A (column-major; it is copied).
-  /// @param rank_tolerance  A column of A counts as dependent if its component orthogonal to the previous columns is
-  ///                        shorter than this. The column is then left out, and its unknown is zero in solutions
+  /// @param rank_tolerance  A column of A counts as linearly dependent if its component orthogonal to the previous
+  ///                        columns is shorter than this tolerance. Such a column is left out, and its unknown is zero
+  ///                        in solutions
   /// @throws std::runtime_error if memory runs out
   LeastSquaresFactor(const Eigen::SparseMatrix<double>& matrix, double rank_tolerance);
   ~LeastSquaresFactor();

@@ -14,18 +14,17 @@
 namespace floc {
 namespace {
 
-/// Smallest shift that is tried to make a matrix positive definite: far above the rounding error of a matrix of order
-/// one, and below all eigenvalues but those of mechanisms.
+/// Smallest shift of the diagonal that is tried to make a matrix positive definite. For a matrix whose entries are of
+/// order one, it is far above the rounding error and below all eigenvalues but those of mechanisms.
 constexpr double kFirstShift = 1e-10;
-/// Largest shift that is tried to make a matrix positive definite.
+/// Largest shift of the diagonal that is tried to make a matrix positive definite.
 constexpr double kLastShift = 1e6;
 /// Lanczos' iteration ends when the relative change of the eigenvalues of the inverse is below this value. Eigenvalues
-/// then have this relative error, and eigenvectors its square root divided by the relative distance to the next
-/// eigenvalue.
+/// then have about this relative error. The error of an eigenvector is the square root of this value, divided by the
+/// relative distance of its eigenvalue to the next one.
 constexpr double kConverged = 1e-11;
 constexpr int kMaxRestarts = 300;
-/// Distance of a bound from the nearest eigenvalue of A above which rounding does not change the inertia of
-/// A - bound * 1.
+/// If `bound` is farther than this from every eigenvalue of A, rounding does not change the inertia of A - bound * 1.
 constexpr double kClear = 1e-13;
 /// Largest order of a matrix whose eigenpairs are computed by a dense solver, in negligible time.
 constexpr int kDense = 120;
@@ -97,16 +96,16 @@ Eigenpairs search(const SymmetricFactor& factor, const Projector& project, doubl
   return found;
 }
 
-/// Returns the Rayleigh-Ritz approximations to eigenpairs of the matrix A in `factor`, within the span of some vectors.
+/// Returns the Rayleigh-Ritz approximations to eigenpairs of the matrix in `factor`, within the span of `vectors`.
 Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& vectors) {
   const Eigen::MatrixXd q = orthonormal_basis(vectors, vectors.cols());
   const SymmetricEigen eigen = symmetric_eigen(q.transpose() * factor.multiply(q));
   return {eigen.values, q * eigen.vectors, true};
 }
 
-/// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. They belong to
-/// a multiple eigenvalue, zero, of which a Lanczos search finds a single copy. The inverse of the shifted matrix
-/// amplifies all these vectors at once, by 1/shift.
+/// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. All of them
+/// are eigenvectors of the eigenvalue zero, of which a Lanczos search would find only one. The inverse of A + shift * 1
+/// multiplies all of them by 1/shift, so that a few products with it separate them from other vectors.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;
@@ -164,7 +163,7 @@ Eigenpairs lowest_eigenpairs(SymmetricFactor& factor, const Eigen::SparseMatrix<
   }
   int missing = wanted - static_cast<int>(found.values.size());
   found.complete = missing == 0;
-  // Each search finds at least one more copy of every multiple eigenvalue among the lowest ones.
+  // Each search finds at least one more eigenvector of every multiple eigenvalue among the lowest ones.
   for (int k = 0; k <= wanted && missing > 0; ++k) {
     const double shift = make_positive(factor);
     const Eigenpairs more = search(factor, project, shift, n, std::min(missing, wanted));

@@ -6,21 +6,22 @@
 
 namespace floc {
 
-/// Some of the lowest eigenvalues of a symmetric matrix, and their eigenvectors.
+/// Lowest eigenvalues of a symmetric matrix, and their eigenvectors.
 struct Eigenpairs {
   Eigen::VectorXd values;   ///< eigenvalues, ascending
   Eigen::MatrixXd vectors;  ///< eigenvectors as orthonormal columns, in the order of `values`
-  /// Whether `values` contains every eigenvalue of the matrix below its last entry, copies of multiple eigenvalues
-  /// included. Lanczos' method alone may miss copies; Sylvester's law of inertia verifies their number.
+  /// Whether `values` contains every eigenvalue of the matrix below its last entry, each as often as its multiplicity.
+  /// Lanczos' method alone may miss some of several equal eigenvalues; Sylvester's law of inertia gives their true
+  /// number.
   bool complete = true;
 };
 
-/// Finds the lowest eigenvalues of a symmetric matrix A and their eigenvectors by Lanczos' method with shift and invert
-/// (Spectra): it is applied to the inverse of A + s * 1, with a positive shift s that makes A + s * 1 positive
-/// definite. If the inertia of A shows that eigenvalues have been missed, the search is repeated in the space
-/// orthogonal to the eigenvectors found so far. The error of an eigenvalue is a few rounding units of the norm of A.
+/// Finds the lowest eigenvalues of a symmetric matrix A and their eigenvectors by Lanczos' method (Spectra). The method
+/// is applied to the inverse of A + s * 1, where the shift s > 0 makes A + s * 1 positive definite. If the inertia of A
+/// shows that eigenvalues have been missed, the search is repeated in the space orthogonal to the eigenvectors found so
+/// far. The error of an eigenvalue is a few rounding units of the norm of A.
 ///
-/// @param factor    contains A, whose diagonal has to be of order one; its factorization is replaced
+/// @param factor    contains A, whose diagonal has to be of order one; its present factorization is replaced by others
 /// @param left_out  linearly independent null vectors of A, one per column, that the search leaves out
 /// @param count     number of eigenvalues to find, > 0; fewer are returned if A has fewer
 /// @throws std::runtime_error if A + s * 1 has no Cholesky factor for any s, because A is not finite

@@ -14,8 +14,8 @@ double log_of_odds(Eigen::Index n, double oversight) {
   return std::log(1.648 * std::sqrt(static_cast<double>(n)) / oversight);
 }
 
-/// Returns the bound of [KW1992] on the difference between the lowest Ritz value after some steps of Lanczos' method
-/// and the lowest eigenvalue, divided by the difference between the largest and the lowest eigenvalue.
+/// Returns the bound of [KW1992] on the error of the lowest Ritz value after some steps of Lanczos' method, as a share
+/// of the difference between the largest and the lowest eigenvalue.
 /// @param n          order of the matrix
 /// @param oversight  accepted probability that the bound is exceeded
 double missed_share(Eigen::Index n, int steps, double oversight) {
@@ -54,8 +54,8 @@ Positivity test_positivity(Eigen::Index n, const std::function<Eigen::VectorXd(c
       return out;
     }
     spread = std::max(spread, alpha + last_beta + beta);
-    // Lanczos' method has ended: its vectors span all eigenvectors that have a component in the start vector, and
-    // further steps would find no other eigenvalue.
+    // Lanczos' method has ended: its vectors span all eigenvectors of which the start vector is a sum, and more steps
+    // would find no other eigenvalue.
     if (beta <= options.rounding * spread) {
       out.bound = options.rounding;
       return out;

@@ -9,10 +9,11 @@ struct PositivityOptions {
   /// The test ends when it would have found any eigenvalue below -bound.
   double bound = 1e-4;
   int max_steps = 10000;
-  /// Largest accepted probability of missing an eigenvalue below -bound. The start vector is random and may be nearly
-  /// orthogonal to the eigenvector.
+  /// Largest accepted probability that the test misses an eigenvalue below -bound. This can happen, because its random
+  /// start vector may be nearly orthogonal to the eigenvector.
   double oversight = 1e-6;
-  /// Rounding error of eigenvalues: one that is negative but above -rounding counts as zero, like that of a mechanism.
+  /// Rounding error of eigenvalues. An eigenvalue between -rounding and 0 counts as zero, like the eigenvalue of a
+  /// mechanism.
   double rounding = 1e-10;
 };
 
@@ -26,8 +27,8 @@ struct Positivity {
 
 /// Tests whether a symmetric matrix A has a negative eigenvalue, by Lanczos' method from a random start vector. No
 /// factor of A is needed, and only three vectors are stored. The method builds a tridiagonal matrix, one row per step.
-/// If a pivot of this matrix is negative, a Rayleigh quotient of A is negative, and so certainly is an eigenvalue.
-/// Otherwise [KW1992] bounds the eigenvalue that k steps may have missed, except with the probability
+/// If a pivot of this matrix is negative, a Rayleigh quotient of A is negative, and A has a negative eigenvalue. If no
+/// pivot is negative after k steps, the bound of [KW1992] holds for A of order n, except with the probability
 /// `options.oversight`:
 ///
 ///   lowest eigenvalue > -e * (largest minus lowest eigenvalue),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2

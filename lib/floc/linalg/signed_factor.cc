@@ -19,7 +19,7 @@ namespace {
 /// with products of dense blocks, which is faster.
 constexpr int kPanel = 32;
 
-/// View of consecutive columns of a supernode of L, from some row down, in A + shift * 1 = L S L^T.
+/// View of consecutive columns of a supernode of the factor L, from one of its rows down, in A + shift * 1 = L S L^T.
 struct Block {
   double* value;
   int stride;
@@ -84,8 +84,8 @@ class SignedFactorization {
     }
   }
 
-  /// Enters supernode d into the list of those that will be subtracted from supernode s, where s is the one whose
-  /// columns contain the next row of d.
+  /// Adds the supernode d to the list of supernodes that will be subtracted from the supernode s. The columns of s
+  /// contain the next row of d that has not been subtracted yet.
   void wait(int d) {
     if (next_row_[d] == n_rows(d)) return;
     const int s = owner_[row(d, next_row_[d])];
@@ -113,7 +113,8 @@ class SignedFactorization {
   }
 
   /// Computes out = alpha * X S Y^T + beta * out on and below the diagonal of `out`. X is the block `x` with `n_rows`
-  /// rows, Y consists of its first `n_first` rows, and S is the diagonal matrix with the signs of its columns.
+  /// rows, Y consists of the first `n_first` rows of X, and S is the diagonal matrix with the signs of the columns of
+  /// X.
   /// @param stride  distance between the beginnings of neighbouring columns of `out`
   void multiply(const Block& x, int n_rows, int n_first, double alpha, double beta, double* out, int stride) {
     const int k = x.n_columns;
@@ -182,10 +183,10 @@ class SignedFactorization {
   std::vector<double> sign_;
   std::vector<int> place_;  // for each row of the matrix, its place among the rows of the current supernode
   std::vector<int> owner_;  // for each column of the matrix, its supernode
-  // for each supernode, the first in the list of those that will be subtracted from it
+  // for each supernode, the first of the supernodes that will be subtracted from it
   std::vector<int> first_waiting_;
   std::vector<int> next_waiting_;
-  // for each eliminated supernode, the first of its rows that has not been subtracted yet
+  // for each eliminated supernode, the first of its rows that has not been subtracted from a later supernode yet
   std::vector<int> next_row_;
   std::vector<int> relative_;
   std::vector<double> product_, signed_;

@@ -6,8 +6,9 @@
 
 namespace floc {
 
-/// Supernodes of a triangular factor: groups of columns that have the same rows below their triangle, in the layout of
-/// CHOLMOD. Each supernode is a column-major block whose first rows are those of its own columns.
+/// Supernodes of a triangular factor, in the layout of CHOLMOD. A supernode is a group of neighbouring columns with
+/// nonzero entries in the same rows. These entries form one column-major block, whose first rows have the numbers of
+/// the columns of the group.
 struct Supernodes {
   /// first column of each supernode, then the number of columns of the matrix
   std::span<const std::int64_t> first_column;

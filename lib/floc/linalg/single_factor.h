@@ -10,8 +10,8 @@ namespace floc {
 /// CHOLMOD 3 has no single precision, so Eigen computes the factor, without supernodes; for a large matrix this takes
 /// longer than a SymmetricFactor.
 ///
-/// Rounding to single precision may make A indefinite. A growing sequence of shifts is therefore tried, until
-/// A + shift * 1 has a Cholesky factor. Motions whose stiffness is below this shift are resolved by the refinement.
+/// Rounding to single precision may make A indefinite. Growing shifts are therefore added to its diagonal, until A +
+/// shift * 1 has a Cholesky factor. Motions whose stiffness is below this shift are left to the refinement.
 class SingleFactor {
  public:
   /// @param lower  lower triangle of A, with a diagonal of order one

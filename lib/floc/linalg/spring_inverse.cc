@@ -13,25 +13,23 @@ namespace {
 
 /// Condition number of the stiffness matrix above which its Cholesky factor may hide a mechanism.
 constexpr double kSuspiciousCondition = 1e12;
-/// Tolerances at which a column of sqrt(k) A counts as linearly dependent, that is, as a mechanism: the length of its
-/// component orthogonal to the previous columns, divided by the norm of sqrt(k) A. They are tried in turn until the
-/// factor is accurate. For the softest chain of springs that double precision resolves, this length exceeds the first
-/// tolerance; for a mechanism, rounding alone leaves 1e-15. If many columns are nearly dependent, rounding can leave
-/// more for a mechanism, up to the last tolerance.
+/// Tolerances, tried one after another until the factor is accurate, below which a column of sqrt(k) A counts as a
+/// mechanism. They apply to the length of its part that is orthogonal to the previous columns, divided by the norm of
+/// sqrt(k) A. For a mechanism, rounding leaves a length of 1e-15, or more if many columns are nearly dependent. The
+/// softest chain of springs that double precision resolves has a length above the first tolerance.
 constexpr double kDependent[] = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8};
 /// Bound on the relative rounding error of the triangular factor R of sqrt(k) A = Q R: each entry of R is a sum of some
 /// tens of products.
 constexpr double kFactorRounding = 100.0 * std::numeric_limits<double>::epsilon();
-/// Hager's estimate of a norm is a lower bound. This factor makes it an upper bound, because the estimate is seldom too
-/// low by more.
+/// Factor that makes an upper bound of Hager's estimate of a norm, which is a lower bound but seldom too low by more.
 constexpr double kEstimateMargin = 3.0;
 
 std::function<Eigen::VectorXd(const Eigen::VectorXd&)> by(const SymmetricFactor& factor) {
   return [&factor](const Eigen::VectorXd& b) -> Eigen::VectorXd { return factor.solve(b, 0); };
 }
 
-/// Returns whether all columns of `root` are, to rounding, linear combinations of the columns that `qr` did not leave
-/// out as dependent. The columns left out then are mechanisms, not soft springs.
+/// Returns whether all columns of `root` are, to rounding, linear combinations of the columns that `qr` has kept. If
+/// so, the columns that `qr` has left out are mechanisms and not soft springs.
 /// @param root  sqrt(k) A, the square root of the stiffness matrix
 bool spans(const Eigen::SparseMatrix<double>& root, const LeastSquaresFactor& qr) {
   constexpr double kRounding = 1e-14, kLargest = 1e6;
@@ -87,7 +85,7 @@ SpringInverse invert_shifted(SymmetricFactor& factor, double bound) {
   out.inverse.definite = out.n_negative == 0 && factor.factorize_positive(shift);
   const bool factorized = out.inverse.definite || factor.factorize_indefinite(shift);
   out.condition = out.n_mechanisms > 0 || !factorized ? kInfinity : factor.condition_estimate();
-  // eigenvalues of K that are not mechanisms are > bound; 0.5 allows for rounding errors
+  // eigenvalues of the stiffness matrix that are not mechanisms are > bound; the factor 0.5 allows for rounding errors
   if (out.inverse.definite)
     out.inverse.smallest_ratio = 0.5 * bound / (bound + shift);
   else

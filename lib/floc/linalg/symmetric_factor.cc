@@ -266,7 +266,8 @@ struct SymmetricFactor::Factor {
     return lower().selfadjointView<Eigen::Lower>() * X;
   }
 
-  /// Calls visit(d) for each pivot d of the last factorization in absolute value: the square of a diagonal entry of L.
+  /// Calls visit(d) with the absolute value d of each pivot of the last factorization, the square of a diagonal entry
+  /// of L.
   template <class Visit>
   void for_each_pivot(Visit visit) const {
     const Supernodes l = supernodes();

@@ -14,10 +14,10 @@ struct FactorCost {
   double operations = 0.0;  ///< number of floating-point operations of one factorization
 };
 
-/// Sparse Cholesky factor of a symmetric matrix A (CHOLMOD). A positive definite A is factorized by supernodes, an
-/// indefinite one by the same supernodes at the same speed (factorize_signed()). That A is indefinite is a result, not
-/// an error, and its negative eigenvalues can be counted. The unknowns should be scaled so that the diagonal of A is of
-/// order one, because the smallest pivot and the shifts are absolute numbers.
+/// Sparse Cholesky factor of a symmetric matrix A (CHOLMOD). A may be positive definite or indefinite; both are
+/// factorized by supernodes at the same speed. That A is indefinite is a result and not an error, and its negative
+/// eigenvalues can be counted. The unknowns should be scaled so that the diagonal of A is of order one, because the
+/// smallest pivot and the shifts are absolute numbers.
 class SymmetricFactor {
  public:
   explicit SymmetricFactor(Ordering ordering = Ordering::automatic);
@@ -29,8 +29,9 @@ class SymmetricFactor {
   /// kept.
   /// @param lower  lower triangle of A, column-major; entries above the diagonal are ignored
   /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
-  ///               are ordered together, which makes the ordering faster by the square of the group's size and the
-  ///               factor equally sparse. If empty, each unknown is a group of its own
+  ///               are placed together in the elimination order. This makes the search for an order faster by the
+  ///               square of the size of a group, and the factor stays as sparse. If empty, each unknown is a group of
+  ///               its own
   /// @throws std::runtime_error if memory runs out
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
@@ -48,9 +49,9 @@ class SymmetricFactor {
   [[nodiscard]] bool factorize_indefinite(double shift = 0.0);
 
   /// Returns the number of eigenvalues of A below `bound`. It is the number of negative entries of the diagonal matrix
-  /// S in A - bound * 1 = L S L^T (Sylvester's law of inertia). This factorization replaces the last one. Because of
-  /// rounding, the count is that of a matrix whose eigenvalues differ from those of A by a few rounding units.
-  /// Therefore `bound` should be farther than this from any eigenvalue that matters.
+  /// S in A - bound * 1 = L S L^T (Sylvester's law of inertia). This factorization replaces the last one. Rounding
+  /// shifts the eigenvalues by a few rounding units, so that `bound` should lie farther than that from any eigenvalue
+  /// that matters.
   int count_eigenvalues_below(double bound);
 
   /// Solves A X = B by the last factor, with iterative refinement. If the factor is that of A + shift * 1, this is the

@@ -11,12 +11,12 @@
 namespace floc {
 namespace {
 
-/// Largest residual of a linear system that a step of Newton's iteration accepts, relative to the right-hand side.
+/// Largest norm of the residual of a linear system that BiCGSTAB accepts, divided by the norm of the right-hand side.
 constexpr double kTolerance = 1e-8;
-/// Shifts that are added to the diagonal of the symmetric part of the tangent matrix, in turn, until it is positive
-/// definite, as fractions of the largest entry; each is kTangentNextShift times the previous one. Without a shift the
-/// symmetric part may be indefinite, because the geometric stiffness of a compressed contact is small and negative
-/// across the contact.
+/// Shifts that are added to the diagonal of the symmetric part of the tangent matrix, one after another, until it is
+/// positive definite. They are fractions of the largest entry of the matrix; each is kTangentNextShift times the
+/// previous one. Without a shift this part may be indefinite, because the normal force of a compressed contact gives it
+/// a small negative stiffness along its tangents.
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
@@ -33,7 +33,8 @@ Eigen::VectorXd safe_diagonal(const Eigen::SparseMatrix<double>& matrix) {
   return (d.array().abs() > 0.0).select(d, 1.0);
 }
 
-/// Returns the grain to which each of the first n unknowns belongs; all of them are unknowns of grains.
+/// Returns the index of the grain to which each of the first n unknowns belongs. None of them may be an unknown of the
+/// boundary.
 std::vector<int> grain_of_unknowns(Eigen::Index n, const TangentLayout& layout) {
   std::vector<int> grain(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < grain.size(); ++k) grain[k] = static_cast<int>(k) / layout.unknowns_a_grain;
@@ -112,9 +113,10 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
-  constexpr double kNoMatter = 0.05;  // an LU factor, which is exact, is preferred if it takes less (seconds)
+  // an LU factor, which is exact, is chosen whenever it takes less than this time (seconds)
+  constexpr double kNoMatter = 0.05;
   constexpr double kLargestFactor = 4e9;  // largest size of a factor that is made (bytes)
-  // largest time of LU factors that may replace BiCGSTAB if it does not converge (seconds)
+  // largest predicted time at which LU factors may replace BiCGSTAB if BiCGSTAB does not converge (seconds)
   constexpr double kAtNeed = 20.0;
 
   const Eigen::Index n = tangent.rows() - layout.n_boundary;

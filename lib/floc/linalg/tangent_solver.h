@@ -8,8 +8,10 @@ namespace floc {
 
 /// Method that solves the linear systems of a Newton iteration, whose matrix is the tangent matrix.
 enum class TangentMethod {
-  lu,        ///< LU factor of each tangent matrix (UMFPACK)
-  cholesky,  ///< BiCGSTAB, preconditioned by a Cholesky factor of the symmetric part, which serves several matrices
+  lu,  ///< LU factor of each tangent matrix (UMFPACK)
+  /// BiCGSTAB, preconditioned by a Cholesky factor of the symmetric part of a matrix; one factor serves several
+  /// matrices
+  cholesky,
   diagonal,  ///< BiCGSTAB, preconditioned by the diagonal of the matrix; no factor
 };
 
@@ -25,7 +27,7 @@ struct TangentPlan {
   TangentMethod method = TangentMethod::lu;
   /// predicted time to solve all linear systems of one Newton solution on one core (seconds)
   double seconds = 0.0;
-  /// whether an LU factor may replace BiCGSTAB where BiCGSTAB does not converge, because an LU factor is affordable
+  /// whether an LU factor is affordable and may replace BiCGSTAB if BiCGSTAB does not converge
   bool lu_at_need = true;
 };
 
@@ -33,9 +35,9 @@ struct TangentPlan {
 /// @param tangent  matrix with a symmetric pattern; its values are not used
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
-/// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. Apart from the
-/// unknowns of the boundary, they should be close to symmetric and positive definite. Where many contacts slide they
-/// are not; if BiCGSTAB does not converge then, an LU factor replaces it.
+/// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. The block of the
+/// grains should be nearly symmetric and positive definite, which it is unless many contacts slide. If BiCGSTAB does
+/// not converge, an LU factor replaces it.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);

@@ -14,8 +14,8 @@ struct NearestPair {
 };
 
 /// Finds the pair of grains whose surfaces are nearest to each other.
-/// @return the pair; no value if all gaps are wider than about a thousand diameters of the largest grain, up to which
-/// the search looks
+/// @return the nearest pair; no value if all gaps are wider than about a thousand diameters of the largest grain, where
+/// the search ends
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing);
 

@@ -31,12 +31,12 @@ constexpr std::size_t kPairsPerGrain = 1000;
 /// level also takes all smaller grains.
 constexpr int kMaxLevels = 32;
 
-/// Positions of the grains of a packing after each grain has been moved into the cell by whole lattice vectors.
+/// Positions of the grains of a packing, each moved into the cell by whole lattice vectors.
 template <int Dim>
 struct WrappedGrains {
   /// Reduced coordinates of each grain (in lattice vectors), inside [0, 1] up to rounding.
   std::vector<Vec<Dim>> reduced;
-  /// Number of lattice vectors along each axis by which each grain is moved into the cell.
+  /// Number of cells along each lattice vector by which each grain is moved into the cell.
   std::vector<Vec<Dim, int>> wrap;
   std::vector<Vec<Dim>> position;
 
@@ -197,8 +197,8 @@ struct SizeLevel {
 
 /// Sorts the grains into levels of similar size, the level of the largest grains first. A grain of radius R needs bins
 /// of width 2 R + gap. If the largest of these widths is at most kSimilarSizes times the smallest, there is a single
-/// level; otherwise there is one level per factor of two in width. A grain is then compared only with as many grains of
-/// a level as fit around a grain of that level (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
+/// level; otherwise there is one level per factor of two in width. A small grain is then not compared with the many
+/// small grains in bins as wide as the largest grain (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
@@ -239,7 +239,8 @@ void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, doub
         "cell",
         "the cell is so small compared with its largest grain, or the grains differ so much in size, that the "
         "search for contacts would have to test " +
-            std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) + " pairs of grains");
+            std::to_string(static_cast<std::int64_t>(std::min(trials, 1e18))) +
+            " pairs of grains: check the lattice vectors and the radii");
 }
 
 /// Converts the periodic image of the second grain of a pair from vectors of the reduced lattice, in which pairs are

@@ -12,18 +12,18 @@ template <int Dim>
 struct NeighborPair {
   int i;
   int j;  ///< index of the second grain, >= i; equal to i for a grain and its own image
-  /// Periodic image of grain j, as a number of each lattice vector: with the positions x of the grains, the vector from
-  /// i to j is x[j] + image * cell.matrix - x[i].
+  /// Periodic image of grain j, as its number of cells along each lattice vector. The vector from the centre of i to
+  /// the centre of this image is x[j] + image * cell.matrix - x[i], with the positions x of the grains.
   Vec<Dim, int> image;
   int key = 0;  ///< number that distinguishes several contacts between the same two surfaces
 
   bool operator==(const NeighborPair&) const = default;
 };
 
-/// Finds every pair of grains whose surfaces are closer than `gap`. Each pair appears once; the pairs are sorted by
-/// (i, j, image). The lattice vectors may have any lengths and directions. In a small cell, two grains may form several
-/// pairs with different periodic images, and a grain may form pairs with its own periodic images; of two opposite
-/// images of a grain, one is listed.
+/// Finds every pair of grains whose surfaces are closer than `gap`. Each pair appears once; the pairs are sorted by (i,
+/// j, image). The lattice vectors may have any lengths and directions. In a small cell, two grains may form several
+/// pairs with different periodic images, and a grain may form pairs with its own periodic images; of a grain and two
+/// opposite images of it, one pair is listed.
 ///
 /// @param gap  upper bound of the distance between the surfaces of two grains (length), >= 0; pairs at exactly this
 /// distance are left out

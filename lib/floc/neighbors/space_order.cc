@@ -24,10 +24,10 @@ std::uint64_t morton(const Vec<Dim>& s) {
 }
 
 /// Smallest number of spheres for which grains are stored by layers and rows of the cell. With fewer spheres, time
-/// steps are as fast if the grains are stored along the Morton curve.
+/// steps are equally fast if the grains are stored along the Morton curve.
 constexpr int kManySpheres = 10'000;
 /// Thickness of the rows and layers into which grains are sorted, divided by the mean spacing of the grains (cube root
-/// of the volume per grain). With 108 000 spheres, time steps are slower by 8 % at 0.5 and at 0.9 than at this value.
+/// of the volume per grain). With 108 000 spheres, time steps are 8 % slower with 0.5 or 0.9 than with this value.
 constexpr double kRowThickness = 0.7;
 constexpr int kBitsOfRows = 20, kBitsAlongRow = 24;
 

@@ -9,11 +9,11 @@ namespace floc {
 /// Returns an order in which to store the grains, so that grains that are close in space are also close in memory:
 /// entry k of the result is the index of the k-th grain. The order depends only on the positions and the cell; grains
 /// at equal positions keep the order of their indices. Grains in 2D, and fewer than 10 000 spheres, are ordered along a
-/// space-filling curve (Morton order of the reduced coordinates). From 10 000 spheres on, the grains are sorted into
-/// layers along z, the grains of a layer into rows along y, and the grains of a row along x; rows and layers are
-/// thinner than a grain. A pass over the grains in this order keeps a few layers at a time in the caches and reads
-/// memory sequentially. With 108 000 spheres, time steps in this order take three quarters of the time that they take
-/// in the order along the curve; with 4000 spheres, the two orders are equally fast.
+/// space-filling curve (Morton order of the reduced coordinates). More spheres are sorted into layers along z, within a
+/// layer into rows along y, and within a row along x; rows and layers are thinner than a grain. A loop over the grains
+/// then keeps a few layers at a time in the caches and reads memory sequentially. With 108 000 spheres, time steps then
+/// take three quarters of the time that they take in the order along the curve; with 4000 spheres, both orders are
+/// equally fast.
 template <int Dim>
 std::vector<int> space_order(const Cell<Dim>& cell, const Grains<Dim>& grains);
 

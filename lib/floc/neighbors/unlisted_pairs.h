@@ -8,7 +8,7 @@ namespace floc {
 
 /// Returns those members of `pairs` that are not among the contacts of a packing. They are returned as contacts whose
 /// members i, j and image are set; the other members have their default values.
-/// @param packing  packing whose contacts may be in any order, with i <= j or i > j
+/// @param packing  packing, whose contacts may be in any order, as may the two grains of each contact
 /// @param pairs  pairs in canonical form (i <= j), sorted by (i, j, image), as find_pairs() and interacting_pairs()
 /// return them
 template <int Dim>

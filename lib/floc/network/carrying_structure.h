@@ -19,25 +19,25 @@ struct CarryingStructure {
 };
 
 /// Returns the smallest number of contacts that can hold a grain in equilibrium: two if any contact of the packing
-/// carries a tangential force; otherwise Dim + 1, because fewer normal forces cannot balance in general directions.
+/// carries a tangential force; otherwise Dim + 1, because fewer normal forces balance only in special directions.
 template <int Dim>
 int least_contacts(const Packing<Dim>& packing);
 
 /// Allowed values of `least` in carrying_structure(): the smallest number of carrying contacts of a grain.
 inline constexpr WholeRange kLeastContacts{.least = 1, .most = 100};
 
-/// Finds the force-carrying structure of a packing. Only contacts that carry more than `smallest_force` count, contacts
-/// with walls included. Grains with fewer than `least` of them are rattlers and are removed together with their
-/// contacts; this is repeated until no such grain is left. (In find_rattlers(), a contact that carries less may hold a
-/// grain.)
+/// Finds the force-carrying structure of a packing. Only contacts that carry more than `smallest_force` count, those
+/// with walls included. Grains with fewer than `least` such contacts are rattlers. They are removed together with their
+/// contacts, and the search is repeated until it finds no other rattler. Unlike here, a contact that carries less may
+/// hold a grain in find_rattlers().
 /// @param smallest_force  absolute normal force above which a contact is carrying (force), >= 0
 /// @param least           smallest number of carrying contacts of a grain that is not a rattler, in kLeastContacts
 /// @throws InputError if a parameter is out of range
 template <int Dim>
 CarryingStructure carrying_structure(const Packing<Dim>& packing, double smallest_force, int least);
 
-/// Returns the contact network that consists of the carrying contacts alone. Its unknowns are those of the whole
-/// network, with the same numbers.
+/// Returns the contact network that consists of the carrying contacts alone. The unknowns of the grains have the same
+/// numbers as in the network of all contacts.
 template <int Dim>
 ContactNetwork<Dim> carrying_network(const Packing<Dim>& packing, const CarryingStructure& carrying);
 

@@ -99,7 +99,7 @@ class Walk {
   const Adjacency& of_;
   const std::vector<bool>& active_;
   std::vector<int> index_;             // for each grain, its index in its part; -1 if it has not been reached
-  std::vector<CellCount<Dim>> image_;  // for each grain, the periodic image in which its part contains it
+  std::vector<CellCount<Dim>> image_;  // for each grain, the periodic image at which the search has placed it
 };
 
 }  // namespace

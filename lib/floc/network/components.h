@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Number of whole cells along each lattice vector, added up over many contacts. It may reach 1e9, the limit for one
-/// contact of a state, times the number of contacts.
+/// Number of periodic cells along each lattice vector between two grains that a chain of contacts connects. It needs 64
+/// bits: a single contact may lead across up to 1e9 cells.
 template <int Dim>
 using CellCount = Vec<Dim, std::int64_t>;
 
-/// Connected part of a contact network. Its grains are unwrapped from the periodic cell: each is placed next to the
-/// grain from which a contact leads to it.
+/// Connected part of a contact network. Its grains are unwrapped from the periodic cell: each grain is placed at the
+/// periodic image that touches the grain from which the search has reached it.
 template <int Dim>
 struct Component {
   std::vector<int> grains;  ///< grains of the part, in the order in which the search reaches them

@@ -44,18 +44,18 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   return graph;
 }
 
-/// Adds G^T D G for one contact to a stiffness matrix; all stiffness matrices are assembled by this function. Each row
-/// of G is a component of the relative motion at the contact. Its columns are the unknowns of grain i, of grain j and
-/// of the boundary.
+/// Adds G^T D G for one contact to a stiffness matrix. The matrix G gives the relative motion at the contact, one
+/// component per row, from the unknowns of grain i, of grain j and of the boundary. The matrix D is the stiffness for
+/// these components. All stiffness matrices are assembled by this function.
 ///
 /// @param i, j        numbers of the two grains
 /// @param on_i, on_j  columns of G for the unknowns of i and of j, rows x kDofs; if i = j, `on_i` contains both and
 ///                    `on_j` is zero
 /// @param boundary    columns of G for the unknowns of the boundary (strains of a cell, displacements of walls)
-/// @param d           D, rows x rows, an Eigen expression; it must be symmetric if `sum` stores one triangle only
-/// @param sum         stiffness matrix to which the blocks are added. add(grain, grain, block) adds one, with the lower
-///                    grain first if `kSymmetric`. border(grain), boundary() and, if not symmetric, border_row(grain)
-///                    return blocks of the matrix to which values are added
+/// @param d           the matrix D, an Eigen expression; it must be symmetric if `sum` stores one triangle only
+/// @param sum         stiffness matrix, an object with these functions: add(grain, grain, block) adds a block of two
+///                    grains, the lower one first if `kSymmetric`; boundary(), border(grain) and, unless `kSymmetric`,
+///                    border_row(grain) return the blocks of the boundary to which values are added
 template <class Rows, class Boundary, class Stiffness, class Sum>
 void add_contact(int i, int j, const Rows& on_i, const Rows& on_j, const Boundary& boundary, const Stiffness& d,
                  Sum& sum) {

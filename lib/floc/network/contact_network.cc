@@ -30,7 +30,7 @@ Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   return middle;
 }
 
-/// Returns the branch vector of a contact with a wall, see NetworkContact::branch.
+/// Returns the vector of a contact with a wall that a strain of the cell changes (NetworkContact::branch).
 /// @param to_foot  vector from the centre of the grain to the point of the wall that is nearest to it
 template <int Dim>
 Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {

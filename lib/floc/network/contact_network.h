@@ -6,17 +6,17 @@
 
 namespace floc {
 
-/// Contact in the form from which the linear response is computed: its contact points on the two bodies, its
-/// directions, stiffnesses and forces. Grains need not be round.
+/// Contact as the linear response needs it: its contact points on the two bodies, its directions, stiffnesses and
+/// forces. Grains need not be round.
 template <int Dim>
 struct NetworkContact {
   int i;  ///< number of the first grain
   int j;  ///< number of the second grain; equal to i if grain i touches its own image or a wall
-  /// periodic image of j that i touches: its displacement in numbers of cells along each lattice vector
+  /// periodic image of j that i touches, as its number of cells along each lattice vector
   Vec<Dim, int> image;
-  /// Branch vector, which changes with the strain of the boundary: from the centre of i to the centre of the image of j
-  /// (length). For a wall, its component along the wall's normal leads to the plane of the wall. Along other axes with
-  /// walls, the branch leads to the middle of the box, because a wall moves along its normal only.
+  /// Vector from the centre of i to the centre of the image of j (length), which a strain of the cell changes. For a
+  /// wall, the component along the normal of the wall leads to its plane. Along other axes between walls the vector
+  /// leads to the middle of the box, because a wall moves along its normal only.
   Vec<Dim> branch;
   Vec<Dim> arm_i;    ///< vector from the centre of i to the contact point (length)
   Vec<Dim> arm_j;    ///< vector from the centre of the image of j to the contact point (length)
@@ -37,7 +37,7 @@ struct NetworkContact {
   bool on_wall() const { return wall >= 0; }
 };
 
-/// Contact network of a state: its contacts, and all quantities on which its linear response depends.
+/// Contact network of a packing: its contacts, and all quantities on which its linear response depends.
 template <int Dim>
 struct ContactNetwork {
   int n_grains = 0;
@@ -46,8 +46,8 @@ struct ContactNetwork {
   /// grain.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
-  /// Axes that have a wall at both ends, ascending. The two walls of such an axis may move together; this motion is an
-  /// unknown in addition to the strains.
+  /// Axes that have a wall at both ends, ascending. The two walls of such an axis may move together; this motion is one
+  /// more unknown of the boundary, besides the strains.
   std::vector<int> wall_axes;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }
@@ -64,10 +64,10 @@ constexpr int first_unknown(int grain) {
 Mat<2> contact_frame(const Vec<2>& normal);
 Mat<3> contact_frame(const Vec<3>& normal);
 
-/// Returns the network of all contacts of a packing, in the order of Packing::contacts. The lever arm of a grain of
-/// radius R is R r/(R_i + R_j) long and lies along the normal, with the radii R_i and R_j of the two grains and the
-/// branch length r (docs/physics.md, "Kinematics of a contact"); the two arms add up to the branch. At a wall the arm
-/// is the distance to its plane.
+/// Returns the network of all contacts of a packing, in the order of Packing::contacts. The distance r of the centres
+/// of two grains is divided at the contact point in proportion to their radii R_i and R_j: the lever arm of grain i is
+/// r R_i/(R_i + R_j) long and lies along the normal (docs/physics.md, "Kinematics of a contact"). The lever arm at a
+/// wall is the distance to the plane of the wall.
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 
@@ -76,8 +76,9 @@ ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 template <int Dim>
 ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std::vector<bool>& removed);
 
-/// Returns the largest absolute normal or tangential stiffness of a contact (force/length); 1 without contacts. The
-/// stiffness matrix divided by it has a diagonal of order one if rotations are multiplied by the grain's size.
+/// Returns the largest absolute normal or tangential stiffness of a contact (force/length); 1 without contacts.
+/// Dividing the stiffness matrix by it makes the diagonal of order one, if rotations are multiplied by the sizes of the
+/// grains.
 template <int Dim>
 double stiffness_scale(const ContactNetwork<Dim>& network);
 

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// A rigid motion counts as independent of the motions already fixed if, without them, its largest displacement is
-/// still more than this share of what it was.
+/// A rigid motion counts as independent of the motions already fixed if more than this share of its largest
+/// displacement is left after they have been subtracted from it.
 constexpr double kDistinct = 1e-6;
 
 /// Returns the null space of a matrix to rounding: orthonormal columns v with |matrix v| <= bound.
@@ -27,7 +27,8 @@ Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
 template <int Dim>
 using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the axes about which a connected part can rotate as a rigid body and still fit its periodic images.
+/// Returns the axes about which a connected part of the network can rotate as a rigid body and still fit to its
+/// periodic images.
 std::vector<RotationVector<2>> free_axes(const Component<2>& part) {
   if (!part.winding.empty()) return {};
   return {RotationVector<2>(1.0)};
@@ -148,8 +149,8 @@ class FreeMotionFinder {
 
   void finish_mode(FreeMotionKind kind) { free_.kind.push_back(kind); }
 
-  /// Adds the free motions of grains without contact, which can move in any way, and of dead ends, each of which can
-  /// move at its contact in every direction without stiffness.
+  /// Adds the free motions of grains without contact, which can move in every way, and of dead ends, which can move at
+  /// their single contact along every component of the motion for which the contact has no stiffness.
   void add_rolls() {
     for (const int grain : alone_)
       for (int u = 0; u < kDofs<Dim>; ++u) {
@@ -199,8 +200,8 @@ class FreeMotionFinder {
     return held ? std::vector<int>{} : group;
   }
 
-  /// Finds rotations of single grains that nothing resists. A grain without tangential springs rotates freely; grains
-  /// that rolling or twisting stiffness connects rotate together.
+  /// Finds rotations of grains that nothing resists. A grain without tangential springs rotates freely. Grains that
+  /// rolling or twisting stiffness connects rotate together.
   void find_free_spins() {
     std::vector<bool> visited(network_.n_grains, false);
     for (int i = 0; i < network_.n_grains; ++i) {
@@ -213,8 +214,8 @@ class FreeMotionFinder {
     }
   }
 
-  /// Finds free rotations about an axis: a sphere with two contacts without rolling stiffness rotates freely about the
-  /// line through both.
+  /// Finds free rotations about an axis. A sphere rotates freely about the line through its two contacts, if it has no
+  /// other contact and neither has rolling or twisting stiffness.
   void find_axis_spins() {
     if constexpr (Dim == 3) {
       for (int i = 0; i < network_.n_grains; ++i) {
@@ -302,8 +303,10 @@ class FreeMotionFinder {
 
   double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
 
-  /// Subtracts a rotation of single grains that is already fixed from the rigid motions of their part.
-  /// @param motions  rigid motions, one per column; rows are the unknowns of the part, with rotations times grain size
+  /// Subtracts a rotation of grains that is already fixed from the rigid motions of the connected part that contains
+  /// them.
+  /// @param motions  rigid motions, one per column; the rows are the unknowns of the part, rotations multiplied by the
+  /// grain size
   void take_out(const CoreSpin& spin, const std::vector<int>& row_of, Eigen::MatrixXd& motions) const {
     const int pinned_dof = spin.pinned % kDofs<Dim>;
     const int pinned_grain = spin.pinned / kDofs<Dim>;
@@ -315,9 +318,9 @@ class FreeMotionFinder {
     motions.row(row_of[pinned_grain] + pinned_dof).setZero();
   }
 
-  /// Fixes one unknown for each rigid motion of a part: the one that this motion moves most, after the rigid motions
-  /// before it have been subtracted.
-  /// @param spins   rotations of single grains that are already fixed
+  /// Fixes one unknown for each rigid motion of a connected part: the unknown that this motion changes most, after the
+  /// motions already fixed have been subtracted from it.
+  /// @param spins   rotations of grains that are already fixed
   /// @param row_of  receives, for each grain of the part, its first row among the unknowns of the part
   void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
     const std::vector<RotationVector<Dim>> axes = free_axes(part);
@@ -344,8 +347,8 @@ class FreeMotionFinder {
     for (int m = 0; m < motions.cols(); ++m) {
       Eigen::Index row = 0;
       const double most = motions.col(m).cwiseAbs().maxCoeff(&row);
-      // If all grains of a part lie on a line, its rotation about this line may already be fixed as rotations of its
-      // grains.
+      // If all grains of the part lie on a line, the rotation of the part about this line may already be fixed, as
+      // rotations of its grains.
       if (!(most > kDistinct * extent[m])) continue;
       free_.kept[first_unknown<Dim>(part.grains[row / kDofs<Dim>]) + row % kDofs<Dim>] = false;
       const double turn = shares.col(m).tail(shares.rows() - Dim).norm() * reach;

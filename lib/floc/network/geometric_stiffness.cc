@@ -11,8 +11,10 @@ Eigen::Matrix3d crossed_with(const Vec<3>& f) {
   return Eigen::Matrix3d{{0.0, f[2], -f[1]}, {-f[2], 0.0, f[0]}, {f[1], -f[0], 0.0}};
 }
 
-/// Returns the motion at a contact (rows as in MotionMatrix) per unit of each unknown of one of its grains (columns).
-/// @param sign            1 for grain j, -1 for grain i: sign of its displacement in that of j relative to i
+/// Returns the matrix that gives the motion at a contact (rows as in MotionMatrix) from the unknowns of one of its two
+/// grains.
+/// @param sign            1 for grain j, -1 for grain i: sign of the displacement of this grain in the displacement of
+/// j relative to i
 /// @param first_rotation  first row of the rotation of this grain
 /// @param size            length by which rotations are multiplied to give the unknowns
 template <int Dim>
@@ -39,8 +41,8 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   const double share_j = -c.arm_j.dot(n) / r;
 
   // The displacement of j relative to i does work on the force on j, which is -f. Its rows therefore contain +df, and
-  // the rows of the rotations contain minus the changes of the moments. The turn n x dn of the frame gives w x S = -n
-  // (S.dn), which contributes nothing to r x (w x S).
+  // the rows of the rotations contain minus the changes of the moments. The part n x dn of the turn of the frame gives
+  // w x S = -n (S.dn), which is parallel to r, so that r x (w x S) is zero.
   MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
   k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
   const auto moment_by_displacement = crossed_with(shear).eval();

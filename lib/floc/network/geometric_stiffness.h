@@ -4,20 +4,22 @@
 
 namespace floc {
 
-/// Number of components of the motion of two grains at their contact: the displacement of j relative to i, the rotation
-/// of i, and the rotation of j. Geometric terms are linear in them.
+/// Number of components of the motion of two grains i and j in contact: the displacement of j relative to i, the
+/// rotation of i, and the rotation of j.
 template <int Dim>
 inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
 
 template <int Dim>
 using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
 
-/// Computes the geometric stiffness of a contact: the change of its forces and moments if the frame of the contact
-/// turns and they keep their components in this frame. Let n be the normal, r the branch vector, dr the displacement of
-/// j relative to i, psi = n.(rotation of i + rotation of j)/2 and dn = (1 - n n) dr/|r|. The frame then turns by w = n
-/// x dn + psi n. Let f = -F n + S be the force on i, with the normal force F and the tangential force S; share_i r x S
-/// + M the moment on i and share_j r x S - M the moment on j, with the lever arms share_i r and share_j r and the
-/// rolling and twisting moment M. Then
+/// Computes the geometric stiffness of a contact: the change of its forces and moments when the frame of the contact
+/// turns and they keep their components in this frame.
+///
+/// Let r be the vector from the centre of grain i to that of grain j, n the normal, and dr the displacement of j
+/// relative to i. The frame turns by w = n x dn + psi n, with dn = (1 - n n) dr/|r| and psi = n.(rotation of i +
+/// rotation of j)/2. The force on i is f = -F n + S, with the normal force F and the tangential force S. The moment on
+/// i is share_i r x S + M, with the lever arm share_i r and the rolling and twisting moment M; the moment on j is
+/// share_j r x S - M. Then
 ///
 ///   df = -F dn + w x S,  d(moment on i) = share_i (dr x S + r x (w x S)) + w x M
 ///
@@ -26,8 +28,8 @@ using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
 template <int Dim>
 MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& contact);
 
-/// Motion at a contact per unit of each unknown of its two grains: rows are the components of the motion (see
-/// kMotionRows), columns the unknowns.
+/// Motion of two grains at their contact as a linear function of the unknowns of the grains. The rows are the
+/// components of the motion (kMotionRows), the columns are the unknowns.
 template <int Dim>
 struct GrainMotions {
   /// columns: unknowns of i; if i = j, those of j are added
@@ -35,7 +37,7 @@ struct GrainMotions {
   Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_j;  ///< columns: unknowns of j; zero if i = j
 };
 
-/// Returns the motion at a contact per unit of each unknown of its two grains.
+/// Returns the matrices that give the motion of two grains at their contact from the unknowns of the grains.
 /// @param size_i, size_j  lengths by which rotations are multiplied to give the unknowns of i and of j; 1 if the
 ///                        unknowns are the rotations themselves
 template <int Dim>

@@ -16,9 +16,10 @@ struct Block {
   bool held = false;   // whether the block contains a loop that passes through walls
 };
 
-/// Finds the blocks of a network by depth-first search (Hopcroft and Tarjan). Several contacts between the same two
-/// grains, and contacts of a grain with its own image, are different contacts. All walls together count as one more
-/// grain; the upper walls are periodic images of it.
+/// Finds the blocks of a network, sets of contacts any two of which lie on a common loop, by depth-first search
+/// (Hopcroft and Tarjan). Several contacts between the same two grains, and contacts of a grain with its own image, are
+/// different contacts. All walls together count as one more grain, and the upper walls as periodic images of this
+/// grain.
 template <int Dim>
 class BlockSearch {
  public:
@@ -126,8 +127,8 @@ class BlockSearch {
   std::vector<Block> blocks_;
 };
 
-/// Removes dead ends, block by block from the tips: blocks without a loop around the cell or through walls that share
-/// at most one grain with the remaining blocks.
+/// Removes dead ends, block by block from the tips. A block is a tip if it contains no loop around the cell or through
+/// walls, and shares at most one grain with the remaining blocks.
 /// @param n_nodes  number of grains, plus one for the walls
 /// @return for each block, whether it was removed
 std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {

@@ -13,8 +13,7 @@ namespace floc {
 ///
 /// Without adhesion, a grain is a rattler if none of its contacts carries more than `smallest_force`, or if it has
 /// fewer than two contacts. Rattlers are removed with their contacts, and the search is repeated until it finds no
-/// other rattler. In a packing that carries no force at all, this rule cannot tell rattlers from other grains, and only
-/// grains without contact are rattlers.
+/// other rattler. If the packing carries no force at all, only grains without contact are rattlers.
 ///
 /// @param smallest_force  largest normal force that counts as zero (force), >= 0
 /// @return for each grain, whether it is a rattler

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Strains of the cell that are unknowns of the elastic response.
+/// Set of strains of the cell that are unknowns of the elastic response.
 enum class StrainSet {
   diagonal,  ///< eps_11, eps_22 (and eps_33); shear strains are fixed at zero
   full,      ///< diagonal strains, then gamma_12 (2D) or gamma_23, gamma_13, gamma_12 (3D); gamma = 2 eps
@@ -22,10 +22,11 @@ constexpr int n_strains(StrainSet set) {
 template <int Dim>
 Mat<Dim> unit_strain(int column);
 
-/// Matrix G that gives the relative motion at one contact as a linear function of the unknowns. Its rows are: the
-/// overlap; the tangential displacement of j relative to i along each tangent; the rotation of j relative to i, in 3D
-/// about the normal (twisting), then about each tangent (rolling). The normal force, the tangential force on i and the
-/// moments on i do work on these rows: the contact forces f balance the loads G^T f.
+/// Matrix G that gives the relative motion at one contact as a linear function of the unknowns. The rows of G are the
+/// components of this motion: the overlap; the tangential displacement of j relative to i along each tangent; the
+/// rotation of j relative to i, in 3D about the normal (twisting), then about each tangent (rolling). With f the normal
+/// force, the tangential force on i and the moments on i, G^T f are the loads on the unknowns that the contact
+/// balances.
 template <int Dim>
 struct ContactRows {
   /// columns for the unknowns of i; if i = j, those of j are added
@@ -39,12 +40,12 @@ struct ContactRows {
 template <int Dim>
 using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the matrix that gives the relative motion at a contact as a linear function of the unknowns.
+/// Returns the matrix of one contact that gives its relative motion as a linear function of the unknowns.
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// Returns the relative motion at a contact if the two walls of an axis are displaced by 1 together, one column per
-/// axis. Only the overlap with a wall of this axis changes, because a wall moves along its normal only.
+/// Returns the relative motion at a contact (rows as in ContactRows) if the two walls of an axis are together displaced
+/// by 1 along this axis; one column per axis. Only the overlap with a wall of this axis changes.
 template <int Dim>
 Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
 
@@ -53,23 +54,24 @@ Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& 
 template <int Dim>
 int n_boundary_unknowns(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns the side of a cube (square in 2D) that has the volume of the network (length). Displacements of walls are
-/// divided by it, which makes them comparable to strains.
+/// Returns the length by which displacements of walls are divided to make them comparable to strains: the side of a
+/// cube (square in 2D) that has the volume of the network.
 template <int Dim>
 double wall_shift_unit(const ContactNetwork<Dim>& network);
 
-/// Relative motion at a contact (rows as in ContactRows) per unit of each unknown of the boundary (columns).
+/// Relative motion at a contact (rows as in ContactRows) if one unknown of the boundary is 1, one column per unknown.
 template <int Dim>
 using BoundaryRows =
     Eigen::Matrix<double, kDofs<Dim>, Eigen::Dynamic, Eigen::ColMajor, kDofs<Dim>, kSymmetric<Dim> + Dim>;
 
-/// Returns the relative motion at a contact per unit of each unknown of the boundary.
+/// Returns the relative motion at a contact if one unknown of the boundary is 1, one column per unknown.
 /// @param rows  contact_rows() of the contact
 template <int Dim>
 BoundaryRows<Dim> boundary_rows(const ContactNetwork<Dim>& network, const NetworkContact<Dim>& contact,
                                 const ContactRows<Dim>& rows, StrainSet strains);
 
-/// Returns the axes of the relative rotations in `ContactRows`, one per column, for a contact with the given frame.
+/// Returns the axes of the components of the relative rotation in `ContactRows`, one axis per column, for a contact
+/// with the given frame.
 inline Mat<1> rotation_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }
@@ -82,14 +84,15 @@ inline Mat<3> rotation_axes(const Mat<3>& frame) {
 template <int Dim>
 RowStiffness<Dim> row_stiffness(const NetworkContact<Dim>& contact);
 
-/// Returns the relative motion at a contact without its rotations: the displacement of the centre of j relative to that
-/// of i, on which the contact force does work.
+/// Returns the relative motion at a contact without the effect of rotations: the displacement of the centre of j
+/// relative to the centre of i.
 /// @param rows  contact_rows() of the contact
 template <int Dim>
 ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
 /// Returns the geometric stiffness of the normal force F_N for the rows of translation_rows(): -F_N/r along the
-/// tangents, with the branch length r (force/length). It is zero at a wall, whose normal does not turn.
+/// tangents, with the distance r of the centres of the two grains (force/length). It is zero at a wall, whose normal
+/// does not turn.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 
@@ -99,8 +102,8 @@ RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 template <int Dim>
 Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 
-/// Returns R = sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; R^T R is the stiffness matrix K.
-/// Rounding takes only half as many digits of a soft mode from R as from K.
+/// Returns R = sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; R^T R is the stiffness matrix K. A
+/// soft mode computed from R loses only half as many digits to rounding as one computed from K.
 /// @pre no stiffness is negative (attractions across a gap have a negative stiffness)
 template <int Dim>
 Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);

@@ -9,8 +9,9 @@
 namespace floc {
 namespace {
 
-/// Adds the symmetric part of the geometric terms of the tangential force and the moments of a contact. These terms are
-/// zero at a wall, which does not turn, and across a gap, where there is neither a tangential force nor a moment.
+/// Adds the symmetric part of the geometric stiffness that follows from the tangential force and the moments of a
+/// contact. It is zero at a wall, which does not turn, and across a gap, where there is neither a tangential force nor
+/// a moment.
 template <int Dim>
 void add_shear_prestress(const NetworkContact<Dim>& c, StrainSet strains, SymmetricSum<kDofs<Dim>>& sum) {
   if (c.on_wall() || c.distant) return;
@@ -18,7 +19,7 @@ void add_shear_prestress(const NetworkContact<Dim>& c, StrainSet strains, Symmet
   without_normal_force.normal_force = 0.0;
   const MotionMatrix<Dim> k = geometric_stiffness(without_normal_force);
   const GrainMotions<Dim> of_grains = grain_motions(c, 1.0, 1.0);
-  // A strain or a displacement of walls displaces the two sides of the contact but does not rotate them.
+  // A strain or a displacement of walls displaces the two grains of the contact but does not rotate them.
   Eigen::Matrix<double, kMotionRows<Dim>, Eigen::Dynamic> of_boundary =
       Eigen::Matrix<double, kMotionRows<Dim>, Eigen::Dynamic>::Zero(kMotionRows<Dim>, sum.boundary().cols());
   for (int e = 0; e < n_strains<Dim>(strains); ++e)

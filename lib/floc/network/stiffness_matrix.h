@@ -9,15 +9,16 @@ namespace floc {
 
 struct StiffnessOptions {
   StrainSet strains = StrainSet::diagonal;
-  /// Adds, for each contact, the geometric terms -(F_N/r)(1 - n n) of the normal force F_N, with the branch length r
-  /// and the normal n. Those of the tangential force F_T are left out, so that the matrix is the exact derivative of
-  /// the forces only if F_T = 0.
+  /// Adds, for each contact, the geometric stiffness -(F_N/r)(1 - n n) of the normal force F_N, with the distance r of
+  /// the centres and the normal n. The geometric terms of the tangential force are left out, so that the matrix is the
+  /// exact derivative of the forces only if no contact carries a tangential force.
   bool prestress = false;
-  /// Adds unknowns after the strains: for each axis between walls, the common displacement of its two walls divided by
-  /// wall_shift_unit().
+  /// Adds unknowns of the boundary after the strains: for each axis between walls, the common displacement of the two
+  /// walls divided by wall_shift_unit().
   bool wall_shifts = false;
-  /// Adds the symmetric part of the geometric terms of the tangential forces and of the moments of contacts. If
-  /// `prestress` is set too, the quadratic form of the matrix is the second-order work of all forces.
+  /// Adds the symmetric part of the geometric stiffness that follows from the tangential forces and the moments of
+  /// contacts. With `prestress` too, the quadratic form of the matrix is the second-order work of all forces and
+  /// moments.
   bool shear_prestress = false;
 };
 
@@ -27,7 +28,7 @@ struct StiffnessOptions {
 /// grains, and volume times stress for the strains.
 struct StiffnessMatrix {
   Eigen::SparseMatrix<double> grains;  ///< block of the grains, lower triangle, of order kDofs * n_grains
-  /// coupling of grains and boundary: rows as in `grains`, one column per boundary unknown
+  /// block that couples grains and boundary: rows as in `grains`, one column per boundary unknown
   Eigen::MatrixXd border;
   Eigen::MatrixXd boundary;  ///< block of the boundary unknowns, both triangles
 
@@ -40,8 +41,8 @@ struct StiffnessMatrix {
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 
-/// Returns the stiffness of affine motion: volume times the moduli that the network would have if every grain followed
-/// the strain without rotating (Voigt).
+/// Returns the volume times the moduli that the network would have if every grain followed the strain without rotating
+/// (Voigt).
 template <int Dim>
 Eigen::MatrixXd affine_stiffness(const ContactNetwork<Dim>& network, StrainSet strains);
 

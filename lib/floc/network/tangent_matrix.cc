@@ -118,7 +118,7 @@ void TangentMatrix<Dim>::add(const NetworkContact<Dim>& c, const ConsistentStiff
   Sum sum(*this);
   const double size_i = grain_size_[c.i], size_j = grain_size_[c.j];
   const GrainMotions<Dim> of_grains = grain_motions(c, size_i, size_j);
-  // An unknown of the boundary displaces the two sides of the contact but does not rotate them.
+  // A strain or a displacement of walls displaces the two grains of the contact but does not rotate them.
   using OnBoundary = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMotionRows<Dim>,
                                    BoundaryColumns<Dim>::kMaxColumns>;
   OnBoundary moved = OnBoundary::Zero(kMotionRows<Dim>, n_boundary_);

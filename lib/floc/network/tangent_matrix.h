@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Derivatives of the forces and moments of a contact with respect to the relative motion at the contact, with rows and
-/// columns in the order of `ContactRows`, see contact_tangents(). Not symmetric if, for example, friction makes one
-/// force depend on another.
+/// Derivatives of the forces and moments of a contact with respect to the components of the relative motion at the
+/// contact, from contact_tangents(). Rows and columns are in the order of the rows of `ContactRows`. The matrix is not
+/// symmetric if, for example, friction makes the tangential force depend on the normal force.
 template <int Dim>
 using ConsistentStiffness = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
@@ -20,21 +20,20 @@ struct BoundaryColumns {
   static constexpr int kMaxColumns = 2 * kSymmetric<Dim>;
   /// Displacement of j relative to i if a boundary unknown is 1: Dim rows, one column per boundary unknown.
   Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMaxColumns> displacement;
-  /// Derivative of displacement^T (force on i) with respect to the displacement of j relative to i, while the force is
-  /// fixed: one row per boundary unknown, Dim columns. For a displacement of a wall it is zero. For a strain it is a
-  /// component of the force, because `displacement` is proportional to a component of the branch.
+  /// Change of the load on each boundary unknown (rows) if j is displaced by 1 relative to i along an axis (columns)
+  /// while the force of the contact stays constant. It is zero for a displacement of a wall. For a strain it is a
+  /// component of the force, because the load on a strain is proportional to the vector from i to j.
   Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMaxColumns, Dim> follow;
 };
 
 /// Tangent matrix of a Newton iteration: minus the derivative of the forces on grains and boundary with respect to the
-/// unknowns of grains and boundary, so that its sign is that of a stiffness. It is the sum, over contacts, of G^T D G
-/// (motion G at the contact per unknown, stiffness D of the contact) and of all geometric terms, including those of
-/// tangential forces and rolling moments. Not symmetric.
+/// unknowns of grains and boundary, so that its sign is that of a stiffness. It is not symmetric. For each contact it
+/// contains G^T D G, where G gives the motion at the contact from the unknowns and D is the stiffness of the contact,
+/// and all geometric terms, also those of tangential forces and rolling moments.
 ///
-/// The unknowns are the translations and rotations (times the grain's size) of each grain, then the unknowns of the
-/// boundary. The loads are the forces and moments (over the grain's size) on the grains, then those on the boundary.
-/// The pattern of the matrix is fixed by the pairs of grains given to the constructor; values are added contact by
-/// contact.
+/// The unknowns are the translations of each grain and its rotations times its size, then the unknowns of the boundary.
+/// The loads are the forces on each grain and the moments divided by its size, then the loads on the boundary. The
+/// pattern of the matrix is fixed by the pairs of grains given to the constructor; values are added contact by contact.
 template <int Dim>
 class TangentMatrix {
  public:
@@ -46,10 +45,10 @@ class TangentMatrix {
   /// Sets the matrix to `regularisation` on the diagonal and zero elsewhere.
   void reset(double regularisation);
 
-  /// Adds a contact of two round grains. The lever arms lie along the branch and are constant shares of it. The
-  /// tangential spring turns with the branch, and about the branch with the mean rotation of the two grains.
-  /// @param d         derivatives of the contact's forces with respect to its relative motion
-  /// @param boundary  effect of the boundary's unknowns on the contact
+  /// Adds a contact of two round grains. The lever arms are constant shares of the vector between the centres of the
+  /// grains. The tangential spring turns with this vector, and about it with the mean rotation of the two grains.
+  /// @param d         derivatives of the forces of the contact with respect to the relative motion at the contact
+  /// @param boundary  effect of the unknowns of the boundary on the contact
   void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,
            const BoundaryColumns<Dim>& boundary);
 

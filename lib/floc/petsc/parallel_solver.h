@@ -6,19 +6,19 @@
 
 namespace floc {
 
-/// Result of the solution of one linear system A x = b; the same on every process.
+/// Outcome of the solution of one linear system A x = b. All processes get equal values.
 struct ParallelSolution {
   bool converged = false;
   std::string failure;  ///< reason why the iteration did not converge, as a sentence; empty if it converged
   int iterations = 0;
-  /// Estimates (Ritz values) of the smallest and largest eigenvalue of M^-1 A, with the matrix A and the preconditioner
-  /// M, among the modes that b excites; 0 if no step was taken.
+  /// Estimates (Ritz values) of the smallest and the largest eigenvalue of M^-1 A, where M is the preconditioner.
+  /// Eigenvectors that do not contribute to b are not seen. 0 if no step was taken.
   double smallest_ratio = 0.0;
   double largest_ratio = 0.0;
 };
 
 /// Solver of symmetric linear systems A x = b whose rows are distributed over the processes of an MPI run, or are all
-/// on a single process. The method is preconditioned conjugate gradients of PETSc, in a module that is loaded when
+/// on a single process. The method is PETSc's preconditioned conjugate gradients, in a module that is loaded when
 /// needed. The rows of A come in blocks of one size (the unknowns of a grain); each process has consecutive blocks. All
 /// members are collective unless stated otherwise: all processes have to call them in the same order.
 ///
@@ -36,15 +36,20 @@ class ParallelSolver {
   /// Terminates all processes immediately with the given exit code. Not collective.
   [[noreturn]] virtual void abort(int code) = 0;
 
-  /// Begins a new matrix, which replaces the previous one. A block row consists of the rows of one grain.
+  /// Begins a new matrix, which replaces the previous one. Its rows and columns come in blocks, one for each grain; a
+  /// block row consists of the rows of one grain.
   /// @param block_size  number of rows and columns of a block
-  /// @param own         for each block row of this process, number of nonzero blocks in columns of this process
-  /// @param foreign     for each block row of this process, number of nonzero blocks in columns of other processes
+  /// @param own         for each block row of this process, number of nonzero blocks in the columns of grains of this
+  /// process
+  /// @param foreign     for each block row of this process, number of nonzero blocks in the columns of grains of other
+  /// processes
   virtual void begin_matrix(int block_size, std::span<const int> own, std::span<const int> foreign) = 0;
   /// Sets one block row of this process in the matrix that begin_matrix() has begun. Not collective.
   /// @param row      number of the block row in the whole matrix
-  /// @param columns  numbers of its nonzero blocks' columns in the whole matrix, ascending
-  /// @param values   entries of these blocks, row by row: block_size x (block_size * columns.size())
+  /// @param columns  numbers, in the whole matrix, of the block columns in which this block row has nonzero blocks,
+  /// ascending
+  /// @param values   entries of the nonzero blocks, row by row: a matrix of block_size rows and block_size *
+  /// columns.size() columns
   virtual void set_row(int row, std::span<const int> columns, std::span<const double> values) = 0;
   /// Completes the matrix A and sets up its preconditioner.
   /// @param near_null  vectors v with A v close to zero, one after another, each with the entries in the rows of this
@@ -53,7 +58,7 @@ class ParallelSolver {
   virtual void finish_matrix(std::span<const double> near_null, int n_vectors) = 0;
 
   /// Selects blocks of a distributed vector that belong to other processes and that this process needs (ghosts).
-  /// @param blocks  numbers of these blocks in the whole vector
+  /// @param blocks  numbers of the selected blocks in the whole vector
   virtual void set_ghosts(std::span<const int> blocks) = 0;
   /// Fetches, from other processes, the entries of a distributed vector in the blocks that set_ghosts() has selected.
   /// @param own     entries of the vector in the rows of this process

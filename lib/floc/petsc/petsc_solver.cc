@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// A solution by conjugate gradients is stopped after kMostSteps steps, or after kPatience steps without a new smallest
-/// residual.
+/// Conjugate gradients are stopped after kMostSteps steps, or after kPatience steps in which the norm of the residual
+/// has not fallen below its smallest value so far.
 constexpr PetscInt kMostSteps = 20000;
 constexpr PetscInt kPatience = 2000;
 
@@ -60,8 +60,8 @@ class Lent {
   Vec vector_;
 };
 
-/// Residual norms of a solution (the first and the smallest), and the step with the smallest norm, for the convergence
-/// test.
+/// State of the convergence test of a solution: the reduction of the residual that is wanted, the first and the
+/// smallest norm of the residual, and the step with the smallest norm.
 struct Progress {
   double reduction = 0.0;
   double first = 0.0;

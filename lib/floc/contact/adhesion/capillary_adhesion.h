@@ -14,10 +14,11 @@ namespace floc {
 /// force divided by the force at zero gap.
 enum class BridgeForm {
   /// exp(-h/l) with the gap h and the decay length l = 0.9 sqrt(V_b/(r R')). V_b is the volume of the bridge, R' = 2 Ri
-  /// Rj/(Ri + Rj) the mean of the radii Ri and Rj of the grains, and r >= 1 the ratio of these radii [RTV2010].
+  /// Rj/(Ri + Rj) the harmonic mean of the radii Ri and Rj of the grains, and r >= 1 the ratio of these radii
+  /// [RTV2010].
   exponential,
-  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b), the gap h, the volume V_b of the bridge and the mean radius R' =
-  /// 2 Ri Rj/(Ri + Rj) of the grains [WAJS2000].
+  /// 1/(1 + 1.05 x + 2.5 x^2) with x = h sqrt(R'/V_b), the gap h, the volume V_b of the bridge and the harmonic mean
+  /// radius R' = 2 Ri Rj/(Ri + Rj) of the grains [WAJS2000].
   rational,
 };
 
@@ -32,7 +33,7 @@ enum class BridgeFormation {
 template <class T = double>
 struct Bridge {
   T strength = T(0);  ///< attraction of the bridge when the surfaces touch (force)
-  /// Inverse of the length over which the force decreases with the gap (1/length): 1/l for the exponential and
+  /// Number by which the gap is multiplied in the formula for the force (1/length): 1/l for the exponential and
   /// sqrt(R'/V_b) for the rational formula, with the symbols of BridgeForm.
   T decay = T(0);
   T reach = T(0);  ///< widest gap hm that the bridge spans (length)
@@ -40,9 +41,9 @@ struct Bridge {
 
 /// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap up to the reach of
 /// the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj) with
-/// the radii Ri and Rj of the spheres. A bridge of volume V_b has the reach (1 + th/2) V_b^(1/3). The history of a
-/// contact holds the volume of its bridge (length^3). How the liquid of a packing is distributed over the bridges is
-/// not part of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
+/// the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3), with th in radians.
+/// The history of a contact holds the volume of its bridge (length^3). How the liquid of a packing is distributed over
+/// the bridges is not part of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< surface tension g of the liquid (force/length)
   double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)

@@ -11,8 +11,8 @@
 namespace floc {
 
 /// Choice of the mass m in the damping coefficient of a contact, 2 zeta sqrt(m K_N), with the damping ratio zeta and
-/// the normal stiffness K_N. Both choices are symmetric in the grains i and j and a fixed multiple of the effective
-/// mass, so that all pairs of grains have the same restitution, independent of their sizes.
+/// the normal stiffness K_N. Either mass is a fixed multiple of the effective mass, so that all pairs of grains have
+/// the same restitution, whatever their sizes.
 enum class DampingMass {
   effective,  ///< effective mass m_i m_j/(m_i + m_j); collisions have the given restitution [GRC2008]
   /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is sqrt(2) times that of `effective`

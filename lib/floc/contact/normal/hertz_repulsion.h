@@ -66,7 +66,8 @@ struct HertzRepulsion {
     return contact_stiffness(PairGeometry<>(-overlap_at_force(pair, elastic), pair.reduced_radius));
   }
   double modulus_of_packing(int, double) const { return plane_modulus(); }
-  /// Returns an upper bound on the normal stiffness K_N that a contact can have under this load (force/length).
+  /// Returns an upper bound on the normal stiffness K_N (force/length) of a contact of this pair in a packing with the
+  /// largest overlap, force and impact speed `load`.
   double stiffness_bound(const PairGeometry<>& pair, const ContactLoad& load) const {
     const double deepest = std::max(
         {load.overlap, overlap_at_force(pair, load.force), overlap_of_impact(pair, load.impact_speed)});

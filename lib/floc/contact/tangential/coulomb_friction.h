@@ -9,9 +9,9 @@
 namespace floc {
 
 /// Coulomb friction: an incremental tangential spring of stiffness K_T, whose force is capped at the friction
-/// coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part, so that
-/// a contact without net normal force still carries up to mu F0, where F0 is the pull-off force. [GRC2008], Eq. 4, with
-/// the factor mu that is missing in the printed equation for a sliding contact.
+/// coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part of the
+/// normal force, so that a contact without net normal force still carries up to mu F0, where F0 is the pull-off force.
+/// [GRC2008], Eq. 4; the printed equation lacks the factor mu for a sliding contact.
 struct CoulombFriction {
   double coefficient;           ///< friction coefficient mu
   double tangential_stiffness;  ///< tangential stiffness K_T (force/length)

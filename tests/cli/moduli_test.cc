@@ -146,7 +146,8 @@ TEST_F(ModuliCommand, AreZeroAlongAMechanismThatIsCountedAndWarnedAbout) {
   write_state(scratch_.file("pair.h5"), pair);
   const Outcome o = moduli("pair.h5 --format json");
   EXPECT_EQ(o.code, 0);
-  EXPECT_THAT(o.err, HasSubstr("pair.h5: warning: 2 mechanism(s) strain the cell without resistance"));
+  EXPECT_THAT(o.err,
+              HasSubstr("pair.h5: warning: 2 mechanism(s) change the strain of the cell without resistance"));
   const json row = json::parse(o.out).at(0);
   EXPECT_EQ(row.at("n_coupled_mechanisms"), 2);
   for (const char* key : {"C11", "C22", "C12", "B", "B_S", "G"}) EXPECT_EQ(row.at(key), 0.0) << key;

@@ -257,7 +257,8 @@ const Refusal kRefusals[] = {
     {"box_too_small_for_two_spheres",
      {"grains.count=2"},
      4,
-     "assembly: solid_fraction is too large: the grains, which grow from smaller sizes, overlap from",
+     "assembly: solid_fraction is too large: the grains start at smaller sizes, and overlap when they have "
+     "grown to",
      box_scene(3)},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),

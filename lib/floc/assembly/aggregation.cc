@@ -11,11 +11,11 @@
 namespace floc {
 namespace {
 
-/// The time step is so short that the fastest grain takes at least this number of time steps to cross the range of the
-/// adhesion. Otherwise it could pass another grain without being attracted.
+/// Smallest number of time steps in which the fastest grain may cross the range of the adhesion. In fewer steps, it
+/// could pass another grain without being attracted.
 constexpr double kStepsAcrossTail = 3.0;
-/// Distance between the surfaces of two clusters at which their free flight ends, and from which on they are moved in
-/// time steps again. It is added to the range of the contact law (in largest diameters).
+/// Distance between the surfaces of two clusters, beyond the range of the contact law, at which their free flight ends
+/// (in largest diameters). From there on, they are moved in time steps again.
 constexpr double kFlightClearance = 1e-3;
 
 /// Returns the time step that the options give, shortened if the fastest grain would otherwise jump over the range of
@@ -60,8 +60,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Moves the clusters as rigid bodies through the time in which they only drift towards each other, without motion
-/// inside them. An aggregation may consist mostly of such times.
+/// Moves the clusters as rigid bodies through the time in which they only drift towards each other. It replaces the
+/// time steps of this time, which may be most of an aggregation.
 /// @return time that was skipped; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {

@@ -15,8 +15,8 @@ namespace {
 /// Distance up to which pairs of grains of different clusters are searched, beyond the distance at which the flight
 /// ends (in largest diameters). The surfaces of all other pairs are farther apart.
 constexpr double kSearchDistance = 0.1;
-/// Largest number of parts into which one call of fly() divides the flight. Each part lasts as long as certainly no two
-/// clusters meet.
+/// Largest number of intervals into which one call of fly() divides the flight. An interval ends before the earliest
+/// time at which two clusters could meet.
 constexpr int kMaxFlights = 1000;
 
 /// Largest angle by which a tumbling cluster may turn in one step of the time integration (radians).
@@ -107,8 +107,8 @@ struct Attitude<3> {
   void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
 
-/// Turns the tangential vectors in the history of every contact (for example the elongations of springs) with the
-/// cluster of the contact. Contact normals are not turned, because they are computed anew before they are used.
+/// Turns the tangential vectors that every contact stores, such as the elongations of its springs, with the cluster of
+/// the contact. Contact normals are not turned, because they are computed anew before they are used.
 /// @param turned  function that turns a vector with the cluster of a grain
 template <class Turned>
 void turn_history(Packing<3>& packing, const Turned& turned) {

@@ -23,7 +23,7 @@ constexpr int kShuffleSweeps = 200;
 /// number of Monte Carlo sweeps after which growing the grains counts as failed
 constexpr int kMaxSweeps = 20000;
 constexpr double kGrowth = 1.01;  ///< factor by which all diameters grow whenever no grains overlap
-/// Distance between the centres of two grains to which they are pushed apart if they overlap, over the sum of their
+/// Overlapping grains are pushed apart until the distance between their centres is this multiple of the sum of their
 /// radii.
 constexpr double kParted = 1.001;
 /// number of passes over all grains after which pushing them apart counts as failed
@@ -263,12 +263,11 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
       std::pow(solid_volume<Dim>(diameter) / static_cast<double>(diameter.size()), 1.0 / Dim);
   for (int sweep = 0, at_size = 0; at_size < kShuffleSweeps; ++sweep) {
     if (sweep > kMaxSweeps)
-      throw InputError(
-          "assembly",
-          fmt::format(
-              "solid_fraction is too large: the grains, which grow from smaller sizes, overlap from {:.3f} of "
-              "their diameters on; expected a smaller solid_fraction",
-              scale));
+      throw InputError("assembly",
+                       fmt::format("solid_fraction is too large: the grains start at smaller sizes, and "
+                                   "overlap when they have grown "
+                                   "to {:.3f} of their diameters; expected a smaller solid_fraction",
+                                   scale));
     shuffle(hard, diameter, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
     const bool grown = at_size > 0 || all_free(hard, static_cast<int>(diameter.size()), scale);
     at_size += grown && scale == 1.0;

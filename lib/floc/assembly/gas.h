@@ -17,11 +17,12 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 
 /// Makes a gas: grains at rest in a square (in 3D cubic) cell, at random positions without overlap.
 /// 1. The grains are placed one by one. If the solid fraction is above about 0.4 (0.3 in 3D), they are placed with
-/// smaller diameters and then grow to their final diameters.
+///    smaller diameters and then grow to their final diameters.
 /// 2. In a gas of kind `equilibrated`, the grains grow while they make random Monte Carlo moves as hard spheres. The
-/// moves continue until their positions have no correlation with the first ones.
+///    moves continue until the positions of the grains have no correlation with their first positions.
 /// 3. In a gas of kind `sequential_addition`, the grains grow at once. Grains that then overlap are pushed apart to
-/// 1.001 times the sum of their radii.
+///    1.001 times the sum of their radii.
+///
 /// @throws InputError if the solid fraction is so high that the grains cannot grow to their final diameters without
 /// overlap
 template <int Dim>

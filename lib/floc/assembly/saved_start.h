@@ -13,12 +13,13 @@ struct SavedStart {
   /// Function that reads the packing from its file. It is called only when the run begins, so that memory holds a large
   /// packing only once.
   std::function<std::variant<Packing<2>, Packing<3>>()> read;
-  /// SHA-256 checksum of the file of the packing. The first state of the run records it as that of its parent.
+  /// SHA-256 checksum of the file of the packing. The first state of the run records it as the checksum of its parent.
   std::string sha256;
   /// number of copies of the packing that are joined side by side along each axis
   Vec<3, int> copies = Vec<3, int>::Ones();
 
-  /// Reads the packing from its file. @pre the packing has Dim dimensions
+  /// Reads the packing from its file.
+  /// @pre the packing has Dim dimensions
   template <int Dim>
   Packing<Dim> read_packing() const {
     return std::get<Packing<Dim>>(read());

@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Distance between the surfaces of two grains up to which they are stored as neighbours, whose next collision is
-/// predicted (in largest diameters).
+/// Largest distance between the surfaces of two neighbours (in largest diameters). Only the collisions of neighbours
+/// are predicted.
 constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 

@@ -43,11 +43,11 @@ const char* word_of(const std::optional<RunOutcome>& outcome);
 Table collected_runs(const Campaign& campaign, const std::vector<CasePlan>& plans,
                      const std::string& directory);
 
-/// Returns a table with one row per case, state and collected column of numbers. The row has the number n of samples,
-/// the mean, standard error and standard deviation s, and the lowest and highest value. If the campaign has a reference
-/// for this column, a mean over n_ref samples with the standard deviation s_ref, the row also has the reference and
-/// whether both means agree. They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref). Two
-/// means of the same quantity agree in 99 of 100 comparisons.
+/// Returns a table with one row per case, state and collected column of numbers: the number n of samples, their mean,
+/// standard error and standard deviation s, and their lowest and highest value. If the campaign has a reference for the
+/// column, a mean over n_ref samples with the standard deviation s_ref, the row also tells whether both means agree.
+/// They agree if they differ by at most `allowed` = 2.6 sqrt(s^2/n + s_ref^2/n_ref), as two means of one quantity do in
+/// 99 of 100 comparisons.
 /// @param runs  table that collected_runs() returns
 Table means_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const CsvTable& runs);
 

@@ -157,7 +157,8 @@ std::vector<double> one_or_more(TableReader& reader, const toml::table& table, c
   return value ? std::vector<double>{*value} : std::vector<double>{};
 }
 
-/// Reads a choice of states. @param otherwise  the choice that is returned if the key is missing
+/// Reads a choice of states.
+/// @param otherwise  the choice that is returned if the key is missing
 StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind otherwise) {
   StateChoice choice;
   choice.kind = otherwise;

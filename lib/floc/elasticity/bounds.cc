@@ -11,12 +11,13 @@
 namespace floc {
 namespace {
 
-/// Pressure below which B_reuss is set to zero, because an equilibrium solved to 1e-8 cannot tell it from zero; as a
-/// share of the pressure that the magnitudes of the normal forces would give if all were compressive.
+/// B_reuss is set to zero if the pressure is below this share of sum |F_N| r/(Dim V), the pressure that the normal
+/// forces F_N would give if all were compressive (distance r between centres, volume V). An equilibrium solved to 1e-8
+/// cannot tell such a pressure from zero.
 constexpr double kNoPressure = 1e-8;
-/// The contact forces count as balanced if the net force on each grain and wall is at most this share of the largest
-/// contact force: a hundred times the tolerance of an equilibrium. A smaller net force changes the complementary energy
-/// by a share of the same order.
+/// The contact forces count as balanced if the net force on each grain is at most this share of the largest contact
+/// force, a hundred times the tolerance of an equilibrium. For a pair of walls, the share is of the sum of the forces
+/// on them. Such a net force changes the complementary energy by a share of the same order.
 constexpr double kBalanced = 1e-3;
 
 struct Sums {
@@ -25,9 +26,9 @@ struct Sums {
   double kt = 0.0;
   double force = 0.0;  // sum of the normal forces F_N
   double complementary = 0.0;
-  // sum over touching contacts of K_N times F^2/K, itself summed over the springs of the contact
+  // sum over touching contacts of K_N times the sum of F^2/K over the springs of the contact
   double scaled = 0.0;
-  double virial = 0.0;  // sum of |F_N| r over touching contacts, with the branch length r
+  double virial = 0.0;  // sum of |F_N| r over touching contacts, with the distance r between centres
 };
 
 template <int Dim>
@@ -51,9 +52,9 @@ Sums sum_over_contacts(const ContactNetwork<Dim>& network) {
 }
 
 /// Returns the mean-field bulk modulus z Phi K_N <r^2>/(2 Dim^2 <v>), with the coordination number z, the solid
-/// fraction Phi, the branch length r and the mean volume <v> of a grain. For branches between grains whose diameters d
-/// are drawn independently, <r^2> = (<d^2> + <d>^2)/2. The modulus is then z Phi (<d^2> + <d>^2) K_N/(4 pi <d^2>) in 2D
-/// and z Phi (<d^2> + <d>^2) K_N/(6 pi <d^3>) in 3D. The Reuss form takes <d>^2 in place of <r^2>.
+/// fraction Phi, the distance r between the centres of touching grains and the mean volume <v> of a grain. The Voigt
+/// form takes <r^2> = (<d^2> + <d>^2)/2, as if the diameters d of touching grains were independent. The Reuss form
+/// takes <d>^2 in place of <r^2>.
 /// @param kn                  mean normal stiffness K_N
 /// @param mean_square_branch  <r^2>, or <d>^2 for the Reuss form
 /// @param mean_size_power     <d^Dim>
@@ -79,8 +80,8 @@ void add_printed_forms(const ContactNetwork<Dim>& network, const MeanField& m, c
   b.B_reuss_printed = mean_field_bulk<Dim>(m, kn, d * d, power) / b.Z2;
 }
 
-/// Returns the forces and moments that a contact carries, in the order of the rows of ContactRows: normal, tangential,
-/// twisting (in 3D), rolling.
+/// Returns the force and the moment that a contact carries, as components in the order of the rows of ContactRows:
+/// normal force, tangential force, moment about the normal (in 3D), rolling moment.
 template <int Dim>
 RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   RowStiffness<Dim> f;
@@ -92,8 +93,9 @@ RowStiffness<Dim> row_forces(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Returns whether the contact forces balance on every grain, and on each pair of walls that may move together. The
-/// principle of minimum complementary energy, which gives the Reuss bound, admits only forces that balance.
+/// Returns whether the contact forces balance on every grain, and on the two walls of each axis, which may move
+/// together. The principle of minimum complementary energy, which gives the Reuss bound, admits only forces that
+/// balance.
 template <int Dim>
 bool forces_balance(const ContactNetwork<Dim>& network) {
   Eigen::VectorXd on_grains = Eigen::VectorXd::Zero(network.n_unknowns());

@@ -10,31 +10,30 @@ namespace floc {
 /// Bounds on the bulk and shear moduli of a contact network (docs/physics.md, "Bounds"), in units of stress
 /// (force/length^(Dim-1)).
 struct Bounds {
-  /// Voigt bounds: stiffness if the grains follow the strain affinely, without rotations. B_voigt is the sum over
-  /// contacts of K_N r^2/(Dim^2 V), with the normal stiffness K_N, the branch length r and the volume V; G_voigt is the
-  /// analogous sum for shear. Where the network is stable, they are upper bounds on the strain-controlled bulk modulus
-  /// B_C and on the shear modulus G = (C11 + C22 - 2 C12)/4 (in 3D the mean of G over the three pairs of axes), with
-  /// the moduli C.
+  /// Voigt bounds: moduli if every grain follows the strain of the cell, without rotation. B_voigt is the sum over
+  /// contacts of K_N r^2/(Dim^2 V), with the normal stiffness K_N, the distance r between the two centres and the
+  /// volume V; G_voigt is the analogous sum for shear. In a stable network they are upper bounds on the bulk modulus
+  /// B_C under imposed strain, and on the shear modulus G = (C11 + C22 - 2 C12)/4 with the moduli C. In 3D, G is the
+  /// mean over the three pairs of axes.
   double B_voigt = 0.0;
   double G_voigt = 0.0;
-  /// Reuss bound V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R), with the pressure P and the sum over contacts of the
-  /// normal and tangential force and the rolling moment of the state, each divided by its stiffness. Attractions across
-  /// a gap are left out of the sum. 0 at P = 0. Where `fault` is empty, it is a lower bound on the strain-controlled
-  /// bulk modulus B_C, by the inequality of Cauchy and Schwarz (1.sigma)^2 <= (1.C 1) (sigma.S sigma) with the
-  /// compliance S = C^-1. If the stress sigma is isotropic, it is also a lower bound on the stress-controlled modulus
-  /// B_S.
+  /// Reuss bound V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R), with the volume V, the pressure P and a sum over
+  /// touching contacts: normal force F_N, tangential force F_T and rolling moment Gamma (in 3D also the twisting
+  /// moment), each squared and divided by its stiffness. 0 at P = 0. Where `fault` is empty, it is a lower bound on the
+  /// bulk modulus B_C under imposed strain, by the inequality of Cauchy and Schwarz. If the stress is isotropic, it is
+  /// also a lower bound on the bulk modulus B_S under imposed stress.
   double B_reuss = 0.0;
-  /// Reason why B_reuss <= B_C <= B_voigt is not guaranteed, as a clause after "because". Empty if the inequality is a
-  /// theorem: no force acts across a gap, no stiffness is negative, and the forces balance.
+  /// Reason why B_reuss <= B_C <= B_voigt is not guaranteed, as a clause that follows "because". Empty if the
+  /// inequality is a theorem: no force acts across a gap, no stiffness is negative, and the forces balance.
   std::string fault;
-  /// Mean-field forms of the bounds as printed in [GRC2008], in which averages of products are replaced by products of
-  /// averages.
+  /// B_voigt, G_voigt and B_reuss in the mean-field forms printed in [GRC2008], which replace averages of products by
+  /// products of averages.
   double B_voigt_printed = 0.0;
   double G_voigt_printed = 0.0;
   double B_reuss_printed = 0.0;
-  /// Ratio `<F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2` of averages over touching contacts, with the forces
-  /// and stiffnesses in B_reuss; B_reuss_printed is inversely proportional to it. Infinite if `<F_N>` = 0 or if no
-  /// grains touch.
+  /// Ratio `<F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2` of averages over touching contacts, with the normal
+  /// force F_N, the tangential force F_T, the rolling moment Gamma and their stiffnesses. B_reuss_printed is inversely
+  /// proportional to it. Infinite if `<F_N>` = 0 or if no grains touch.
   double Z2 = std::numeric_limits<double>::infinity();
 };
 
@@ -46,7 +45,7 @@ struct MeanField {
 
 /// Computes the bounds on the moduli of a network from the stiffnesses and forces of its contacts.
 /// @param pressure    P, mean of the diagonal of the static stress (force/length^(Dim-1))
-/// @param mean_field  averages for `B_voigt_printed`, `G_voigt_printed` and `B_reuss_printed`
+/// @param mean_field  averages over the packing, for `B_voigt_printed`, `G_voigt_printed` and `B_reuss_printed`
 template <int Dim>
 Bounds elastic_bounds(const ContactNetwork<Dim>& network, double pressure, const MeanField& mean_field);
 

@@ -83,8 +83,8 @@ Chord chord_of(const std::vector<Vec<2>>& branches) {
   return chord;
 }
 
-/// Returns three motions of the last disk, one per column: by a unit along the chord, by a unit across the chord, and
-/// by a unit rotation about the middle of the chord.
+/// Returns three motions of the last disk, one per column: a unit displacement along the chord (the line through the
+/// centres of the end disks), a unit displacement across it, and a unit rotation about its middle.
 Mat<3> end_motions(const Chord& chord) {
   Mat<3> motion = Mat<3>::Zero();
   motion.block<2, 1>(0, 0) = chord.along;
@@ -94,8 +94,8 @@ Mat<3> end_motions(const Chord& chord) {
   return motion;
 }
 
-/// Returns the springs of a chain whose first disk is fixed and whose last disk moves by combinations of `motions` (one
-/// per column). The disks in between are the free unknowns.
+/// Returns the springs of a chain of disks. The first disk is fixed, the last disk moves by combinations of the columns
+/// of `motions`, and the disks in between are free.
 SpringSystem chain_springs(const ContactNetwork<2>& network, const Mat<3>& motions) {
   const Eigen::SparseMatrix<double> rigidity = rigidity_matrix(network, StrainSet::diagonal);
   SpringSystem springs;
@@ -118,7 +118,8 @@ SpringInverse invert(const SpringSystem& springs, SymmetricFactor& factor) {
   return invert_singular(factor, springs, kUnused);
 }
 
-/// Compliance matrix of the last disk of a chain, and a bound on the error of each of its entries.
+/// Compliance matrix of the last disk of a chain (its motion per load), and a bound on the error of each of its
+/// entries.
 struct Compliance {
   Mat<3> value, error;
 
@@ -131,8 +132,9 @@ Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   Compliance c;
   // The stiffness matrix is inverted in extended precision, because terms cancel where soft and stiff directions mix.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
-  // E bounds the error of the stiffness S. Then |S^-1 - exact^-1| <= |S^-1| E |exact^-1|, and |exact^-1| is at most
-  // |S^-1|/(1 - change). A diagonal scaling gives all entries the same unit, so that `change` is a number.
+  // The error E of the stiffness matrix S changes its inverse by at most |S^-1| E |exact^-1|, where `exact` is S
+  // without error and |exact^-1| <= |S^-1|/(1 - change). `change` is the norm of |S^-1| E after a diagonal scaling,
+  // which gives all entries the same unit.
   const Mat<3> size = c.value.cwiseAbs();
   const Vec<3> scale = stiffness.diagonal().cwiseAbs().cwiseSqrt();
   const Mat<3> relative = scale.asDiagonal() * (size * error) * scale.cwiseInverse().asDiagonal();

@@ -27,9 +27,9 @@ double chain_axial_compliance(int n, const ChainStiffness& k);
 ///
 ///   1/K_T^(n) = (n-1)/K_T + n (n-1) (n-2) R^2 / (3 K_R)
 ///
-/// It is the compliance of the pair of disks to which the chain is equivalent: of radius (n-1) R, with their contact in
-/// the middle of the chain, where a transverse force does not turn the two ends relative to each other. The formula is
-/// exact: it equals the solved network to rounding. The formula printed as Eq. 16 of [GRC2008] is a different
+/// Two disks of radius (n-1) R, with this compliance in their contact, are equivalent to the chain. Their contact lies
+/// in the middle of the chain, where a transverse force does not turn the two ends relative to each other. The formula
+/// is exact: it equals the compliance of the solved network to rounding. Eq. 16 of [GRC2008] as printed is a different
 /// displacement, see end_disk_deflection().
 /// @param n  number of disks, in kChainLength; for n = 2 the chain is a single contact
 /// @param R  radius of the disks (length), > 0
@@ -68,10 +68,10 @@ struct BoundedValue {
 /// The chord is the line through the centres of the end disks.
 struct SolvedChain {
   BoundedValue axial;  ///< displacement of the last disk along the chord, per force along the chord
-  /// displacement of the last disk across the chord, per force across the middle of the chord
+  /// displacement of the last disk across the chord, per force that acts across the chord at its middle
   BoundedValue transverse;
-  BoundedValue rolling;  ///< rotation of the last disk per moment on it
-  /// displacement of the last disk's centre across the chord, per force across the chord through the last contact
+  BoundedValue rolling;  ///< rotation of the last disk per moment on this disk
+  /// displacement of the last disk's centre across the chord, per force that acts across the chord at the last contact
   BoundedValue end_disk;
   /// estimated condition number of the stiffness matrix; infinite if it is singular to rounding
   double condition;
@@ -83,8 +83,8 @@ struct SolvedChain {
 std::vector<Vec<2>> bent_chain(int n, double bend);
 
 /// Solves the contact network of a chain for its compliances, with error bounds.
-/// @param branches  unit vectors from each disk to the next; their number plus one, the number of disks, has to be in
-///                  kChainLength. The last disk must not coincide with the first
+/// @param branches  unit vectors from the centre of each disk to the centre of the next: one fewer than the number of
+///                  disks, which has to be in kChainLength. The last disk must not coincide with the first
 /// @param R         radius of the disks (length), > 0
 /// @param k         stiffnesses of a contact
 /// @throws InputError if R or a stiffness is not positive, or if the last disk lies on the first

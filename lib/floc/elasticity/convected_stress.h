@@ -6,17 +6,18 @@
 
 namespace floc {
 
-/// Returns the component of a symmetric tensor that is work-conjugate to a strain unknown.
-/// @param column  number of the strain unknown in the order of StrainSet
+/// Returns the component of a stress tensor that does work on one of the strains of the cell.
+/// @param column  number of this strain in the order of StrainSet
 template <int Dim>
 double conjugate(const Mat<Dim>& tensor, int column) {
   return (tensor.transpose() * unit_strain<Dim>(column)).trace();
 }
 
-/// Returns the term that prestress adds to the moduli (relaxed stiffness K over the volume V), because a strain E
-/// convects the static stress sigma: -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md, "Prestress").
+/// Returns the term that prestress adds to the moduli, because a strain E of the cell convects the static stress sigma:
+/// -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md, "Prestress"). It is added to K/V, with the stiffness K
+/// against strain after relaxation of the grains and the volume V.
 /// @param stress  static stress sigma, compression positive (force/length^(Dim-1))
-/// @param n       number of strain unknowns, in the order of StrainSet
+/// @param n       number of strains of the cell, in the order of StrainSet
 /// @return n x n matrix, in the unit of the stress
 template <int Dim>
 Eigen::MatrixXd convected_stress(const Mat<Dim>& stress, int n) {

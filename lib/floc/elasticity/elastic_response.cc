@@ -16,9 +16,9 @@
 namespace floc {
 namespace {
 
-/// Lists the springs of a network, with stiffnesses divided by `unit` (force/length). The free unknowns are the reduced
-/// unknowns of the grains. The boundary unknowns are the strains and, between walls, the wall shifts: the common
-/// displacements of the two walls of an axis.
+/// Lists the springs of a network, with stiffnesses divided by `unit` (force/length). Their free unknowns are the
+/// motions of the grains that are solved for. Their boundary unknowns are the strains of the cell and, between walls,
+/// the wall shifts: the common displacements of the two walls of an axis.
 template <int Dim>
 class SpringList {
  public:
@@ -76,7 +76,8 @@ class SpringList {
   SpringSystem springs_;
 };
 
-/// Elastic problem of a network: its grains without dead ends, the unknowns that are solved for, and the answer.
+/// Elastic problem of a contact network: the network without dead ends, the motions that are solved for, and the
+/// answer. A dead end is a grain that hangs on a single contact.
 template <int Dim>
 struct Problem {
   const ContactNetwork<Dim>& whole;
@@ -117,8 +118,8 @@ struct Problem {
     return std::move(answer);
   }
 
-  /// Turns a condensation of the springs into the answer, in the unknowns of the whole network.
-  /// @param norm  norm of the stiffness matrix, or a number below it
+  /// Converts the condensed springs into the answer, in the unknowns of the whole network.
+  /// @param norm  norm of the stiffness matrix, or a lower bound on this norm
   ElasticResponse take(const Condensation& condensed, double norm) {
     ElasticResponse& out = answer;
     out.n_negative += out.free.n_unstable_ends;
@@ -162,13 +163,15 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
   return diagonal;
 }
 
-/// Largest number of iteration steps with a factor made for another network. With more steps, a new factor is cheaper
-/// (for 1400 grains, it takes as long as some 30 steps).
+/// Largest number of iteration steps with a factor that was made for another network. If more steps are needed, a new
+/// factor is cheaper: for 1400 grains, it takes as long as some 30 steps.
 constexpr int kMaxSteps = 40;
 
-/// Solves by refinement with an approximate inverse whose accuracy is not known.
+/// Solves for the motions of the grains by refinement with an approximate inverse of the stiffness matrix, whose
+/// accuracy is not known.
 /// @param apply  returns the product of the approximate inverse with a vector
-/// @param start  motions of the grains from which the refinement starts, one column per boundary unknown; may be empty
+/// @param start  motions of the grains from which the refinement starts, one column per strain or wall displacement;
+///               may be empty
 /// @return no value if the refinement does not converge
 template <int Dim>
 std::optional<ElasticResponse> solve_by_approximate_inverse(
@@ -231,18 +234,19 @@ class InheritedInverse {
 
  private:
   const ResponseMemory& memory_;
-  // diagonal entry of each unknown that the factor does not contain; 0 for the others
+  // diagonal entry of the stiffness matrix for each unknown that the factor does not contain; 0 for the other unknowns
   Eigen::VectorXd diagonal_;
-  std::vector<int> row_;  // for each row of the factor, the row in this network; -1 if there is none
-  // for each row of the factor, the factor between the values solved for in the two networks
+  std::vector<int>
+      row_;  // for each row of the factor, the row of its unknown in this network; -1 if there is none
+  // for each row of the factor, the value solved for in the other network over the value solved for in this network
   std::vector<double> scale_;
 };
 
 template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
-  // The stored fluctuation, the initial guess of the solver, has a column for each strain but none for the shift of a
-  // wall. It is of no use to a packing between walls.
+  // The stored fluctuation is the initial guess of the solver. It has a column for each strain but none for
+  // displacements of walls, so that it cannot be used for a packing between walls.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))

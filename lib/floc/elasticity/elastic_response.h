@@ -21,51 +21,55 @@ enum class ResponseSolver {
 struct ResponseOptions {
   ResponseSolver solver = ResponseSolver::factor;
   StrainSet strains = StrainSet::diagonal;
-  /// whether K contains the geometric terms of the normal forces, see StiffnessOptions
+  /// whether the stiffness matrix K contains the geometric terms of the normal forces, see StiffnessOptions
   bool prestress = false;
   Ordering ordering = Ordering::automatic;
-  /// Tolerance on the error of the diagonal entries of ElasticResponse::relaxed, relative to each of them. The solution
-  /// is refined until the error bounds are below it or until rounding stops the progress. With the default value, one
-  /// refinement step usually suffices.
+  /// Tolerance on the relative error of each diagonal entry of ElasticResponse::relaxed. The solution is refined until
+  /// the error bounds are below it or until rounding stops the progress. With the default value, one refinement step
+  /// usually suffices.
   double tolerance = 1e-11;
   /// Largest absolute eigenvalue of the stiffness matrix K that counts as a mechanism, divided by the largest contact
-  /// stiffness (with rotations multiplied by the grain's size). It is used where K may be indefinite; otherwise the
-  /// rank of the square root of K shows the mechanisms. Rounding of K moves an eigenvalue by some 1e-15. In real
-  /// packings, near-mechanisms that contribute 3 % of the bulk modulus have had eigenvalues down to 6e-13; they must
-  /// stay above this bound.
+  /// stiffness; rotations are multiplied by the grain's size. Rounding of K moves an eigenvalue by some 1e-15.
+  /// Near-mechanisms must stay above this bound: in real packings, some with eigenvalues down to 6e-13 have contributed
+  /// 3 % of the bulk modulus. The bound is used only where K may be indefinite; otherwise the rank of the square root
+  /// of K shows the mechanisms.
   double mechanism_bound = 1e-13;
-  /// Largest size of a factor in double precision (bytes). A factor whose predicted size is larger is not computed.
+  /// Largest size of a factor of K in double precision (bytes). A factor whose predicted size is larger is not
+  /// computed.
   double largest_factor = std::numeric_limits<double>::infinity();
 };
 
 /// Linear response of a contact network to strains of its cell, if no contact slides.
 struct ElasticResponse {
-  /// Volume times stress per unit strain after relaxation of the grains: the Schur complement of the strains in the
-  /// stiffness matrix K of grains and strains. Rows and columns are in the order of StrainSet. Symmetric. Without
-  /// prestress, `relaxed` over the volume is the matrix of moduli.
+  /// Volume times stress per unit strain of the cell after relaxation of the grains: the Schur complement of the
+  /// strains in the stiffness matrix K of grains and strains. Rows and columns are in the order of StrainSet.
+  /// Symmetric. Without prestress, `relaxed` over the volume is the matrix of moduli.
   Eigen::MatrixXd relaxed;
-  /// Bound on the error of each entry of `relaxed` that results from forces that still do not balance and from rounding
-  /// in the geometry of the contacts (branches are assumed correct to a few units in the last place). Infinite if no
-  /// bound can be given.
+  /// Bound on the error of each entry of `relaxed`, due to the net forces that remain on grains and to rounding in the
+  /// geometry of the contacts. The vectors between centres are assumed correct to a few units in the last place.
+  /// Infinite if no bound can be given.
   Eigen::MatrixXd error;
-  /// Fluctuation of the grains (their motion relative to the affine motion) per unit strain: one row per unknown of K,
-  /// one column per strain. Zero for unknowns that no contact resists.
+  /// Fluctuation of the grains (their motion relative to the affine motion) per unit strain: one row per unknown of the
+  /// stiffness matrix K, one column per strain. Zero for unknowns that no contact resists.
   Eigen::MatrixXd fluctuation;
   /// Common displacement of the two walls of an axis per unit strain, such that both walls bear the same force: one row
   /// per axis, one column per strain. Empty without walls.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
-  /// number of common displacements of two walls, with the grains, that no stiffness resists
+  /// number of common displacements of the two walls of an axis that, with the grains, no stiffness resists
   int n_free_shifts = 0;
-  /// number of negative eigenvalues of grains and wall shifts, unstable dead ends included
+  /// number of negative eigenvalues of the stiffness of grains, wall shifts and dead ends
   int n_negative = 0;
-  /// number of negative eigenvalues of the stiffness of the wall shifts (`wall_shift`) after relaxation of the grains
+  /// number of negative eigenvalues of the stiffness against wall shifts (`wall_shift`) after relaxation of the grains
   int n_negative_shifts = 0;
-  int n_mechanisms = 0;  ///< number of zero eigenvalues of K; the free motions in `free` do not count
-  /// relative backward error: largest net force over the size of the forces that add up to it
+  int n_mechanisms =
+      0;  ///< number of zero eigenvalues of the stiffness matrix K, except the free motions in `free`
+  /// relative backward error of the solution: largest net force on a grain over the size of the forces that add up to
+  /// it
   double residual = 0.0;
-  double condition = 1.0;  ///< estimated condition number of K; infinite if there are mechanisms
-  /// false if rounding leaves no digit of `relaxed` correct, even with the square root of K
+  double condition =
+      1.0;  ///< estimated condition number of the stiffness matrix K; infinite if there are mechanisms
+  /// false if rounding leaves no digit of `relaxed` correct, even with the square root of the stiffness matrix
   bool resolved = true;
   /// Whether the solver counts negative eigenvalues and mechanisms. If it does not, `error` is an estimate instead of a
   /// bound.
@@ -73,7 +77,8 @@ struct ElasticResponse {
   int steps = 0;  ///< number of refinement steps of the solution
   /// Reason why there is no response, as a sentence; empty if there is a response.
   std::string failure;
-  /// Predicted size of the factor of K (bytes) if there is no response because this size is too large; otherwise 0.
+  /// Predicted size of the factor of the stiffness matrix (bytes) if it is too large, so that there is no response;
+  /// otherwise 0.
   double factor_bytes = 0.0;
 };
 
@@ -84,25 +89,26 @@ template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options);
 
-/// Solves for the response with a given factor. Its symbolic part is kept from one network to the next as long as the
-/// contacts are the same. Its ordering replaces `options.ordering`.
+/// Solves for the response of a network with a given object for the factor. The symbolic part of the factor is kept
+/// from one network to the next as long as the contacts are the same. Its ordering replaces `options.ordering`.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, SymmetricFactor& factor);
 
-/// Solution and factor that are kept from one state to the next. The solution is the start of the next iteration by
-/// conjugate gradients, and the factor is its preconditioner as long as few contacts have changed.
+/// Solution and factor of an elastic response that are kept from one state to the next. The next iteration by conjugate
+/// gradients starts from the solution. The factor is its preconditioner as long as few contacts have changed.
 struct ResponseMemory {
   std::unique_ptr<SymmetricFactor> factor;
-  std::vector<int> unknown;  ///< for each row of the factor, its unknown of the stiffness matrix K
-  Eigen::VectorXd length;    ///< for each row of the factor, its unknown of K divided by the value solved for
+  std::vector<int> unknown;  ///< for each row of the factor, the number of its unknown in the stiffness matrix
+  /// for each row of the factor, the unknown over the value solved for: 1, or for rotations 1/(size of the grain)
+  Eigen::VectorXd length;
   Eigen::MatrixXd fluctuation;  ///< fluctuation of the grains of the last network, see ElasticResponse
 };
 
-/// Solves for the response by conjugate gradients. The iteration starts from the solution in `memory` and uses the
-/// factor in `memory` as preconditioner. It ends when the estimated error is within `options.tolerance`. A new factor
-/// is computed and kept if `memory` is empty, if the number of grains has changed, or if the iteration takes many
-/// steps.
+/// Solves for the elastic response of a network by conjugate gradients. The iteration starts from the solution in
+/// `memory` and uses the factor in `memory` as preconditioner. It ends when the estimated error is within
+/// `options.tolerance`. A new factor is computed and kept if `memory` is empty, if the number of grains has changed, or
+/// if the iteration takes many steps.
 template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, ResponseMemory& memory);

@@ -11,8 +11,8 @@ namespace floc {
 /// in a small step of stress or strain. A coefficient is absent if one of the two quantities is the same in all
 /// contacts.
 struct ForceCorrelation {
-  std::optional<double> normal;  ///< normal force and its increment, both with their signs
-  /// magnitude of the contact force (normal and tangential) and magnitude of its increment
+  std::optional<double> normal;  ///< coefficient for the normal force and its increment, both with their signs
+  /// coefficient for the magnitude of the contact force (normal and tangential) and the magnitude of its increment
   std::optional<double> size;
 };
 

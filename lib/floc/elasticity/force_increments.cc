@@ -12,8 +12,8 @@ namespace {
 
 /// Share of the energy of all touching contacts that StepResponse::n_holding contacts hold together.
 constexpr double kHeldShare = 0.95;
-/// A unit stress counts as doing no work on a strain without stiffness if the work is below this value: the strain is
-/// an eigenvector that is accurate to rounding.
+/// A unit stress counts as doing no work on a strain that no stiffness resists if the work is below this value. The
+/// strain is an eigenvector that is accurate to rounding.
 constexpr double kNoWork = 1e-9;
 
 template <int Dim>
@@ -34,7 +34,8 @@ std::optional<Eigen::VectorXd> strain_of(const ContactNetwork<Dim>& network, con
   const Eigen::MatrixXd relaxed = response.relaxed.topLeftCorner(Dim, Dim);
   const Eigen::MatrixXd free = vanishing_strains(relaxed, affine_stiffness(network, StrainSet::diagonal));
   if ((free.transpose() * stress).norm() > kNoWork) return std::nullopt;
-  // Strains that no stiffness resists are given one, so that the system can be solved; the stress does no work on them.
+  // The strains in `free`, which no stiffness resists, are given a stiffness, so that the system can be solved. The
+  // stress does no work on them.
   const Eigen::MatrixXd held = relaxed + relaxed.trace() * free * free.transpose();
   return Eigen::VectorXd(network.volume * solve_symmetric(held, stress));
 }
@@ -46,7 +47,7 @@ double energy_of(const NetworkContact<Dim>& c, const ForceIncrement<Dim>& f) {
          term(f.rolling_moment.squaredNorm(), c.kr) + term(f.twisting_moment * f.twisting_moment, c.ktw);
 }
 
-/// Converts the forces along the rows of ContactRows to the forces and moments of the contact.
+/// Converts the components of a contact's force and moment from the order of ContactRows into a ForceIncrement.
 template <int Dim>
 ForceIncrement<Dim> increment_of(const NetworkContact<Dim>& c, const ForceRows<Dim>& forces) {
   ForceIncrement<Dim> f{forces[0], forces.template segment<Dim - 1>(1), RotationVector<Dim>::Zero(), 0.0};

@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// Change of the forces and moments of one contact, in the frame of the contact, with the signs of `Contact`.
+/// Change of the forces and moments of one contact, as components in the frame of the contact, with the sign
+/// conventions of `Contact`.
 template <int Dim>
 struct ForceIncrement {
   double normal;  ///< change of the normal force (force)
@@ -17,10 +18,10 @@ struct ForceIncrement {
   double twisting_moment;  ///< change of the moment on grain i about the normal, in 3D (force * length)
 };
 
-/// Computes the forces k G U that a small strain adds in every contact if no contact slides, with the contact
-/// stiffnesses k, the rigidity matrix G and the motion U of grains and strains. Without prestress, the forces of dead
-/// ends do not change.
-/// @param strain  one entry per strain unknown of the response, shortening positive
+/// Computes the forces k G U that a small strain of the cell adds in every contact if no contact slides. k are the
+/// contact stiffnesses, G is the rigidity matrix, and U are the strains and the motions of the grains. Without
+/// prestress, the forces on dead ends (grains that hang on a single contact) do not change.
+/// @param strain  strains of the cell, in the order in which the response contains them, shortening positive
 template <int Dim>
 std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& network,
                                                   const ElasticResponse& response,
@@ -37,11 +38,11 @@ struct StepResponse {
   Eigen::VectorXd strain;                       ///< diagonal strains of the cell (1/stress)
   std::vector<ForceIncrement<Dim>> increments;  ///< increment of the forces in each contact, per unit of stress
   /// Elastic energy 1/2 sum f^2/k of each contact (energy/stress^2), with the force increments f and the stiffnesses k;
-  /// negative for an attraction across a gap. The sum over all contacts is half the work of the stress, V (strain .
-  /// stress)/2, with the volume V.
+  /// negative for an attraction across a gap. The sum over all contacts is half the work of the stress, (strain .
+  /// stress) V/2, with the volume V.
   std::vector<double> energy;
   std::vector<int> rank;  ///< place of each contact in descending order of `energy`, from 0
-  /// Smallest number of touching contacts that together hold 95 % of the energy of all touching contacts.
+  /// Smallest number of touching contacts that together hold 95 % of the elastic energy of all touching contacts.
   int n_holding = 0;
   double energy_share_95 = 0.0;  ///< `n_holding` over the number of touching contacts
 };

@@ -8,8 +8,8 @@
 namespace floc {
 namespace {
 
-/// Returns the ratio G/B of the shear and bulk moduli if the motion is affine and the directions of contacts are
-/// isotropic.
+/// Returns the ratio G/B of the shear and bulk moduli if the grains follow the strain of the cell and the directions of
+/// contacts are isotropic.
 /// @param ratio  ratio K_T/K_N of tangential to normal stiffness
 double shear_over_bulk(int dimension, double ratio) {
   return dimension == 2 ? (1.0 + ratio) / 2.0 : 0.6 * (1.0 + 1.5 * ratio);
@@ -70,8 +70,8 @@ MeanFieldEstimates mean_field_estimates(const ContactNetwork<Dim>& network, doub
   const Averages m = average(network);
   if (m.n == 0.0) return out;
   const Sizes s = sizes_of(network);
-  // Number of contacts per volume, over Dim^2. For diameters d drawn independently, the squared branch length r has the
-  // mean <r^2> = (<d^2> + <d>^2)/2.
+  // Number of contacts per volume, over Dim^2. For grains whose diameters d are drawn independently, the squared
+  // distance between centres has the mean (<d^2> + <d>^2)/2.
   const double density = 0.5 * coordination * solid_fraction / s.volume / (Dim * Dim);
   out.B_voigt = density * m.kn * 0.5 * (s.d2 + s.d * s.d);
   out.G_voigt_rough = shear_over_bulk(Dim, m.kt / m.kn) * out.B_voigt;

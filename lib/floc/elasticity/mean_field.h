@@ -20,8 +20,9 @@ struct MeanFieldEstimates {
   /// the rolling moment Gamma and their stiffnesses. K_N may differ from contact to contact, unlike in
   /// Bounds::B_reuss_printed.
   double B_reuss = 0.0;
-  /// Ratio `<F_N^(5/3) (1 + (K_N/K_T) F_T^2/F_N^2)>/<F_N>^(5/3)` of averages over contacts with F_N > 0. For Hertz
-  /// contacts B_voigt/B_reuss = Z(1/3) Z_hat, with `Z(1/3) = <F_N^(1/3)>/<F_N>^(1/3)`.
+  /// Ratio `<F_N^(5/3) (1 + (K_N/K_T) F_T^2/F_N^2)>/<F_N>^(5/3)` of averages over contacts with a normal force F_N > 0,
+  /// with the tangential force F_T and the stiffnesses K_N and K_T. For Hertz contacts B_voigt/B_reuss = Z(1/3) Z_hat,
+  /// with `Z(1/3) = <F_N^(1/3)>/<F_N>^(1/3)`.
   double Z_hat = 0.0;
 };
 
@@ -35,8 +36,10 @@ MeanFieldEstimates mean_field_estimates(const ContactNetwork<Dim>& network, doub
 /// Mean-field estimates of the moduli of equal spheres with Hertz contacts, from averages alone, without a packing.
 struct HertzMeanField {
   double kn_over_a = 0.0;  ///< mean normal stiffness `<K_N>` over the diameter a (force/length^2)
-  double B = 0.0;          ///< bulk modulus (1/2) (z Phi E/(3 pi))^(2/3) P^(1/3) Z(1/3); see hertz_mean_field()
-  double G_rough = 0.0, G_smooth = 0.0;  ///< shear moduli with the tangential stiffness, and without it
+  double B =
+      0.0;  ///< bulk modulus (1/2) (z Phi E/(3 pi))^(2/3) P^(1/3) Z(1/3), with the symbols of hertz_mean_field()
+  double G_rough = 0.0,
+         G_smooth = 0.0;  ///< shear moduli with the tangential stiffness of the contacts, and without it
 };
 
 /// Computes the mean-field estimates of the moduli of equal spheres with Hertz contacts.

@@ -10,21 +10,21 @@
 namespace floc {
 namespace {
 
-/// Largest absolute eigenvalue that counts as zero in the stiffness of the strains after relaxation of the grains,
-/// because it may be due to rounding; as a share of the trace of the stiffness of affine motion.
+/// Largest absolute eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the
+/// grains, because it may be due to rounding. It is a share of the trace of the stiffness without relaxation.
 constexpr double kVanishingStiffness = 1e-11;
-/// Standard deviation of the random displacements that bring grains to general positions, as a share of their size: of
-/// order one, but not so large that the two grains of a contact change places.
+/// Standard deviation of the random displacements that bring grains to general positions, over the size of the grain.
+/// It is of order one, but not so large that the two grains of a contact change places.
 constexpr double kDisplacement = 0.2;
 
-/// Returns |p|^2/|v|^2 for the projection p of a vector v onto the span of the orthonormal columns.
+/// Returns |p|^2/|v|^2, where p is the projection of the vector v onto the span of the given orthonormal columns.
 double share_in(const Eigen::MatrixXd& columns, const Eigen::VectorXd& v) {
   return (columns.transpose() * v).squaredNorm() / v.squaredNorm();
 }
 
 template <int Dim>
 std::vector<std::string> vanishing_moduli(const Eigen::MatrixXd& strains) {
-  // Eigenvectors of zero are accurate to rounding, because all other eigenvalues are much larger.
+  // Eigenvectors of the eigenvalue zero are accurate to rounding, because all other eigenvalues are much larger.
   constexpr double kRounding = 1e-9;
   const Eigen::Index n = strains.rows();
   const auto vanishes = [&](const Eigen::VectorXd& v) { return share_in(strains, v) > 1.0 - kRounding; };

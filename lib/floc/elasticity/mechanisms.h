@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Strains of the cell that no stiffness resists when the grains relax: mechanisms that couple to strain.
+/// Strains of the cell that no stiffness resists when the grains relax.
 struct StrainMechanisms {
   Eigen::MatrixXd strains;  ///< one of these strains per column, orthonormal; rows in the order of StrainSet
   /// fluctuation of the grains under each of these strains; one row per unknown of the stiffness matrix
@@ -19,19 +19,19 @@ struct StrainMechanisms {
   std::vector<std::string> vanishing;
 };
 
-/// Returns the strains that no stiffness resists, as orthonormal columns: the eigenvectors of `relaxed` whose absolute
-/// eigenvalue is at most 1e-11 of the trace of `affine`.
+/// Returns the strains of the cell that no stiffness resists, as orthonormal columns: the eigenvectors of `relaxed`
+/// whose absolute eigenvalue is at most 1e-11 of the trace of `affine`.
 /// @param relaxed  volume times stress per unit strain after relaxation of the grains, see ElasticResponse
-/// @param affine   affine_stiffness() for the same strains
+/// @param affine   volume times stress per unit strain without relaxation of the grains, see affine_stiffness()
 Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::MatrixXd& affine);
 
 /// Finds the strains of the cell that no stiffness resists, and the moduli that are zero because of them.
-/// @param affine  affine_stiffness() of the network that `response` belongs to, for the same strains
+/// @param affine  volume times stress per unit strain of the same network without relaxation of the grains, see
+///                affine_stiffness(); for the strains that `response` contains
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 
-/// Numbers of mechanisms of a network that follow from which grains are in contact, not from their positions:
-/// mechanisms of the grains, and strains of the cell.
+/// Numbers of mechanisms of a network that follow from which grains touch, not from where the grains are.
 struct StructuralMechanisms {
   int n_mechanisms = 0;  ///< number of mechanisms of the grains at zero strain; free motions do not count
   int n_coupled = 0;     ///< number of strains of the cell that no stiffness resists

@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-/// If ModeOptions::count is absent: smallest and largest number of modes that are computed.
+/// Smallest and largest number of modes that are computed if ModeOptions::count is absent.
 constexpr int kMinCount = 10;
 constexpr int kMaxCount = 100;
 
@@ -38,7 +38,7 @@ std::vector<bool> resisted_unknowns(const ContactNetwork<Dim>& network) {
   return resisted;
 }
 
-/// Returns the free motions of a network, without those of grains that have no contact, as columns of unit length.
+/// Returns the free motions of a network, except those of grains without contact, as columns of unit length.
 Eigen::SparseMatrix<double> scaled_free_motions(const FreeMotions& free, const ReducedUnknowns& u) {
   std::vector<Eigen::Triplet<double>> entries;
   int n = 0;
@@ -190,7 +190,8 @@ std::optional<int> count_near_mechanisms(const ContactNetwork<Dim>& network, con
                             static_cast<std::ptrdiff_t>(unknowns.unknown.size());
   const int n_free =
       static_cast<int>(free.kind.size()) - free.count(FreeMotionKind::rattler) - static_cast<int>(n_unresisted);
-  // The matrix is that of fixed walls, so that negative eigenvalues of the walls' motions are left out.
+  // The matrix is assembled with fixed walls. Negative eigenvalues due to displacements of walls are therefore left
+  // out.
   const int n_negative = response.n_negative - response.n_negative_shifts;
   return factor.count_eigenvalues_below(bound) - n_free - response.n_mechanisms - n_negative;
 }

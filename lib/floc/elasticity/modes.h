@@ -17,9 +17,10 @@ namespace floc {
 enum class ModeKind {
   unstable,   ///< eigenvalue below zero
   mechanism,  ///< eigenvalue zero to rounding (free motions, see FreeMotions, do not count as modes)
-  /// eigenvalue from zero to max |F_N|/r (normal force over branch length): prestress could make it negative
+  /// positive eigenvalue up to max |F_N|/r, the largest ratio of normal force to distance between centres: prestress
+  /// could make it negative
   near_mechanism,
-  elastic,  ///< eigenvalue above max |F_N|/r (normal force over branch length)
+  elastic,  ///< eigenvalue above max |F_N|/r, the largest ratio of normal force to distance between centres
 };
 
 /// Returns the name of a kind of mode: "unstable", "mechanism", "near-mechanism" or "elastic".
@@ -30,17 +31,19 @@ std::string name_of(ModeKind kind);
 template <int Dim>
 struct Mode {
   ModeKind kind = ModeKind::elastic;
-  double eigenvalue = 0.0;  ///< eigenvalue (force/length): twice the energy over the squared length of `motion`
-  /// twice the energy with prestress (with the geometric terms) over the squared length of `motion` (force/length)
+  double eigenvalue =
+      0.0;  ///< eigenvalue (force/length): twice the elastic energy over the squared length of `motion`
+  /// twice the energy with the geometric terms of the prestress, over the squared length of `motion` (force/length)
   double with_prestress = 0.0;
-  /// displacements and rotations of all grains (length, radians), scaled to unit length
+  /// displacements (length) and rotations (radians) of all grains; a unit vector if rotations are multiplied by the
+  /// grain's size
   Eigen::VectorXd motion;
   /// Participation ratio (sum u_i^2)^2/(n sum u_i^4), with the amplitudes u_i of the n grains that have a contact: 1 if
   /// all grains move equally, 1/n if a single grain moves.
   double participation = 0.0;
-  /// Coupling to strain: volume times stress per unit amplitude of the mode, one entry per strain unknown (force). A
-  /// mode reduces the moduli of affine motion by coupling * coupling^T/(eigenvalue * volume); all modes together reduce
-  /// them to the moduli C of the relaxed network.
+  /// Coupling to strain: volume times the stress that the mode causes per unit amplitude, one entry per strain (force).
+  /// The mode reduces the moduli of affine motion by coupling * coupling^T/(eigenvalue * volume); all modes together
+  /// reduce them to the moduli C of the relaxed network.
   Eigen::VectorXd coupling;
   double softens_B = 0.0;  ///< decrease of the bulk modulus of affine motion that this mode causes (stress)
   /// decrease of the shear modulus (C11 + C22 - 2 C12)/4 of affine motion that this mode causes (stress)
@@ -54,13 +57,12 @@ struct Mode {
 
 struct ModeOptions {
   StrainSet strains = StrainSet::diagonal;
-  /// Number of modes to compute. If absent, all modes that are not elastic, but at least 10 and at most 100.
+  /// Number of modes to compute. If absent: all modes that are not ModeKind::elastic, but at least 10 and at most 100.
   std::optional<int> count;
   static constexpr WholeRange kCount{.least = 1, .most = std::numeric_limits<int>::max()};
-  /// Largest absolute eigenvalue that counts as a mechanism, in units of the largest contact stiffness. Eigenvalues are
-  /// recomputed as sums of squares over the contacts, which the rounding of the stiffness matrix does not affect.
-  /// Near-mechanisms are therefore told from mechanisms down to this bound; mechanisms have been seen at 1e-19 and
-  /// below.
+  /// Largest absolute eigenvalue that counts as a mechanism, as a share of the largest contact stiffness. It can be
+  /// this small because eigenvalues are recomputed as sums of squares over the contacts, which the rounding of the
+  /// stiffness matrix does not affect. Mechanisms have been seen at 1e-19 and below.
   double mechanism_bound = 1e-16;
   Ordering ordering = Ordering::amd;
 };
@@ -69,11 +71,13 @@ template <int Dim>
 struct SoftModes {
   FreeMotions free;
   std::vector<Mode<Dim>> modes;  ///< modes in ascending order of their eigenvalues
-  double near_bound = 0.0;       ///< max |F_N|/r over the contacts, with branch length r (force/length)
+  /// max |F_N|/r over the contacts, with normal force F_N and distance r between centres (force/length)
+  double near_bound = 0.0;
   /// number of modes with eigenvalues up to `near_bound` (unstable modes, mechanisms and near-mechanisms), from the
   /// inertia of the stiffness matrix shifted by this bound
   int n_below_near_bound = 0;
-  bool complete = true;  ///< whether `modes` contains every mode whose eigenvalue is below that of its last one
+  bool complete =
+      true;  ///< whether `modes` contains every mode whose eigenvalue is below that of the last mode in it
 };
 
 /// Finds the softest modes of a network, without its free motions (see FreeMotions), by Lanczos' method with shift and
@@ -82,9 +86,9 @@ struct SoftModes {
 template <int Dim>
 [[nodiscard]] SoftModes<Dim> soft_modes(const ContactNetwork<Dim>& network, const ModeOptions& options);
 
-/// Counts the near-mechanisms of a network: modes with positive eigenvalues up to max |F_N|/r (normal force over branch
-/// length) that are neither free motions nor mechanisms. The count is taken from the inertia of the shifted stiffness
-/// matrix and costs a factor as large as that of the elastic response.
+/// Counts the near-mechanisms of a network: modes that are neither free motions nor mechanisms and whose positive
+/// eigenvalues are at most max |F_N|/r, the largest ratio of normal force to distance between centres. The count is
+/// taken from the inertia of the shifted stiffness matrix and costs a factor as large as that of the elastic response.
 /// @param response        response of the same network without prestress, for any strains
 /// @param largest_factor  largest size of the factor (bytes)
 /// @return no value if the factor would be larger than allowed

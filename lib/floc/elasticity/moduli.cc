@@ -24,16 +24,16 @@ namespace {
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number of the stiffness matrix above which a warning says that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
-/// With a factor: tolerance of the refinement, as a share of the tolerance on the moduli. A refinement step squares the
-/// error, so that a strict tolerance costs no more steps.
+/// Tolerance of a solution by a factor, as a share of the tolerance on the moduli. Each refinement step squares the
+/// error, so that this strict tolerance costs no more steps.
 constexpr double kToleranceOfSolution = 1e-3;
-/// With any other solver: tolerance of the solution, as a share of the tolerance on the moduli. The steps of these
-/// solvers do not square the error, so that a stricter tolerance would cost more steps.
+/// Tolerance of a solution by any other method, as a share of the tolerance on the moduli. Its steps do not square the
+/// error, so that a stricter tolerance would cost more steps.
 constexpr double kToleranceOfIterativeSolution = 0.1;
-/// B_reuss counts as a lower bound on B_S if the principal stresses differ from the pressure by at most this share of
-/// the pressure.
+/// B_reuss counts as a lower bound on B_S, the bulk modulus under imposed stress, if the normal stresses along the axes
+/// differ from the pressure by at most this share of the pressure.
 constexpr double kIsotropic = 1e-4;
-/// Bound on the relative rounding error of the cell's volume and of the stress terms that prestress adds.
+/// Bound on the relative rounding error of the cell's volume, and of the stresses that prestress adds to the moduli.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 /// Returns the absolute value below which an eigenvalue of the moduli C cannot be told from zero.
@@ -59,8 +59,8 @@ void count_coupled_mechanisms(double bound, Moduli& m) {
   m.n_mechanisms += m.n_coupled_mechanisms;
 }
 
-/// Computes B_S = 1/(1^T C^-1 1) and its error from the moduli C. B_S is 0 if an isotropic stress does work on a strain
-/// that no stiffness resists.
+/// Computes the bulk modulus under imposed stress, B_S = 1/(1^T C^-1 1), and its error from the moduli C. B_S is 0 if
+/// an isotropic stress does work on a strain that no stiffness resists.
 void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::MatrixXd& error, double bound,
                                    Moduli& m) {
   const SymmetricEigen eigen = symmetric_eigen(c);
@@ -79,8 +79,8 @@ void derive_stress_controlled_bulk(const Eigen::MatrixXd& c, const Eigen::Matrix
   }
   if (compliance == 0.0) return;
   m.B_S = 1.0 / compliance;
-  // To first order in the error dC of C, d(1/B_S) = -strain^T dC strain. The higher orders are a small share of this as
-  // long as the compliance changes little.
+  // To first order, an error dC of C changes 1/B_S by -strain^T dC strain. The higher orders are a small share of this
+  // as long as the compliance changes little.
   const double change = strain.cwiseAbs().dot(error * strain.cwiseAbs()) / std::abs(compliance);
   m.B_S_error = change < 0.5 ? 2.0 * change * std::abs(m.B_S) : kInfinity;
 }
@@ -127,7 +127,8 @@ void check_errors(bool resolved, double tolerance, Moduli& m) {
 void add_warnings(Moduli& m) {
   if (m.n_coupled_mechanisms > 0)
     m.warnings.push_back(
-        fmt::format("{} mechanism(s) strain the cell without resistance: the moduli along them are zero",
+        fmt::format("{} mechanism(s) change the strain of the cell without resistance: the moduli along these "
+                    "strains are zero",
                     m.n_coupled_mechanisms));
   if (m.n_mechanisms > m.n_coupled_mechanisms)
     m.warnings.push_back(fmt::format("{} mechanism(s) do not couple to strain; they do not affect the moduli",
@@ -226,8 +227,8 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   }
 }
 
-/// Returns whether the normal stresses along the axes are equal. The definition of B_S requires no more, because its
-/// shear strains are fixed at zero.
+/// Returns whether the normal stresses along the axes are equal. The bulk modulus under imposed stress, B_S, requires
+/// no more, because it is defined with the shear strains fixed at zero.
 template <int Dim>
 bool is_isotropic(const Mat<Dim>& stress, double pressure) {
   const Vec<Dim> deviator = stress.diagonal() - Vec<Dim>::Constant(pressure);
@@ -235,7 +236,7 @@ bool is_isotropic(const Mat<Dim>& stress, double pressure) {
 }
 
 /// Computes the moduli of a network from its elastic response.
-/// @param respond  returns the elastic response; calls elastic_response() with data that it keeps between calls
+/// @param respond  function that returns the elastic response of a network; it may reuse data of its last call
 template <int Dim>
 Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                      const ModuliOptions& options, const auto& respond) {
@@ -286,7 +287,8 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   return m;
 }
 
-/// Returns the moduli with prestress, with B, G and the response of the moduli without prestress added.
+/// Stores in the moduli `with` prestress B, G and the response of the moduli `without` prestress.
+/// @return the completed moduli, or `without` if it contains no moduli
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;
   with.B_without_prestress = without.B;

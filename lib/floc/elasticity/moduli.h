@@ -17,7 +17,8 @@ class ParallelSolver;
 enum class ModuliMethod {
   factor,         ///< Cholesky factor in double precision; gives error bounds
   single_factor,  ///< Cholesky factor in single precision, refined in double: half the memory; gives error estimates
-  /// conjugate gradients from the solution of the last state, with its factor; gives error estimates
+  /// conjugate gradients that start from the solution of the last state, with its factor as preconditioner; gives error
+  /// estimates
   iterative,
   /// Middle between the lower and the upper bound of each modulus; no system is solved. Half the distance between the
   /// bounds is a bound on the error. Fails if the bounds are not guaranteed (Bounds::fault). The stress-controlled bulk
@@ -29,18 +30,19 @@ enum class ModuliMethod {
 struct ModuliOptions {
   ModuliMethod method = ModuliMethod::factor;
   StrainSet strains = StrainSet::diagonal;
-  /// Adds the geometric terms of the contact forces to the stiffness. The moduli are then derivatives of the Cauchy
-  /// stress.
+  /// Adds the geometric terms, which result from the contact forces, to the stiffness. The moduli are then derivatives
+  /// of the Cauchy stress.
   bool prestress = false;
-  /// Normal force up to which a contact of a cohesionless packing counts as carrying no force in the search for
-  /// rattlers, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter a). The default
-  /// is the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
+  /// In the search for rattlers: normal force up to which a contact of a cohesionless packing counts as carrying no
+  /// force, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter a). The default is
+  /// the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
   double force_tolerance = 1e-5;
-  /// If given: rolling stiffness (force * length) of every touching contact, in place of that of the contact law.
+  /// If given: rolling stiffness (force * length) of every touching contact, in place of the stiffness of the contact
+  /// law.
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
-  /// Whether the packing was brought to equilibrium under zero stress. A small stress that its contact forces still
-  /// give is then a residual. It cannot be used for a lower bound on the moduli (B_reuss = 0).
+  /// Whether the packing was brought to equilibrium under zero stress. The small stress that its contact forces still
+  /// give is then a residual, which gives no lower bound on the moduli (B_reuss = 0).
   bool unloaded = false;
   /// Tolerance on the relative errors of B and G. A warning is given if their error bounds exceed it.
   double tolerance = 1e-10;
@@ -56,18 +58,19 @@ struct ModuliOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Load under which a contact network is. Its moduli depend on the load as well as on the contacts.
+/// Load on a contact network. The moduli of the network depend on it as well as on the contacts.
 template <int Dim>
 struct NetworkLoad {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static stress, compression positive (force/length^(Dim-1))
-  bool unloaded = false;               ///< whether the network is unloaded, see ModuliOptions
-  MeanField mean_field{};              ///< averages for the mean-field forms of the bounds
+  bool unloaded =
+      false;  ///< whether the network was brought to equilibrium under zero stress, see ModuliOptions
+  MeanField mean_field{};  ///< averages for the mean-field forms of the bounds
   /// number of mobilised contacts (whose force is at its limit), which the moduli treat as elastic
   int n_mobilised = 0;
 };
 
 /// Returns the load of a packing: its stress, its mean-field averages and the number of its mobilised contacts.
-/// @param unloaded  whether the packing is unloaded, see ModuliOptions
+/// @param unloaded  whether the packing was brought to equilibrium under zero stress, see ModuliOptions
 template <int Dim>
 NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded);
 
@@ -90,17 +93,18 @@ struct Moduli {
   Bounds bounds;  ///< bounds on these moduli; not guaranteed with prestress, see Bounds::fault
   /// Whether the principal stresses of the load are equal to one part in 10^4, or bounds.B_reuss is zero.
   bool isotropic_stress = true;
-  int n_negative = 0;    ///< number of negative eigenvalues of the stiffness matrix, strains included
+  int n_negative = 0;    ///< number of negative eigenvalues of the stiffness matrix of grains and strains
   int n_mechanisms = 0;  ///< number of zero eigenvalues of the stiffness matrix; free motions do not count
-  /// Number of mechanisms that change the strain of the cell: no stiffness resists them, and the moduli along them are
-  /// zero.
+  /// Number of mechanisms that change the strain of the cell: no stiffness resists them, and the moduli along these
+  /// strains are zero.
   int n_coupled_mechanisms = 0;
   int n_rattlers = 0;
   int n_free_rollers = 0;
   /// number of mobilised contacts (whose force or moment is at its limit); C treats them as elastic
   int n_mobilised = 0;
   double pressure = 0.0;  ///< pressure: mean of the diagonal of load_stress() (force/length^(Dim-1))
-  /// relative backward error of the solution: largest net force over the size of the forces that add up to it
+  /// relative backward error of the solution: largest net force on a grain over the size of the forces that add up to
+  /// it
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix; infinite if there are mechanisms
   double condition = 1.0;
@@ -124,23 +128,23 @@ struct Moduli {
   /// Reason why there are no moduli, as a sentence; of all members only `bounds` is then meaningful. Empty if there are
   /// moduli.
   std::string failure;
-  /// Predicted size of the factor (bytes) if there are no moduli because this size is too large; otherwise 0.
+  /// Predicted size of the factor (bytes) if it is too large, so that there are no moduli; otherwise 0.
   double factor_bytes = 0.0;
 };
 
 /// Computes the moduli C of a state, with every contact treated as elastic.
 ///
-/// Without prestress C = K/V, with the stiffness K of the strains after relaxation of the grains and the volume V.
+/// Without prestress C = K/V, with the stiffness K against strain after relaxation of the grains and the volume V.
 ///
 /// With prestress, the Cauchy stress sigma changes with the symmetric strain E by dsigma = K E/V - sym(sigma E) + sigma
 /// tr E. For diagonal strains this means C_ab = K_ab/V + sigma_a (1 - delta_ab), which equals H_ab/V + sigma_a for the
-/// relaxed Hessian H of the energy in ln L, with the sides L of the cell. If C is computed from H/V alone, B is smaller
-/// by the pressure P, and G is the same. If the stress is not isotropic, this matrix is not symmetric, and C is its
-/// symmetric part.
+/// relaxed Hessian H of the energy in ln L, with the sides L of the cell. If C were computed from H/V alone, B would be
+/// smaller by the pressure P, and G would be the same. If the stress is not isotropic, this matrix is not symmetric,
+/// and C is its symmetric part.
 ///
-/// An eigenvalue of C that is within its error bound of zero is set to zero and counted as a mechanism that strains the
-/// cell. Moduli without any correct digit are NaN, with a warning.
-/// @param network  contacts that carry load; `options` changes none of them
+/// An eigenvalue of C that is within its error bound of zero is set to zero and counted as a mechanism that changes the
+/// strain of the cell. Moduli without any correct digit are NaN, with a warning.
+/// @param network  contacts from which the moduli are computed; `options.rolling_stiffness` does not change them
 /// @param load     load that the network carries
 /// @throws InputError if an option is invalid
 template <int Dim>
@@ -180,7 +184,7 @@ class ModuliSequence {
   /// @throws InputError if an option is invalid
   explicit ModuliSequence(ModuliOptions options);
   /// Computes the moduli of the next state.
-  /// @param unloaded  whether the packing is unloaded, see ModuliOptions
+  /// @param unloaded  whether the packing was brought to equilibrium under zero stress, see ModuliOptions
   [[nodiscard]] Moduli next(const Packing<Dim>& packing, bool unloaded);
 
  private:

@@ -13,8 +13,9 @@ namespace {
 
 /// Smallest relative error of a modulus that may be required: the rounding error of the cell's volume.
 constexpr double kMinError = 1e-14;
-/// B_reuss counts as a bound on B_S if the principal stresses differ by at most this share of the required accuracy,
-/// relative to their mean. With sigma_a = P (1 + delta_a) the bound is wrong by about delta.
+/// B_reuss counts as a lower bound on B_S, the bulk modulus under imposed stress, if the range of the principal
+/// stresses over their mean is at most this share of the required relative accuracy. Stresses P (1 + delta_a) make the
+/// bound wrong by about the largest delta_a.
 constexpr double kAnisotropyShare = 0.01;
 /// Largest number of grains for which a factor in single precision is cheaper than one in double precision.
 constexpr int kMaxForSingle = 1000;

@@ -23,8 +23,8 @@ struct ModuliAccuracy {
 
 /// Returns the methods to compute moduli that need no previous state, the cheapest first. For the states of a loading
 /// path of 60 grains, they took 0.15, 5.0 and 5.9 ms per state; ModuliMethod::iterative took 14 ms (`floc tradeoff`,
-/// data/tables/tradeoff). For large packings a factor in double precision is cheaper than one in single precision
-/// (0.010 s and 0.012 s for 1400 grains, 1.3 s and 4.1 s for 90 000, dense packings, one core).
+/// data/tables/tradeoff). For large packings a factor in double precision is cheaper than one in single precision:
+/// 0.010 s and 0.012 s for 1400 grains, 1.3 s and 4.1 s for 90 000 (dense packings, one core).
 std::vector<ModuliMethod> moduli_methods_by_cost(int n_grains);
 
 /// Computes moduli by the cheapest of three methods whose errors are within `accuracy`:

@@ -23,8 +23,8 @@ struct ContactMechanics {
   std::vector<bool> backbone;
 };
 
-/// Computes the response of each contact to an isotropic and to a deviatoric step of stress, and the percolation of the
-/// network.
+/// Computes the response of each contact to an isotropic and to a deviatoric step of stress, and finds in which
+/// directions the network percolates.
 /// @param moduli  moduli of the same network
 template <int Dim>
 ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
@@ -48,7 +48,7 @@ struct NetworkMechanics {
   std::optional<double> energy_share_95_deviatoric;
   /// share of contacts in the mechanical backbone, see mechanical_backbone()
   std::optional<double> backbone_share;
-  /// Share of contacts in the scalar backbone, see Percolation; absent without contacts.
+  /// Share of contacts that would carry current if every contact conducted, see Percolation; absent without contacts.
   std::optional<double> scalar_backbone_share;
   int n_percolating = 0;  ///< number of directions in which the network percolates through the periodic cell
 };

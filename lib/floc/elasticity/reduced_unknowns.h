@@ -7,12 +7,13 @@
 
 namespace floc {
 
-/// Unknowns of the stiffness matrix K that are solved for; the rest are free motions. They are all lengths: rotations
-/// are multiplied by the grain's size.
+/// Unknowns of the stiffness matrix K that are solved for; no contact resists the others, which are free motions. The
+/// values solved for are all lengths: rotations are multiplied by the grain's size.
 struct ReducedUnknowns {
   std::vector<int> row;  ///< for each unknown of K, its row in the reduced system; -1 if it is not solved for
   std::vector<int> unknown;  ///< for each row of the reduced system, its unknown of K
-  /// for each row of the reduced system, the unknown of K divided by the value solved for
+  /// for each row of the reduced system, the unknown of K over the value solved for: 1, or for rotations 1/(size of the
+  /// grain)
   Eigen::VectorXd length;
 };
 
@@ -21,14 +22,14 @@ struct ReducedUnknowns {
 template <int Dim>
 ReducedUnknowns reduce_unknowns(const ContactNetwork<Dim>& network, const std::vector<bool>& kept);
 
-/// Returns the lower triangle of the stiffness matrix of the grains, for the reduced unknowns and divided by `unit`.
+/// Returns the stiffness matrix of the grains for the reduced unknowns, divided by `unit`; only its lower triangle.
 /// @param grains  lower triangle of the stiffness matrix for all unknowns, see StiffnessMatrix
 /// @param unit    stiffness (force/length)
 Eigen::SparseMatrix<double> reduce(const Eigen::SparseMatrix<double>& grains, const ReducedUnknowns& unknowns,
                                    double unit);
 
-/// Returns, for each row of the reduced system, the number of its grain, in ascending order. SymmetricFactor uses these
-/// numbers as groups.
+/// Returns, for each row of the reduced system, the number of its grain, in ascending order. SymmetricFactor keeps the
+/// rows of a grain together in its ordering.
 template <int Dim>
 std::vector<int> grain_of_rows(const ReducedUnknowns& unknowns);
 

@@ -20,8 +20,8 @@
 namespace floc {
 namespace {
 
-/// Eigenvalue of the stiffness of the strains, after relaxation of the grains, that counts as zero, as a share of the
-/// stiffness of affine motion: the strain is then a mechanism.
+/// Largest eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the grains.
+/// It is a share of the stiffness without relaxation. A strain with such an eigenvalue is a mechanism.
 constexpr double kVanishingStrain = 1e-11;
 /// Condition number above which a Cholesky factor may hide a mechanism, so that the eigenvalues are counted instead.
 constexpr double kSuspiciousCondition = 1e12;
@@ -41,20 +41,20 @@ int count_below(const Eigen::MatrixXd& symmetric, double bound) {
 /// Stiffness matrix of grains and strains, divided by the largest contact stiffness, without the unknowns of free
 /// motions.
 struct ReducedStiffness {
-  Eigen::SparseMatrix<double> grains;  // block of the grains, lower triangle
+  Eigen::SparseMatrix<double> grains;  // rows and columns of the grains, lower triangle
   std::vector<int> group;              // number of the grain of each row of `grains`
   Eigen::MatrixXd border, boundary;
-  // largest absolute eigenvalue that counts as zero in the stiffness of the strains after relaxation of the grains
+  // largest absolute eigenvalue that counts as zero in the stiffness against strain after relaxation of the grains
   double vanishing = 0.0;
   double unresolved = 0.0;  // absolute value below which the sign of an eigenvalue of `grains` is not certain
   int n_unstable_ends = 0;  // number of negative eigenvalues of the dead ends, which `grains` does not contain
 };
 
-/// Returns how far below zero the eigenvalue of a mechanism may be because the symmetric part of the tangent matrix is
-/// tested, in units of the largest contact stiffness. Let the tangent matrix be K = S + A with S symmetric and A
-/// antisymmetric. Then K v = 0 gives S v = -A v. A couples v to stiff motions (stiffness k), which changes v.S v = 0 by
-/// -|A v|^2/k. A comes from tangential forces F_T and moments alone and is of the order of F_T/r with the branch length
-/// r. A real instability from geometric terms is of the order of F_T/r itself, not of its square over k.
+/// Returns how far below zero the eigenvalue of a mechanism may be, in units of the largest contact stiffness, because
+/// only the symmetric part S of the tangent matrix K = S + A is tested. A mechanism v has K v = 0 and thus S v = -A v.
+/// The antisymmetric part A couples v to stiff motions (stiffness k), which changes v.S v = 0 by -|A v|^2/k. A comes
+/// from tangential forces F_T and moments alone and is of the order of F_T/r, with the distance r between centres. A
+/// real instability from geometric terms is of the order of F_T/r itself, not of its square over k.
 template <int Dim>
 double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   double largest = 0.0;
@@ -93,9 +93,9 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
 }
 
 /// Tests the stability by a factor. By Haynsworth's theorem, the stiffness matrix has as many negative eigenvalues as
-/// the grains' block and its Schur complement together; the Schur complement is the stiffness of the strains after
-/// relaxation of the grains. No refinement is needed, because the rounded factor is exact for a nearby matrix.
-/// @return result of the test; if the factor would be too expensive, the reason without a result
+/// the block of the grains and its Schur complement together. The Schur complement is the stiffness against strain
+/// after relaxation of the grains. No refinement is needed, because the rounded factor is exact for a nearby matrix.
+/// @return result of the test; without a number, but with the reason, if the factor would be too expensive
 Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& options) {
   SymmetricFactor factor;
   factor.set_matrix(k.grains, k.group);
@@ -111,7 +111,8 @@ Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& opti
   return {n_negative + count_below(relaxed, -k.vanishing), ""};
 }
 
-/// Stiffness matrix of grains and strains scaled to a diagonal of 1, given by its products with vectors.
+/// Stiffness matrix of grains and strains, scaled to a diagonal of 1. An iterative test uses only its products with
+/// vectors.
 class ScaledStiffness {
  public:
   explicit ScaledStiffness(const ReducedStiffness& k) : grains_(k.grains), border_(k.border) {

@@ -14,17 +14,18 @@ struct StabilityOptions {
   /// largest number of floating-point operations of a test (1e12: minutes on one core)
   double most_operations = 1e12;
   /// Tolerance of the iterative test, which replaces a factor that would be too expensive: a state counts as stable if
-  /// no eigenvalue of the stiffness matrix, scaled to a diagonal of 1, is below minus this value. The default is far
-  /// below the eigenvalues of real instabilities: if a grain has separated from its neighbours to the end of the range
-  /// D0 of an attraction with the pull-off force F0, the lowest eigenvalue is of the order of -F0/(D0 K_N), about
-  /// -1e-2.
+  /// no eigenvalue of the stiffness matrix, scaled to a diagonal of 1, is below minus this value. Real instabilities
+  /// have eigenvalues far below: if a grain has separated from its neighbours to the end of the range D0 of an
+  /// attraction with the pull-off force F0, the lowest eigenvalue is of the order of -F0/(D0 K_N), about -1e-2, with
+  /// the normal stiffness K_N.
   double bound = 1e-4;
 };
 
 /// Result of a test of the stability of a state.
 struct Stability {
   /// Number of negative eigenvalues of the stiffness matrix; 0 for a stable state. An iterative test stops at the first
-  /// one and gives 1. No value if the state was not tested, or if an iterative test did not reach its tolerance.
+  /// negative eigenvalue and gives 1. No value if the state was not tested, or if an iterative test did not reach its
+  /// tolerance.
   std::optional<int> n_negative;
   /// Method and result of the test, or the reason why there was no test, as a sentence. Empty if a factor of the
   /// stiffness matrix was used.

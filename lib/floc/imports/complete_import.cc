@@ -29,7 +29,8 @@ EquilibriumTolerance tolerance_for(const Imported& imported, const std::optional
   return {force, force, force, own.energy * (force / own.force)};
 }
 
-/// Checks the solid fraction of a packing. @throws InputError if it is above 1, which is impossible for hard grains
+/// Checks the solid fraction of a packing.
+/// @throws InputError if it is above 1, which is impossible for hard grains
 template <int Dim>
 void refuse_impossible_density(const std::string& place, const Packing<Dim>& packing) {
   const double phi = solid_fraction(packing);
@@ -79,7 +80,7 @@ std::string complete_import(const std::string& place, const Imported& imported,
     return "";
   }
   return "the file does not hold the volumes of the liquid bridges; the volumes and the forces are computed by "
-         "the law";
+         "the contact law";
 }
 
 template std::string complete_import(const std::string&, const Imported&, const ImportCompletion&, State<2>&);

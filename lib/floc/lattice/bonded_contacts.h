@@ -6,7 +6,8 @@
 
 namespace floc {
 
-/// Bond in the form of a contact of a packing: the two grains that it joins, its forces and its stiffnesses.
+/// Bond between two grains in the form of a contact of a packing: the two grains, the forces of the bond and its
+/// stiffnesses.
 template <int Dim>
 struct BondedContact {
   int i, j;
@@ -22,11 +23,11 @@ struct BondedContact {
 template <int Dim>
 using BondedContacts = std::vector<BondedContact<Dim>>;
 
-/// Replaces the contacts of a packing by the given bonds, and its contact law by one under which they can carry their
-/// forces:
+/// Replaces the contacts of a packing by the given bonds, and its contact law by a law under which these contacts can
+/// carry the forces of the bonds:
 /// - linear springs, with the mean stiffnesses of the bonds;
 /// - adhesion of twice the largest tension, and always some;
-/// - friction if bonds resist shear, and rolling resistance if they carry moments, each with a limit twice as high as
+/// - friction if bonds resist shear, and rolling resistance if bonds carry moments, each with a limit twice as high as
 ///   the bonds need.
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing);

@@ -45,8 +45,8 @@ class Cementing {
     out_.n_bridges = static_cast<int>(pairs_.size());
     const double wanted = options.matrix_content * out_.lattice.cell.volume();
     if (wanted > 0.0) choose_nodes(options.matrix_content, nodes_by_width(options.matrix_content));
-    // Each node of the matrix gets the grain with the nearest surface as its owner. The search distance is doubled
-    // until all nodes of the matrix have an owner.
+    // Each node of the matrix is owned by the grain with the nearest surface. The search distance is doubled until all
+    // nodes of the matrix have an owner.
     for (double reach = 0.25 * out_.mean_diameter; without_owner(); reach *= 2.0) take_owners(reach);
     for (int k = 0; k < out_.lattice.n_nodes(); ++k)
       if (out_.phase[k] == Phase::none) out_.owner[k] = -1;
@@ -57,7 +57,8 @@ class Cementing {
 
  private:
   struct CoveredNode {
-    // smallest width of a bridge that covers the node, over R' (see CementedSample::bridge_width)
+    // smallest width of a bridge that covers the node, over R' = 2 R_i R_j/(R_i + R_j) with the radii R_i, R_j of its
+    // grains
     double width;
     int node;
   };
@@ -90,9 +91,8 @@ class Cementing {
     return volume / out_.lattice.cell.volume();
   }
 
-  /// Finds the owner, the grain with the nearest surface, of each node inside a grain or within the distance `reach` of
-  /// one.
-  /// @param reach  search distance from the surface of a grain (length)
+  /// Finds the owner (the grain with the nearest surface) of each node inside a grain or near one.
+  /// @param reach  largest distance of a node from the surface of its owner (length)
   void take_owners(double reach) {
     for (int i = 0; i < out_.grains.size(); ++i) {
       const double radius = out_.grains.radius[i];
@@ -113,8 +113,8 @@ class Cementing {
     return false;
   }
 
-  /// Returns, for each node, the smallest width of a bridge that covers it, over R' (see CementedSample::bridge_width);
-  /// infinite if this number exceeds `largest`.
+  /// Returns, for each node, the smallest width of a bridge of matrix that covers it, over R' = 2 R_i R_j/(R_i + R_j)
+  /// with the radii R_i, R_j of the two grains; infinite if this number exceeds `largest`.
   std::vector<double> covering_widths(double largest) const {
     std::vector<double> width(out_.lattice.n_nodes(), kFar);
     for (const NeighborPair<Dim>& pair : pairs_) {
@@ -134,14 +134,14 @@ class Cementing {
     return width;
   }
 
-  /// Returns nodes that bridges can cover, sorted by the smallest width of a bridge that covers them: as many as the
-  /// wanted matrix content needs, or more.
+  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node.
+  /// There are at least as many nodes as the matrix content needs.
   /// @param wanted  matrix content as a share of the volume
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;
     double reached = 0.0;
-    /// Largest width of a bridge that is tried, over R' (see CementedSample::bridge_width): many times the size of the
-    /// grains. A node outside all bridges of this width is outside any bridge.
+    /// Largest width of a bridge that is tried, over R' = 2 R_i R_j/(R_i + R_j) with the radii R_i, R_j of its grains.
+    /// It is many times the size of the grains, so that a node outside all bridges of this width is outside any bridge.
     constexpr double kWidest = 64.0;
     for (double largest = 0.5; largest <= kWidest; largest *= 2.0) {
       const std::vector<double> width = covering_widths(largest);
@@ -164,8 +164,9 @@ class Cementing {
     return covered;
   }
 
-  /// Chooses the width of the bridges for which the matrix content is nearest to the wanted one.
-  /// @param covered  nodes_by_width() for this content
+  /// Chooses the width of the bridges for which the matrix content is nearest to the wanted content.
+  /// @param wanted   matrix content as a share of the volume
+  /// @param covered  result of nodes_by_width() for this content
   void choose_nodes(double wanted, const std::vector<CoveredNode>& covered) {
     const double volume = wanted * out_.lattice.cell.volume();
     double taken = 0.0;

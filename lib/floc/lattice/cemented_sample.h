@@ -17,9 +17,9 @@ enum class Phase : std::uint8_t { none, grain, matrix };
 struct CementOptions {
   /// matrix content rho_m: share of the volume that the matrix has to fill, 0 to 1
   double matrix_content = 0.0;
-  /// Largest gap between the surfaces of two grains at which a bridge of matrix joins them, in mean diameters, >= 0.
-  /// The default is wider than the gaps of neighbours in a frictionless packing and narrower than the gaps to second
-  /// neighbours.
+  /// Largest gap between the surfaces of two grains at which a bridge of matrix joins them, over the mean diameter,
+  /// >= 0. The default is wider than the gaps between neighbours in a frictionless packing and narrower than the gaps
+  /// to second neighbours.
   double bridge_gap = 0.05;
 
   static constexpr NumberRange kContent{.least = 0.0, .most = 1.0};
@@ -27,23 +27,24 @@ struct CementOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Sample of grains cemented by a matrix; each node of a lattice has the material at its place.
+/// Sample of grains cemented by a matrix. Each node of a lattice has the material that lies at its position.
 template <int Dim>
 struct CementedSample {
   Lattice<Dim> lattice;
   Grains<Dim>
-      grains;  ///< grains, fitted to the cell of the lattice: centres follow its strain, radii its volume
+      /// grains of the packing, after the strain that fits the packing to the cell of the lattice
+      grains;
   std::vector<Phase> phase;  ///< material of each node
   /// For each node, its owner: the grain whose surface is nearest to it; -1 for void nodes.
   std::vector<int> owner;
-  /// For each node, the periodic image of its owner whose surface is nearest: the centre of this image is the centre of
-  /// the owner + owner_image * cell.matrix.
+  /// For each node, the periodic image of its owner whose surface is nearest to the node: the centre of this image is
+  /// the centre of the owner + owner_image * cell.matrix.
   std::vector<Vec<Dim, int>> owner_image;
   double grain_content = 0.0;  ///< grain content rho_p: share of the volume of all nodes that belongs to grains
   /// matrix content rho_m: share of the volume of all nodes that belongs to the matrix
   double matrix_content = 0.0;
-  /// Width of a bridge over R' = 2 R_i R_j/(R_i + R_j), with the radii R_i, R_j of its two grains; the same for all
-  /// bridges.
+  /// Width w of a bridge over R' = 2 R_i R_j/(R_i + R_j), with the radii R_i, R_j of its two grains; all bridges have
+  /// equal w.
   double bridge_width = 0.0;
   /// number of pairs of grains that a bridge joins, whether or not a node lies in the bridge
   int n_bridges = 0;
@@ -51,11 +52,12 @@ struct CementedSample {
   double strain = 0.0;  ///< largest component of the strain by which the packing was fitted to the lattice
 };
 
-/// Gives each node of a lattice the material at its place in a packing, and adds the matrix:
+/// Gives each node of a lattice the material at its position in a packing, and adds the matrix:
 /// 1. A node inside a grain belongs to this grain; if grains overlap there, to the one in which it lies deepest.
 /// 2. Straight bridges between the centres of neighbouring grains are filled with matrix. A bridge between grains of
 ///    the radii R_i and R_j has the width w R', with R' = 2 R_i R_j/(R_i + R_j). The number w is increased until the
-///    matrix has the wanted content; for this, the free nodes are sorted by the smallest w whose bridges cover them.
+///    matrix has the wanted content. To find w, the nodes outside grains are sorted by the smallest w at which a bridge
+///    covers them.
 ///
 /// @throws InputError if an option is invalid, the packing has walls, or the matrix content cannot be reached (the
 ///         message gives the largest possible content)

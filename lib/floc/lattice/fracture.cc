@@ -19,7 +19,7 @@ struct Weakest {
 template <int Dim>
 Weakest weakest_of(const LatticeNetwork<Dim>& network, const LatticeSolution<Dim>& solution,
                    const ElementStrength& strength, const std::vector<bool>& gone) {
-  // Tensions that are as small as the rounding error of the solution do not count.
+  // Tensions that are as small as the rounding error of the forces do not break an element.
   double largest = 0.0;
   for (const double f : solution.normal_force) largest = std::max(largest, std::abs(f));
   const double least = 1e-9 * largest;

@@ -20,7 +20,7 @@ struct ElementStrength {
   std::vector<std::string> validate() const;
 };
 
-/// Breakage of one element of a lattice.
+/// State of a sample when one of its elements breaks.
 struct Breakage {
   int element;    ///< index of the broken element in the lattice network
   double strain;  ///< strain of the sample along the load when the element broke, shortening positive
@@ -29,30 +29,32 @@ struct Breakage {
 
 struct FractureOptions {
   ElementStrength strength;
-  /// The fracture ends when the stress has fallen below this share of its largest value so far; a value in kShare.
+  /// The simulation ends when the stress has fallen below this share of its largest value so far; a value in kShare.
   double end_at = 0.2;
   static constexpr NumberRange kShare{.least = 0.0, .most = 1.0};
-  int most_broken = 1'000'000;  ///< largest number of elements that may break before the fracture ends
-  /// Function that is called after each breakage, with the number of broken elements; if it returns false, the fracture
-  /// ends.
+  int most_broken = 1'000'000;  ///< largest number of elements that may break before the simulation ends
+  /// Function that is called after each breakage, with the number of broken elements; if it returns false, the
+  /// simulation ends.
   std::function<bool(const Breakage&, int n_broken)> observe = {};
 };
 
 /// Result of the fracture of a sample, one element at a time.
 struct FracturePath {
   std::vector<Breakage> broken;  ///< breakages in the order in which they happened
-  /// strength of the sample: largest absolute stress that it carried; 0 if no element can break
+  /// strength of the sample: largest absolute stress along the load that it carried; 0 if no element can break
   double strength = 0.0;
-  double strain_at_strength = 0.0;  ///< strain at which the sample carried this stress
-  std::string end;                  ///< reason why the fracture ended, as a sentence
+  double strain_at_strength = 0.0;  ///< strain along the load at which the sample carried this stress
+  std::string end;                  ///< reason why the simulation ended, as a sentence
 };
 
-/// Simulates the fracture of a sample, one element at a time. The load is increased in proportion to `load` until the
-/// first element reaches its strength. This element is removed, and the lattice is solved again. The load at which the
-/// next element breaks may be smaller (under constant stress, the sample would fail at once) or larger. Every state is
-/// elastic, so that this load follows by scaling.
+/// Simulates the fracture of a sample, one element at a time:
+/// 1. The load is increased in proportion to `load` until the first element reaches its strength. Every state is
+///    elastic, so that this load is found by scaling.
+/// 2. This element is removed, and the lattice is solved again.
+///
+/// If the next element breaks at a smaller load, the sample would fail at once under constant stress.
 /// @param load  direction of the load, with any magnitude
-/// @param axis  component of strain and stress that the result contains
+/// @param axis  axis along which the result contains the strain and the stress
 /// @throws InputError if an option is invalid
 template <int Dim>
 [[nodiscard]] FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& solver,

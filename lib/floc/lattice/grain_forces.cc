@@ -24,8 +24,8 @@ PairKey<Dim> key_of(int i, int j, const Vec<Dim, int>& image) {
   return key;
 }
 
-/// Forces between two grains, summed over the elements between the regions of the grains. The region of a grain is the
-/// grain with the matrix that is nearest to it.
+/// Forces between two grains of a cemented sample, summed over the lattice elements that join their regions. The region
+/// of a grain is the grain with the matrix that is nearest to it.
 template <int Dim>
 struct PairSum {
   Vec<Dim> force = Vec<Dim>::Zero();                         // force on the first grain
@@ -120,8 +120,8 @@ Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& p
   out.cell = sample.lattice.cell;
   out.grains = sample.grains;
   out.grains.mass = packing.grains.mass;
-  // A contact as wide as its bridge resists rotation with the rolling stiffness K_N width^2/12, with the normal
-  // stiffness K_N.
+  // A contact as wide as the bridge between its grains resists rotation with the rolling stiffness K_N width^2/12, with
+  // the normal stiffness K_N.
   const double width = std::max(sample.bridge_width * 0.5 * sample.mean_diameter, sample.lattice.spacing);
   BondedContacts<Dim> bonds;
   for (const GrainForce<Dim>& f : forces)

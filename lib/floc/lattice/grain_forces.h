@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Force between two grains of a cemented sample: the sum over all elements between the regions of the two grains. The
-/// region of a grain is the grain with the matrix that is nearest to it.
+/// Force between two grains of a cemented sample: the sum over the lattice elements that join their regions. The region
+/// of a grain is the grain with the matrix that is nearest to it.
 template <int Dim>
 struct GrainForce {
   int i, j;             ///< numbers of the two grains, i <= j
@@ -18,14 +18,14 @@ struct GrainForce {
   double normal;        ///< force along the branch, compression positive (force)
   Vec<Dim> shear;       ///< force on grain i across the branch (force)
   RotationVector<Dim> moment;  ///< moment on grain i about the contact point (force * length)
-  /// Stiffnesses along and across the branch (force/length): sums over the elements between the grains that carry
+  /// Stiffnesses along and across the branch (force/length): sums over the elements between the two grains that carry
   /// force.
   double kn, kt;
 };
 
-/// Returns the forces between the grains of a cemented sample, sorted by (i, j, image). They balance on every grain,
-/// except for forces that hold fixed nodes. They carry the stress sigma of the cell: the sum of the tensor products of
-/// branch and force is exactly V sigma, with the volume V of the cell.
+/// Returns the forces between the grains of a cemented sample, sorted by (i, j, image). The forces balance on every
+/// grain, except for the forces that hold fixed nodes. They carry the stress sigma of the cell: the sum of the tensor
+/// products of branch and force is exactly V sigma, with the volume V of the cell.
 template <int Dim>
 std::vector<GrainForce<Dim>> grain_forces(const CementedSample<Dim>& sample, const LatticeNetwork<Dim>& network,
                                           const LatticeSolution<Dim>& solution);

@@ -16,7 +16,7 @@ namespace {
 /// Largest number of nodes of a lattice.
 constexpr double kMostPoints = 1e8;
 
-/// Number of the random stream from which the displacements of the points are drawn.
+/// Number of the random stream from which the displacements of lattice points are drawn.
 constexpr std::uint64_t kJitterStream = 0x6c61747469636533;
 
 }  // namespace

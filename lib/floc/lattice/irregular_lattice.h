@@ -10,10 +10,10 @@ namespace floc {
 
 struct IrregularLatticeOptions {
   double spacing = 0.0;  ///< spacing of the cubic grid whose points are displaced (length)
-  /// Largest displacement of a point along each axis, over the spacing. The default is large enough that no direction
-  /// is preferred, and small enough that points do not come close to each other.
+  /// Largest displacement of a grid point along each axis, over the spacing. The default is large enough that the
+  /// lattice prefers no direction, and small enough that points do not come close to each other.
   double jitter = 0.35;
-  std::uint64_t seed = 1;  ///< seed of the random displacements of the points
+  std::uint64_t seed = 1;  ///< seed of the random displacements of the grid points
 
   /// Returns every invalid option as "name = value: requirement".
   std::vector<std::string> validate() const;

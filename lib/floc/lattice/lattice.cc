@@ -29,14 +29,14 @@ Lattice<2> triangular_lattice(int columns, int rows, double spacing) {
   out.volume.assign(n, kRowHeight * spacing * spacing);
   out.node.reserve(n);
   out.bonds.reserve(3 * static_cast<std::size_t>(n));
-  // Nodes have hexagonal cells, whose sides are spacing/sqrt(3). Each node gets three of its six bonds: those to the
-  // right, upper right and upper left. Its other three bonds are listed with its neighbours.
+  // Each node has a hexagonal cell with sides of spacing/sqrt(3), and six bonds. Three of them are listed with the
+  // node: those to the right, upper right and upper left. The other three are listed with its neighbours.
   const double facet = spacing / std::numbers::sqrt3;
   const Vec<2> steps[] = {
       {spacing, 0.0}, {0.5 * spacing, kRowHeight * spacing}, {-0.5 * spacing, kRowHeight * spacing}};
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      // Odd rows are shifted by half a spacing. All rows are shifted by another quarter, so that no node lies on the
+      // Odd rows are shifted by half a spacing. All rows are also shifted by a quarter, so that no node lies on the
       // border of the cell.
       const bool shifted = r % 2 == 1;
       out.node.emplace_back((c + (shifted ? 0.75 : 0.25)) * spacing, (r + 0.5) * kRowHeight * spacing);
@@ -61,7 +61,8 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     throw InputError(
         "",
         fmt::format("a spacing of {:.3g} is too small: the lattice would have more than 1e8 nodes", spacing));
-  /// Largest relative difference between a number of columns that is tried and width/spacing.
+  /// Largest relative difference between the numbers of columns that are tried and the ratio of the cell's width to the
+  /// spacing.
   constexpr double kTried = 0.03;
   const double asked = width / spacing;
   int best_columns = 1, best_rows = 2;
@@ -72,7 +73,7 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     const int rows =
         2 * std::max(1, static_cast<int>(std::round(0.5 * height * columns / (width * kRowHeight))));
     const double misfit = std::abs(std::log(rows * kRowHeight * width / (columns * height)));
-    // Among lattices that fit equally well, the one whose spacing is nearest to the given spacing is chosen.
+    // Among lattices that fit equally well, the one with the spacing nearest to the given spacing is chosen.
     const double off = misfit + 1e-6 * std::abs(columns - asked);
     if (off < best) best = off, best_columns = columns, best_rows = rows;
   }

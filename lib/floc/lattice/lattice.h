@@ -22,8 +22,8 @@ struct LatticeBond {
 template <int Dim>
 struct Lattice {
   Cell<Dim> cell;
-  /// Distance between neighbouring nodes (length); if it varies, their distance in a regular lattice of the same
-  /// density.
+  /// Distance between neighbouring nodes (length). In an irregular lattice, their distance in a regular lattice of the
+  /// same density.
   double spacing = 0.0;
   std::vector<Vec<Dim>> node;  ///< positions of the nodes, inside the cell (length)
   /// volume (2D: area) of the cell around each node; their sum is the volume of the periodic cell
@@ -36,14 +36,14 @@ struct Lattice {
 /// Returns the triangular lattice whose rows of nodes lie along the first axis. Each node has six bonds, which are as
 /// long as the spacing, and a hexagonal cell of area sqrt(3)/2 spacing^2. The force of a bond acts at its middle.
 /// @param columns  number of nodes in a row, >= 1
-/// @param rows     number of rows, even, >= 2; rows are sqrt(3)/2 spacing apart
+/// @param rows     number of rows, even, >= 2; neighbouring rows are sqrt(3)/2 spacing apart
 /// @param spacing  distance between neighbouring nodes (length)
 Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 
-/// Returns the triangular lattice that fits best into a rectangular cell: the ratio of its sides is nearest to that of
-/// the cell, among lattices whose number of columns is within 3 % of the cell's width over the spacing. The lattice has
-/// the area of the cell. Its sides differ from those of the cell by some 1e-4, so that a packing has to be strained by
-/// this amount to fit.
+/// Returns the triangular lattice that fits best into a rectangular cell. Its number of columns is within 3 % of the
+/// cell's width over the spacing; its ratio of sides is as near as possible to that of the cell; its area is that of
+/// the cell. The sides differ by some 1e-4 from those of the cell, and a packing has to be deformed by this strain to
+/// fit.
 /// @throws InputError if the cell is not rectangular, or if more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

@@ -58,13 +58,14 @@ class NetworkBuilder {
     double k = stiffness_.of(kind);
     if (stiffness_.by_facet) k *= bond.facet / bond.branch.norm();
     if (k == 0.0) return;
-    // A central force acts along the line between the nodes, wherever the face between their cells is.
+    // The force of a central spring acts along the line between the nodes, wherever the face between their cells is.
     const Vec<Dim> arm_i = stiffness_.central() ? Vec<Dim>(0.5 * bond.branch) : bond.arm_i;
     out_.elements.push_back({bond.i, bond.j, bond.image, bond.branch, arm_i, k, kind,
                              bare && stiffness_.contact == BareContact::unilateral, number});
   }
 
-  /// Cuts a bond that crosses the border of the cell, and fixes its two nodes as the boundary condition requires.
+  /// Handles a bond that crosses the border of the cell: makes no element, but fixes its two nodes as the boundary
+  /// condition requires.
   void hold(const LatticeBond<Dim>& bond) {
     if (boundary_ == LatticeBoundary::uniform_strain) {
       for (const int node : {bond.i, bond.j})
@@ -97,7 +98,7 @@ class NetworkBuilder {
     return false;
   }
 
-  /// Elements at a node: their number, the direction of the first one, and whether another one has a different
+  /// Elements at a node: how many there are, the direction of the first one, and whether any of them has a different
   /// direction.
   struct Holding {
     int count = 0;
@@ -119,7 +120,7 @@ class NetworkBuilder {
 
   bool dangles(const Holding& h) const {
     if (h.count == 1) return true;
-    // Two collinear central springs do not resist a force across their line.
+    // Two collinear central springs do not resist a force across the line on which they lie.
     return out_.central() && h.count == 2 && !h.spans;
   }
 
@@ -138,8 +139,8 @@ class NetworkBuilder {
     return holding;
   }
 
-  /// Removes connected parts that cannot carry a load: they neither wind around the cell nor connect its two fixed
-  /// sides.
+  /// Removes connected parts of the network that cannot carry a load: they neither wind around the periodic cell nor
+  /// connect its two fixed sides.
   void remove_islands() {
     const Parts parts = find_parts();
     std::vector<bool> carries(parts.winding.size(), false);
@@ -158,17 +159,18 @@ class NetworkBuilder {
   }
 
   struct Parts {
-    std::vector<int> of;  // for each node, the number of its connected part; -1 for nodes without elements
+    // for each node, the number of the connected part that contains it; -1 for nodes without elements
+    std::vector<int> of;
     std::vector<std::vector<Vec<Dim, int>>>
-        winding;  // for each part, linearly independent loops around the cell (numbers of cells)
-    // for each part, 1 if it reaches a fixed node in the lower half of the cell, plus 2 if it reaches one in the upper
-    // half
+        winding;  // for each connected part, linearly independent loops around the cell (numbers of cells)
+    // for each connected part, 1 if it reaches a fixed node in the lower half of the cell, plus 2 if it reaches one in
+    // the upper half
     std::vector<int> n_faces;
   };
 
   static int rank_of(const std::vector<Vec<Dim, int>>& winding) { return static_cast<int>(winding.size()); }
 
-  /// Adds a loop around the cell to those found so far, if it is linearly independent of them.
+  /// Adds a loop around the cell to the loops found so far, if it is linearly independent of them.
   static void note_winding(const Vec<Dim, int>& loop, std::vector<Vec<Dim, int>>& found) {
     if (loop.isZero() || static_cast<int>(found.size()) == Dim) return;
     Eigen::Matrix<double, Dim, Eigen::Dynamic> all(Dim, found.size() + 1);
@@ -191,7 +193,7 @@ class NetworkBuilder {
       end_of[next[out_.elements[e].j]++] = e;
     }
     std::vector<Vec<Dim, int>> cell(
-        // for each node, the periodic image in which the search has reached it
+        // for each node, the periodic image of the node that the search has reached first
         out_.n_nodes, Vec<Dim, int>::Zero());
     for (int k = 0; k < out_.n_nodes; ++k) {
       if (parts.of[k] >= 0 || start[k] == start[k + 1]) continue;
@@ -299,7 +301,7 @@ ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const st
   out.n_grains = network.n_nodes;
   out.volume = network.volume;
   out.grain_size.assign(network.n_nodes, network.spacing);
-  // The stiffness is that of an unloaded lattice, so that all forces of the contacts are zero.
+  // The contact network is that of the lattice without load, so that all contact forces are zero.
   for (int e = 0; e < static_cast<int>(network.elements.size()); ++e) {
     if (!open.empty() && open[e]) continue;
     const LatticeElement<Dim>& from = network.elements[e];

@@ -33,12 +33,12 @@ enum class LatticeBoundary {
   periodic,        ///< no border: the sample continues in its periodic images
   plates,          ///< frictionless plates on the two faces across the loaded axis; the other faces are free
   bonded_plates,   ///< plates that fix the nodes on the two faces across the loaded axis in every direction
-  uniform_strain,  ///< all nodes at the border of the cell move with its uniform strain
+  uniform_strain,  ///< all nodes at the border of the cell move with the uniform strain of the cell
 };
 
-/// Stiffness of the elements of a lattice: one spring constant per kind of element, whatever its length, as in
-/// [RTV2010]. An interface consists of two springs of half the length in series, one of each material, which gives the
-/// exact stiffness of laminates.
+/// Stiffness of the elements of a lattice: one spring constant per kind of element, whatever the element's length, as
+/// in [RTV2010]. An interface consists of two springs of half the length in series, one of each material, which gives
+/// the exact stiffness of laminates.
 struct ElementStiffness {
   /// stiffness k_p of elements within grains (force/length), or Young's modulus E (stress) if `by_facet`
   double grain = 1.0;
@@ -47,13 +47,13 @@ struct ElementStiffness {
   std::optional<double> bare;       ///< stiffness of bare elements; k_p if absent
   double shear = 0.0;               ///< ratio K_T/K_N of tangential to normal stiffness; 0 for central springs
   double bending = 0.0;  ///< ratio K_R/(K_N spacing^2) of rolling stiffness K_R to normal stiffness K_N
-  /// whether the stiffness of an element is E facet/length, with its `facet` in LatticeBond
+  /// whether the stiffness of an element is E facet/length, where `facet` is the member of LatticeBond
   bool by_facet = false;
   /// behaviour of bare elements, which join two grains without matrix
   BareContact contact = BareContact::unilateral;
   /// Largest distance of a bare element from the line between the centres of its two grains, over R' = 2 R_i R_j/(R_i +
-  /// R_j) with their radii R_i and R_j; bare elements farther away are voids. If absent, all bare elements count, and
-  /// the contact area depends on the spacing of the lattice.
+  /// R_j) with their radii R_i and R_j. Bare elements farther away are voids. If absent, all bare elements are springs,
+  /// and the contact area depends on the spacing of the lattice.
   std::optional<double> patch;
 
   bool central() const { return shear == 0.0 && bending == 0.0; }
@@ -67,7 +67,7 @@ struct ElementStiffness {
 template <int Dim>
 struct LatticeElement {
   int i, j;             ///< numbers of the two nodes
-  Vec<Dim, int> image;  ///< periodic image of node j, see LatticeBond
+  Vec<Dim, int> image;  ///< periodic image of node j: branch = node[j] + image * cell.matrix - node[i]
   Vec<Dim> branch;      ///< vector from node i to the image of node j (length)
   Vec<Dim> arm_i;       ///< vector from node i to the point at which the force of the element acts (length)
   double kn;            ///< normal stiffness (force/length)
@@ -79,7 +79,7 @@ struct LatticeElement {
 /// Cemented sample as a network of springs.
 template <int Dim>
 struct LatticeNetwork {
-  int n_nodes = 0;       ///< number of nodes of the lattice, by which the elements number their nodes
+  int n_nodes = 0;       ///< number of nodes of the lattice, including nodes without elements
   double volume = 0.0;   ///< volume of the cell (2D: area)
   double spacing = 0.0;  ///< spacing of the lattice (length)
   double shear = 0.0;  ///< ratio K_T/K_N of tangential to normal stiffness of elements that are not unilateral
@@ -93,7 +93,8 @@ struct LatticeNetwork {
   /// number of nodes of grains or matrix that were removed because they cannot carry a force
   int n_removed = 0;
   int n_islands = 0;  ///< number of connected parts that were removed because they cannot carry the load
-  /// number of independent directions in which the network winds around the cell; Dim if plates or the border fix it
+  /// number of independent directions in which the network winds around the cell; Dim if plates or the border of the
+  /// cell fix nodes
   int n_directions = 0;
 
   bool central() const { return shear == 0.0 && bending == 0.0; }
@@ -101,9 +102,10 @@ struct LatticeNetwork {
 };
 
 /// Returns the network of elements between the nodes of a sample, without the elements that carry no force under any
-/// load. These are the elements
-/// - at nodes with a single element, or (if springs are central) with two collinear elements only;
-/// - in connected parts that neither wind around the cell nor reach from one fixed side to the other.
+/// load. These are
+/// - the elements at a node with a single element, or, if springs are central, with only two elements that are
+///   collinear;
+/// - the elements of connected parts that neither wind around the cell nor reach from one fixed side to the other.
 ///
 /// @param axis  axis along which plates load the sample, from 0; ignored for other boundaries
 /// @throws InputError if a stiffness is invalid
@@ -111,8 +113,8 @@ template <int Dim>
 LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const ElementStiffness& stiffness,
                                     LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
-/// Returns the elements of a lattice as a contact network whose grains are the nodes. The functions of the folder
-/// `elasticity` can be used on it.
+/// Returns a lattice as a contact network: its grains are the nodes, its contacts the elements. The functions of the
+/// folder `elasticity` can be used on it.
 /// @param open  for each element, whether it is left out because it is open; if empty, no element is left out
 template <int Dim>
 ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const std::vector<bool>& open = {});

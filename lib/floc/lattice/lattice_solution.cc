@@ -5,8 +5,9 @@
 namespace floc {
 namespace {
 
-/// Takes the forces of one element from those of its springs: the normal force; the tangential forces, if the element
-/// resists shear; and the moments about its axes of rotation, if it resists bending (in 3D not about the normal).
+/// Copies the forces of one element from its springs to the solution: the normal force; the tangential forces, if the
+/// element resists shear; and the moments about its axes of rotation, if it resists bending (in 3D not about the
+/// normal).
 template <int Dim>
 void read_element(const RelaxedSprings<Dim>& springs, const LatticeNetwork<Dim>& network, int e,
                   LatticeSolution<Dim>& out) {
@@ -46,7 +47,8 @@ LatticeSolution<Dim> LatticeSolver<Dim>::solve(const LatticeLoad<Dim>& load) {
   if (boundary_ == LatticeBoundary::plates || boundary_ == LatticeBoundary::bonded_plates)
     for (int a = 0; a < kSymmetric<Dim>; ++a)
       if (a != axis_)
-        // between plates, the other faces of the cell are free: strains along them are not needed and are fixed at zero
+        // between plates, the sample is free to expand sideways: strains across the axis of the plates are not needed
+        // and are fixed at zero
         control.imposed[a] = true, control.value[a] = 0.0;
   for (int a = 0; a < kSymmetric<Dim>; ++a)
     if (!control.imposed[a]) control.value[a] *= network_.volume;

@@ -14,7 +14,8 @@ template <int Dim>
 struct LatticeLoad {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  Components value = Components::Zero();  ///< strain for components with `imposed`, stress for the others
+  /// imposed strain for components with `imposed`, imposed stress for the others
+  Components value = Components::Zero();
 
   /// Returns a load with the given stress along one axis and zero stress in all other components.
   static LatticeLoad uniaxial(int axis, double stress) {
@@ -45,20 +46,20 @@ struct LatticeSolution {
   Vec<Dim> force_on_i(const LatticeNetwork<Dim>& network, int element) const;
 };
 
-/// Solver for a lattice network that is loaded once or several times. The factor and the set of closed elements are
-/// kept from one load to the next.
+/// Solver for a lattice network that is loaded once or several times. The factor of the stiffness matrix and the set of
+/// closed elements are kept from one load to the next.
 template <int Dim>
 class LatticeSolver {
  public:
-  /// @param network         network to load, which must outlive the solver
-  /// @param boundary, axis  boundary condition, and axis of the plates, with which the network was made
+  /// @param network    network to load, which must outlive the solver
+  /// @param boundary,  axis  boundary condition with which the network was made, and axis along which plates load it
   LatticeSolver(const LatticeNetwork<Dim>& network, const RelaxationSettings& settings,
                 LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
   /// Finds the state of the network under a load. Between plates, only the load along the axis of the plates counts.
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
-  /// Returns the moduli of the sample: stress per unit of each strain after relaxation of all nodes, in the order of
+  /// Returns the moduli of the sample, with all nodes free to relax: stress per unit of each strain, in the order of
   /// StrainSet::full. The elements that were open in the last solution stay open.
   /// @pre solve() was called
   Eigen::MatrixXd moduli();

@@ -13,7 +13,8 @@ template <int Dim>
 class NodeGrid {
  public:
   explicit NodeGrid(const Lattice<Dim>& lattice) : lattice_(lattice) {
-    const Mat<Dim> inverse = lattice.cell.matrix.inverse();  // columns: gradients of the reduced coordinates
+    // The columns are the gradients of the reduced coordinates.
+    const Mat<Dim> inverse = lattice.cell.matrix.inverse();
     for (int a = 0; a < Dim; ++a) {
       width_[a] = 1.0 / inverse.col(a).norm();
       bins_[a] = std::max(1, static_cast<int>(width_[a] / (kNodesAcross * lattice.spacing)));

@@ -15,28 +15,29 @@ template <int Dim>
 std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetwork<Dim>& network,
                                   const LatticeSolution<Dim>& solution);
 
-/// Exponential tail exp(-beta x) of a distribution of numbers x beyond a threshold, fitted by maximum likelihood.
+/// Exponential tail exp(-beta x) of the distribution of a number x above a threshold, fitted by maximum likelihood.
 struct StressTail {
   double from = 1.0;                ///< threshold of x
-  int n = 0;                        ///< number of values of x beyond the threshold
+  int n = 0;                        ///< number of values of x above the threshold
   std::optional<double> beta = {};  ///< decay rate beta; absent for fewer than 10 values
   /// Standard error beta/sqrt(n) of beta. It assumes independent values; the stresses of neighbouring nodes are in fact
   /// correlated.
   std::optional<double> error = {};
 };
 
-/// Distribution of a stress component over the nodes of a lattice. x is the component divided by its mean over the
-/// nodes where it has the sign of the load.
+/// Distribution of a stress component over the nodes of a lattice. Stresses of the same sign as the load are divided by
+/// their mean, which gives a number x.
 struct StressDistribution {
   int n = 0;          ///< number of nodes in the distribution
   double mean = 0.0;  ///< mean of the component over all nodes (stress)
-  /// mean of the component over the nodes where it has the sign of the load (stress): x = component/unit
+  /// mean of the component over the nodes where it has the same sign as the load (stress); x is the component over this
+  /// mean
   double unit = 0.0;
   double spread = 0.0;       ///< standard deviation of the component over all nodes, divided by `mean`
-  double other_share = 0.0;  ///< share of the nodes where the component has the opposite sign to the load
+  double other_share = 0.0;  ///< share of the nodes where the component and the load have opposite signs
   double largest = 0.0;      ///< largest value of x
-  StressTail loaded_1{1.0}, loaded_2{2.0};  ///< tails of the distribution of x beyond 1 and beyond 2
-  /// tail, beyond 1, of the components whose sign is opposite to that of the load, divided by their own mean
+  StressTail loaded_1{1.0}, loaded_2{2.0};  ///< exponential tails of the distribution of x above 1 and above 2
+  /// exponential tail above 1 of the components whose sign is opposite to that of the load, divided by their mean
   StressTail other_1{1.0};
 };
 

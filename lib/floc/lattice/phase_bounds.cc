@@ -7,8 +7,9 @@
 namespace floc {
 namespace {
 
-/// Returns the mean modulus [sum of share/(modulus + y)]^-1 - y over the phases, by Hashin and Shtrikman; y depends on
-/// the reference phase, see bulk_reference() and shear_reference(). For y = 0 it is the harmonic mean.
+/// Returns the mean modulus [sum of share/(modulus + y)]^-1 - y over the phases of a composite. For y = 0 it is the
+/// harmonic mean; for the bounds of Hashin and Shtrikman, y depends on the reference phase, see bulk_reference() and
+/// shear_reference().
 double mean_with(const std::vector<ElasticPhase>& phases, double ElasticPhase::*modulus, double y) {
   double sum = 0.0;
   for (const ElasticPhase& p : phases) {

@@ -13,7 +13,8 @@ struct ElasticPhase {
 
 /// Bounds on one modulus of a composite, from the highest to the lowest (stress).
 struct ModulusBounds {
-  double voigt, hashin_shtrikman_upper, hashin_shtrikman_lower, reuss;  ///< (stress)
+  /// bounds, from the highest to the lowest (stress)
+  double voigt, hashin_shtrikman_upper, hashin_shtrikman_lower, reuss;
 };
 
 /// Bounds on the bulk modulus K and shear modulus G of an isotropic composite of isotropic phases that are bonded to

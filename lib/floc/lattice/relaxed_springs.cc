@@ -11,20 +11,20 @@
 namespace floc {
 namespace {
 
-/// A new factor is made if more than this number of springs have opened or closed since the last factorization; with
-/// fewer, conjugate gradients with the old factor are cheaper.
+/// Largest number of springs that may have opened or closed since the last factorization. Up to this number, conjugate
+/// gradients with the old factor are cheaper than a new factor.
 constexpr int kMostChanged = 60;
-/// Largest number of steps of conjugate gradients with an old factor; after that, a new factor is made.
+/// Largest number of conjugate-gradient steps with an old factor; if they do not suffice, a new factor is made.
 constexpr int kStepsOnOldFactor = 30;
 /// Largest number of unknowns for which a factor is cheap in 3D.
 constexpr int kSmallInSpace = 20000;
-/// If the forces that do not balance are below this share of the load and no longer decrease, they are due to rounding.
+/// Net forces on nodes are due to rounding if they are below this share of the load and no longer decrease.
 constexpr double kRounding = 1e-8;
-/// Ratio of the strain to the affine strain under the same load, with all springs closed, above which the sample counts
-/// as not resisting the load. The preconditioner could not tell a softer sample from one with free motions.
+/// A sample counts as not resisting its load if its strain exceeds the affine strain under this load, with all springs
+/// closed, by this factor. The preconditioner could not tell a softer sample from one with free motions.
 constexpr double kBeyond = 1e8;
-/// A motion counts as free, that is, without resistance, if its energy is below this share of the energy that the
-/// preconditioner predicts.
+/// A motion counts as free (without resistance) if its energy is below this share of the energy that the preconditioner
+/// predicts.
 constexpr double kNoEnergy = 1e-5;
 
 template <int Dim, int Size>
@@ -64,7 +64,7 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // If some motions need no energy, rounding leaves forces that do not balance and that no further round reduces.
+      // If some motions need no energy, rounding leaves net forces on nodes, which no further round reduces.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;
@@ -148,7 +148,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   struct Direction {
     Eigen::VectorXd direction;
-    bool reached = false;  // whether the forces that do not balance are within the target
+    bool reached = false;  // whether the net forces on the nodes are within the target
   };
 
   void set_control(const StrainControl<Dim>& control) {
@@ -165,9 +165,9 @@ class Springs final : public RelaxedSprings<Dim> {
            springs_.on_strain[r].dot(x.template tail<kSymmetric<Dim>>());
   }
 
-  /// Returns the forces K x of the active springs on the nodes and on the strains that are not imposed; zero for
-  /// imposed strains.
-  /// @param x  displacements of the nodes, then the strains
+  /// Returns the forces K x of the active springs on the nodes and on the strains of the cell, with their stiffness
+  /// matrix K; zero for imposed strains.
+  /// @param x  displacements of the nodes, then the strains of the cell
   Eigen::VectorXd applied(const Eigen::VectorXd& x) const {
     Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
     Strains of_strains = Strains::Zero();
@@ -191,7 +191,7 @@ class Springs final : public RelaxedSprings<Dim> {
     return out;
   }
 
-  /// Finds the active one-sided springs, which are those in compression.
+  /// Finds the active springs among the one-sided ones: those in compression.
   /// @return number of springs that have opened or closed since the last call
   int update_active() {
     int n_changed = 0;
@@ -211,8 +211,8 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. This energy is
-  /// that of the imposed strain, if the nodes follow it affinely, plus the energy that the relaxation would then
-  /// release.
+  /// the sum of two: the energy of the imposed strain, if the nodes follow it affinely, and the energy that the nodes
+  /// would then release by relaxation.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
@@ -243,8 +243,8 @@ class Springs final : public RelaxedSprings<Dim> {
     ++report.n_factors;
   }
 
-  /// Solves K d = load for the active springs by conjugate gradients, with the stiffness matrix K, until the norm of
-  /// the residual in the norm of the preconditioner is at most `target`.
+  /// Solves K d = load for the displacement d by conjugate gradients, with the stiffness matrix K of the active
+  /// springs. It ends when the residual in the norm of the preconditioner is at most `target`.
   Direction solve(const Eigen::VectorXd& load, double target, int most_steps,
                   SpringRelaxationReport& report) const {
     Direction out{Eigen::VectorXd::Zero(load.size())};
@@ -288,7 +288,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   void take_step(const Eigen::VectorXd& down, double norm, double whole, SpringRelaxationReport& report) {
     const bool one_sided = !springs_.one_sided.empty();
-    // While springs still open and close, an approximate direction suffices, unless an exact one is cheap.
+    // While springs still open and close, a direction that is solved inexactly suffices, unless an exact one is cheap.
     const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;
     const double target = std::max(share * norm, 0.5 * settings_.tolerance * whole);
     const bool old_factor = inverse_->is_exact() && prepared_ != active_;
@@ -301,15 +301,17 @@ class Springs final : public RelaxedSprings<Dim> {
     if (strain().norm() > largest_strain()) report.holds = false;
   }
 
-  /// Moves to the point of smallest energy along a direction.
-  /// @param down  minus the gradient of the energy
+  /// Moves the nodes and strains along a direction, to the point of smallest energy.
+  /// @param direction  displacements of the nodes, then the strains
+  /// @param down       minus the gradient of the energy
   /// @return false if the energy decreases without limit
   bool search_along(const Eigen::VectorXd& direction, const Eigen::VectorXd& down) {
     const double slope = -down.dot(direction);
     if (slope >= 0.0) return true;
     double square = 0.0,
-           linear = slope;  // slope of the energy of two-sided springs after t steps: linear + t square
-    // overlap, change of the overlap per unit step along the direction, and stiffness of each one-sided spring
+           // slope of the energy of the two-sided springs after a step of t * direction: linear + t square
+        linear = slope;
+    // for each one-sided spring: overlap, change of the overlap per unit step along the direction, stiffness
     std::vector<std::array<double, 3>> one_sided;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_), d = overlap(r, direction);
@@ -355,7 +357,7 @@ class Springs final : public RelaxedSprings<Dim> {
   RelaxationSettings settings_;
   SpringRows<Dim, Size> springs_;
   std::vector<int> here_;
-  Eigen::VectorXd x_;  // displacements of the nodes, then the strains
+  Eigen::VectorXd x_;  // displacements of the nodes, then the strains of the cell
   // for each spring, whether it is active now, and whether it was when the preconditioner was made
   std::vector<char> active_, prepared_;
   bool ready_ = false;

@@ -16,20 +16,20 @@ enum class LatticeMethod {
   iterative,  ///< conjugate gradients with diagonal blocks as preconditioner: hundreds of steps, little memory
 };
 
-/// Progress of one round of the relaxation. During a round, no unilateral element opens or closes.
+/// Progress of one round of the relaxation of a lattice. During a round, no unilateral element opens or closes.
 struct RelaxationRound {
   int round;         ///< number of the round, from 1
   int n_open;        ///< number of open unilateral elements (which carry no force)
-  int n_changed;     ///< number of elements that have opened or closed since the last round
+  int n_changed;     ///< number of unilateral elements that have opened or closed since the last round
   int n_steps;       ///< number of steps of conjugate gradients in this round
-  double imbalance;  ///< size of the forces that do not balance, over the size of the load
-  bool factorized;   ///< whether a new preconditioner (such as a factor) was made
+  double imbalance;  ///< size of the net forces on the nodes, over the size of the load
+  bool factorized;   ///< whether a new preconditioner, such as a factor, was made in this round
 };
 
 struct RelaxationSettings {
   LatticeMethod method = LatticeMethod::automatic;
-  /// The relaxation ends when the forces that do not balance are at most this share of the load, both in the norm of
-  /// the preconditioner.
+  /// The relaxation ends when the net forces on the nodes are at most this share of the load. Both are measured in the
+  /// norm of the preconditioner.
   double tolerance = 1e-10;
   int max_rounds = 100;  ///< largest number of rounds of the relaxation; about ten are usual
   /// Function that is called after each round of the relaxation, if set.
@@ -48,17 +48,19 @@ struct StrainControl {
 struct SpringRelaxationReport {
   bool converged = false;
   bool holds = true;       ///< false if no spring resists the load, which then moves a mechanism
-  double imbalance = 0.0;  ///< size of the forces that still do not balance, over the size of the load
+  double imbalance = 0.0;  ///< size of the net forces that remain on the nodes, over the size of the load
   /// numbers of rounds, of conjugate-gradient steps and of preconditioners made
   int n_rounds = 0, n_steps = 0, n_factors = 0;
 };
 
-/// Springs between nodes in a cell, whose positions and strain are relaxed to the smallest energy. Some springs are
-/// one-sided: they carry compression only. With the overlap o and the stiffness k of a spring, the energy is 1/2 sum k
-/// o^2 over the two-sided springs + 1/2 sum k max(o, 0)^2 over the one-sided ones - load . strain; it is convex. Its
-/// minimum is found by Newton's method for the one-sided springs in compression (the active set). The first set is that
-/// of the last relaxation, or contains all springs. Along each step, a line search finds the smallest energy. The
-/// energy thus decreases in every round, and no set occurs twice.
+/// Springs between nodes in a cell. The positions of the nodes and the strain of the cell are relaxed to the smallest
+/// energy. Some springs are one-sided: they carry compression only. With the overlap o and the stiffness k of a spring,
+/// the energy is 1/2 sum k o^2 over the two-sided springs + 1/2 sum k max(o, 0)^2 over the one-sided springs - load .
+/// strain; it is convex.
+///
+/// Newton's method finds its minimum. The active set consists of the one-sided springs in compression; at the start, it
+/// is that of the last relaxation, or contains all springs. Along each step, a line search finds the smallest energy.
+/// The energy thus decreases in every round, and no active set occurs twice.
 template <int Dim>
 class RelaxedSprings {
  public:
@@ -67,15 +69,15 @@ class RelaxedSprings {
   /// Relaxes the springs under imposed strains and loads.
   /// @return report of the relaxation; the springs are left in the best state found, whether or not it has converged
   [[nodiscard]] virtual SpringRelaxationReport relax(const StrainControl<Dim>& control) = 0;
-  /// Returns the volume times the stress per unit of each strain after relaxation of the nodes, in the order of
-  /// StrainSet::full, if no spring opens or closes.
+  /// Returns the volume times the stress per unit of each strain, in the order of StrainSet::full, if the nodes relax
+  /// and no spring opens or closes.
   /// @pre relax() was called
   virtual Eigen::MatrixXd tangent_stiffness() = 0;
 
   virtual Eigen::Matrix<double, kSymmetric<Dim>, 1> strain() const = 0;
   /// Returns the volume times the stress that the springs carry.
   virtual Eigen::Matrix<double, kSymmetric<Dim>, 1> load() const = 0;
-  /// Returns the force of a spring: stiffness times overlap; 0 if the spring is open.
+  /// Returns the force of a spring: its stiffness times its overlap; 0 if the spring is open.
   /// @param row  number of the spring
   virtual double force(int row) const = 0;
   virtual bool open(int row) const = 0;

@@ -15,7 +15,7 @@ class SpringPreconditioner {
   using Strains = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
 
   virtual ~SpringPreconditioner() = default;
-  /// Computes the approximate inverse for given closed springs; must be called before apply().
+  /// Computes the approximate inverse for a given set of closed springs; must be called before apply().
   /// @param active  for each spring, whether it is closed
   virtual void prepare(const std::vector<char>& active) = 0;
   /// Sets, for each strain, whether it is free, that is, an unknown instead of an imposed value.
@@ -23,8 +23,8 @@ class SpringPreconditioner {
   /// Returns the product of the approximate inverse with a residual; zero for strains that are not free.
   /// @param residual  entries for the motions of the nodes, then for the strains
   virtual Eigen::VectorXd apply(const Eigen::VectorXd& residual) const = 0;
-  /// Returns whether the inverse is nearly exact for the springs given to prepare(), so that it remains useful if a few
-  /// springs open or close.
+  /// Returns whether the inverse is nearly exact for the closed springs that prepare() was given, so that it remains
+  /// useful if a few springs open or close.
   virtual bool is_exact() const = 0;
 };
 
@@ -33,8 +33,8 @@ class SpringPreconditioner {
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> factor_preconditioner(const SpringRows<Dim, Size>& springs);
 
-/// Returns a preconditioner that uses the diagonal blocks of the nodes and the stiffness of the strains in affine
-/// motion.
+/// Returns a preconditioner that uses the diagonal blocks of the nodes, and the stiffness against strain if the nodes
+/// do not relax.
 template <int Dim, int Size>
 std::unique_ptr<SpringPreconditioner<Dim, Size>> block_preconditioner(const SpringRows<Dim, Size>& springs);
 

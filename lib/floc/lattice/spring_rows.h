@@ -8,18 +8,19 @@
 
 namespace floc {
 
-/// Lattice network as a list of springs between nodes with `Size` unknowns each. If all elements are central springs,
-/// no rotations are needed and Size = Dim; otherwise Size = kDofs<Dim>, with rotations multiplied by the spacing. Nodes
-/// without elements have no unknowns.
+/// Lattice network as a list of springs between nodes. Each node that has an element has `Size` unknowns. If all
+/// elements are central springs, no rotations are needed and Size = Dim; otherwise Size = kDofs<Dim>, with rotations
+/// multiplied by the spacing.
 template <int Dim, int Size>
 struct SpringRows {
   using OnNode = Eigen::Matrix<double, Size, 1>;
   using OnStrain = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
-  /// One spring: coefficients by which its elongation depends on the unknowns of its two nodes. The first spring of an
-  /// element is along the element; its coefficients give its overlap instead, which is positive in compression.
+  /// Spring: coefficients by which its elongation depends on the unknowns of its two nodes. The first spring of an
+  /// element lies along the element; its coefficients give its overlap instead, which is positive in compression.
   struct Row {
-    int i, j;           // indices of the two nodes in SpringRows::node
-    OnNode on_i, on_j;  // zero for fixed displacements; if i = j, `on_i` contains both
+    int i, j;  // indices of the two nodes in SpringRows::node
+    // coefficients for node i and node j, zero for fixed displacements; if i = j, `on_i` contains both
+    OnNode on_i, on_j;
     double stiffness;
   };
 

@@ -44,8 +44,8 @@ struct LoadStage {
   /// load on each axis at the end of the stage; empty if the pressure `to` acts on all axes
   std::vector<AxisLoad> axes = {};
   /// Shear strain at the end of a stage of simple shear; 0 in other stages. The planes perpendicular to `axis` move
-  /// along the first axis: the shear strain is the displacement of such a plane divided by its distance from the plane
-  /// that stays in place, at the length that `axis` has at the start of the stage.
+  /// along the first axis. The shear strain is the displacement of such a plane over its distance from the plane that
+  /// stays in place, measured at the start of the stage.
   double shear = 0.0;
 
   bool is_isotropic() const { return axes.empty(); }

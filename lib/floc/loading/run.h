@@ -33,7 +33,7 @@ struct RunPoint {
   std::vector<double> last_sides, last_stress;
   /// offset of the lattice vector that a simple shear tilts, at the beginning of this step (length)
   double last_offset = 0.0;
-  /// stage of this step with its starting state; empty if the stage loads all axes equally
+  /// stage of this step, with the sides and stresses at its start; empty if the stage loads all axes equally
   StageReference turn;
 };
 
@@ -55,7 +55,8 @@ enum class RunEvent {
 template <int Dim>
 class Run {
  public:
-  /// Starts a run from its beginning. @throws InputError if the options are invalid
+  /// Starts a run from its beginning.
+  /// @throws InputError if the options are invalid
   explicit Run(RunOptions options);
   /// Continues a run from a point that it has reached before. A checkpoint or point_after() gives this point.
   /// @param packing  packing of the run at this point
@@ -65,7 +66,8 @@ class Run {
   bool finished() const { return point_.step == static_cast<int>(plan_.size()); }
 
   /// Sets a function that is called while the packing moves, with the packing and the time since the beginning of the
-  /// run. @pre this object is not moved or copied afterwards, because the function refers to it
+  /// run.
+  /// @pre this object is not moved or copied afterwards, because the function refers to it
   void set_observer(MotionObserver<Dim> observer);
 
   /// Advances the run by one chunk of time steps.

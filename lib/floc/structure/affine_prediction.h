@@ -6,23 +6,23 @@
 
 namespace floc {
 
-/// Returns a packing at another solid fraction after an affine compression or expansion: its cell and all
-/// positions are scaled by one factor, and the grains keep their size.
+/// Returns a packing after affine compression or expansion to the given solid fraction: its cell and all positions are
+/// scaled by one factor, and the grains keep their size.
 template <int Dim>
 Packing<Dim> scaled_to(const Packing<Dim>& packing, double solid_fraction);
 
 /// Coordination numbers and pressure of a packing right after affine scaling, before its grains move to a new
 /// equilibrium.
 struct AffinePrediction {
-  /// Coordination number of the pairs of grains that overlap after all distances are scaled by s; rattlers are scaled
-  /// like all grains. It equals z_I(a/s - a), with z_I(h) the coordination number of neighbours at gaps up to h in the
-  /// given packing, and a the diameter.
+  /// Coordination number of the pairs of grains that overlap after all distances, also those of rattlers, are scaled by
+  /// a factor s. It equals z_I(a/s - a), where z_I(h) is the coordination number of neighbours at gaps up to h in the
+  /// given packing and a is the diameter.
   double z = 0.0;
-  /// Coordination number z_II(a/s - a): as `z`, but before the scaling the rattlers are pushed against other grains.
+  /// As `z`, but before the scaling the rattlers (grains that carry no force) are pushed against other grains.
   double z_pushed = 0.0;
-  /// Mean normal stress (force/length^(Dim-1)) by the normal forces N that the contact law gives for the overlaps after
-  /// scaling by s: the sum of N(a - s r) s r over the pairs of grains at distances s r < a, divided by Dim times the
-  /// volume of the scaled cell.
+  /// Mean normal stress (force/length^(Dim-1)) after all distances are scaled by a factor s: the sum of N(a - s r) s r
+  /// over the pairs of grains at distances s r below the diameter a, divided by Dim times the volume of the scaled
+  /// cell. N is the normal force that the contact law gives for an overlap.
   double pressure = 0.0;
 };
 
@@ -33,7 +33,8 @@ class AffineReference {
   /// @param rattler  whether each grain is a rattler (a grain that carries no force)
   AffineReference(const Packing<Dim>& packing, const std::vector<bool>& rattler);
 
-  /// Returns the prediction for the packing scaled to a solid fraction. @throws InputError if find_contacts() throws it
+  /// Returns the prediction for the packing scaled to a solid fraction.
+  /// @throws InputError if find_contacts() throws it
   AffinePrediction at(double solid_fraction) const;
 
  private:

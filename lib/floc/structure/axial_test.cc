@@ -10,7 +10,7 @@ double lateral_mean(int axis, const Vec<Dim>& values) {
 }
 
 /// Returns the value on the driven axis minus the mean of the values on the other axes. For stresses this is the
-/// deviator q; for strains it is, up to a factor, the strain eps_q on which q does work.
+/// deviator q. For strains it is the strain eps_q on which q does work, up to a factor.
 template <int Dim>
 double difference(int axis, const Vec<Dim>& values) {
   return values[axis] - lateral_mean<Dim>(axis, values);

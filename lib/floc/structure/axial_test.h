@@ -13,14 +13,15 @@ struct AxialTest {
   double deviator = 0.0;
   /// Ratio K0: mean stress on the other axes over the stress on the driven axis.
   double lateral_ratio = 0.0;
-  /// Logarithmic volumetric strain, from the reference state of the strains given to measure_axial_test().
+  /// Logarithmic volumetric strain since the reference state, which is that of the strains given to
+  /// measure_axial_test().
   double volumetric_strain = 0.0;
   /// Mobilised friction: (s1 - s2)/(s1 + s2) = q/(2 p) in 2D, q/p in 3D, with s1 the stress on the driven axis and s2
   /// on the other axis.
   double mobilised = 0.0;
-  /// Dilatancy -d eps_v/d eps_q since the previous equilibrium, with eps_v the volumetric strain and eps_q = eps_1 -
-  /// eps_2 in 2D, 2/3 (eps_1 - eps_3) in 3D; eps_1 is the strain of the driven axis, eps_2 and eps_3 are (mean) strains
-  /// of the other axes. Absent if eps_q does not change.
+  /// Dilatancy -d eps_v/d eps_q since the previous equilibrium, with the volumetric strain eps_v. In 2D eps_q = eps_1 -
+  /// eps_2, in 3D 2/3 (eps_1 - eps_3): eps_1 is the strain of the driven axis, eps_2 and eps_3 are (mean) strains of
+  /// the other axes. Absent if eps_q does not change.
   std::optional<double> dilatancy;
 };
 

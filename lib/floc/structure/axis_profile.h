@@ -21,7 +21,8 @@ struct ProfileSlice {
 inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
 
 /// Divides the cell into slices of equal thickness, and computes the solid fraction and the mean values of each slice.
-/// @param axis    index, from 0, of the lattice vector that is not parallel to the slices   @param n  number of slices
+/// @param axis    index, from 0, of the lattice vector that is not parallel to the slices
+/// @param n       number of slices
 /// @param values  arrays of one number per grain, whose means are computed
 /// @throws InputError if n is not in kProfileSlices
 template <int Dim>

@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Largest relative difference between the radii of a grain in two states that counts as rounding of numbers in files.
+/// Largest relative difference between the radii of a grain in two files that counts as rounding of the numbers in
+/// them.
 constexpr double kSameRadius = 1e-9;
 
 /// Returns the integer matrix M that expresses the lattice vectors of the later state by those of the earlier one:
@@ -44,8 +45,8 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
 }
 
 /// Identity of a contact and its index in the contact list. The identity consists of the two grains in canonical order,
-/// the periodic image in the lattice of the state before, and the key, which distinguishes contacts of one pair of
-/// grains.
+/// the periodic image in the lattice of the state before, and the key, which distinguishes several contacts of one pair
+/// of grains.
 template <int Dim>
 struct Named {
   Contact<Dim> name;

@@ -30,7 +30,7 @@ struct ContactChanges {
   /// Numbers of lattice vectors by which each grain was moved back into the cell. The position after is deformation *
   /// (position before) + displacement + (mean displacement) + wrapped * cell_after.
   std::vector<Vec<Dim, int>> wrapped;
-  /// Lattice vectors of the state after that correspond to those of the state before, one per row.
+  /// Lattice vectors of the later state, chosen so that each corresponds to that of the earlier state; one per row.
   Mat<Dim> cell_after = Mat<Dim>::Identity();
 
   int n_before() const { return static_cast<int>(kept.size() + lost.size()); }
@@ -44,10 +44,10 @@ struct ContactChanges {
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 
-/// Compares two states of a packing. Grains are identified by their index, contacts by both grains, image and key.
-/// Displacements are taken to the nearest periodic image in reduced coordinates, so that each grain must move by less
-/// than half the cell relative to the mean displacement. A common translation or another choice of lattice vectors does
-/// not change the result.
+/// Compares two states of a packing. Grains are identified by their index, contacts by their two grains, periodic image
+/// and key. Displacements are taken to the nearest periodic image in reduced coordinates, so that each grain must move
+/// by less than half the cell relative to the mean displacement. A common translation or another choice of lattice
+/// vectors does not change the result.
 /// @pre incomparable(before, after) is empty
 template <int Dim>
 ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Dim>& after);

@@ -16,8 +16,8 @@ struct ContactDirections {
   int n_contacts = 0;
 };
 
-/// Returns the distribution of the directions of contacts in compression. @param n_bins  number of bins from 0
-/// to pi
+/// Returns the distribution of the directions of contacts in compression.
+/// @param n_bins  number of bins from 0 to pi
 ContactDirections contact_directions(const Packing<2>& packing, int n_bins);
 
 }  // namespace floc

@@ -6,14 +6,14 @@ namespace floc {
 
 /// Numbers of contacts between the N grains of a packing (docs/physics.md, "Coordination and rattlers"). A coordination
 /// number is twice the number of contacts between grains that touch, over N. Attractions across a gap are counted
-/// separately; [GRC2008] includes them in z and z-, so that 2 n_distant/N must be added to both for a comparison.
+/// separately; [GRC2008] includes them in z and z_minus, so that 2 n_distant/N must be added to both for a comparison.
 struct Coordination {
   int n_contacts = 0;    ///< number of contacts between grains that touch
   int n_distant = 0;     ///< number of pairs of grains that attract each other across a gap
   double z = 0.0;        ///< coordination number 2 n_contacts/N, with N the number of grains
-  double z_plus = 0.0;   ///< coordination number of contacts in compression
-  double z_minus = 0.0;  ///< coordination number of contacts in tension
-  /// Coordination number of contacts whose normal force is at most `zero_force` of coordination().
+  double z_plus = 0.0;   ///< coordination number of contacts in compression: twice their number over N
+  double z_minus = 0.0;  ///< coordination number of contacts in tension: twice their number over N
+  /// Coordination number of contacts whose normal force is at most the value `zero_force` given to coordination().
   double z_zero = 0.0;
   int n_rattlers = 0;
   double rattler_fraction = 0.0;  ///< x0: share of grains that are rattlers (carry no force)

@@ -80,8 +80,8 @@ class Painter {
   CoverageMap take() { return std::move(map_); }
 
  private:
-  /// Returns the share of a mesh cell that a disk of radius R covers. @param at  centre of the mesh cell, from
-  /// the centre of the disk
+  /// Returns the share of a mesh cell that a disk of radius R covers.
+  /// @param at  vector from the centre of the disk to the centre of the mesh cell
   double share_at(const Vec<2>& at, double R) const {
     const double distance2 = at.squaredNorm();
     const double inside = R - circumradius_, outside = R + circumradius_;

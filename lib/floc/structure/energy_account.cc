@@ -86,8 +86,8 @@ double spring_loss(const V& before, double stiffness_before, const V& after, dou
          spring_energy(after.squaredNorm(), stiffness_after) + 0.5 * (before + after).dot(motion);
 }
 
-/// Adds the energy that the springs of a contact dissipate in a step. @param before  the contact before the
-/// step, without forces if it is new
+/// Adds the energy that the springs of a contact dissipate in a step.
+/// @param before  the contact before the step, without forces if it is new
 template <int Dim>
 void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, const StepMotion<Dim>& motion,
                        EnergyTerms& terms) {
@@ -134,8 +134,8 @@ double attraction_energy(const Law& law, const Packing<Dim>& packing, const Cont
 }
 
 /// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step, with the grains
-/// at their positions at the end of the step. Volumes change if liquid is shared out again, flows into bridges that
-/// form, or leaves bridges that are no longer in the contact list.
+/// at their positions at the end of the step. Volumes change if liquid is shared out again, flows into new bridges, or
+/// leaves bridges that are no longer in the contact list.
 template <int Dim>
 double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
                         const ContactChanges<Dim>& changes) {
@@ -222,7 +222,7 @@ class Step {
     const ContactEnergy energy = contact_energy(packing, c);
     return packing.law.adheres_by_itself() ? energy.normal + energy.attraction : energy.normal;
   }
-  /// Returns the normal force of a contact whose work normal_energy() stores (force).
+  /// Returns the normal force whose work is the energy that normal_energy() returns (force).
   double force_of_normal_law(const Contact<Dim>& c) const {
     return after_.law.adheres_by_itself() ? c.normal_force : c.elastic_force;
   }
@@ -282,8 +282,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
 template <int Dim>
 void EnergyAccount<Dim>::change_law(const Law& law) {
   previous_.law = law;
-  // Springs keep their forces. Pairs that interact by the new law but did not by the old law are added to the
-  // contact list.
+  // When the contact law changes, springs keep their forces. Pairs that interact by the new law but did not by the old
+  // law are added to the contact list.
   const std::vector<Contact<Dim>> added = unlisted_pairs(previous_, interacting_pairs(previous_));
   previous_.contacts.insert(previous_.contacts.end(), added.begin(), added.end());
   std::sort(previous_.contacts.begin(), previous_.contacts.end(), precedes<Contact<Dim>>);

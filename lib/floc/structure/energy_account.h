@@ -9,7 +9,7 @@ namespace floc {
 struct EnergyTerms {
   double work = 0.0;     ///< work of the boundary on the packing
   double elastic = 0.0;  ///< energy stored in contacts, including the energy of attraction
-  /// Kinetic energy of the grains, by their velocities relative to the deforming cell and their spins.
+  /// Kinetic energy of the grains: of their velocities relative to the deforming cell, and of their spins.
   double kinetic = 0.0;
   double viscous = 0.0;  ///< energy dissipated by dashpots
   /// Energy dissipated by the springs of friction, rolling and twisting whose forces are at their limits.
@@ -42,7 +42,8 @@ class EnergyAccount {
   /// @throws InputError if the packing has walls
   explicit EnergyAccount(Packing<Dim> start);
 
-  /// Adds one time step to the balance. @param now  the packing after the step, with its contacts and forces
+  /// Adds one time step to the energy balance.
+  /// @param now  the packing after the step, with its contacts and forces
   void advance(const Packing<Dim>& now, double time_step);
 
   /// Replaces the contact law of the present packing, for a step of the load path that has another law. Tangential
@@ -51,7 +52,7 @@ class EnergyAccount {
   void change_law(const Law& law);
   const Law& law() const { return previous_.law; }
 
-  /// Continues from the terms of an energy balance that was kept up to the present packing.
+  /// Continues from the terms of an energy balance that has been kept up to the present packing.
   void continue_from(const EnergyTerms& terms) { terms_ = terms; }
 
   const EnergyTerms& terms() const { return terms_; }

@@ -21,7 +21,7 @@ constexpr double kRoundedForce = 1e-12;
 /// compressive.
 constexpr double kNoPressure = 1e-8;
 
-/// Returns the largest magnitude of the elastic and of the total normal forces of the contacts of a packing (force).
+/// Returns the largest magnitude among the elastic and the total normal forces of all contacts of a packing (force).
 template <int Dim>
 double largest_part(const Packing<Dim>& packing) {
   double largest = 0.0;
@@ -30,8 +30,8 @@ double largest_part(const Packing<Dim>& packing) {
   return largest;
 }
 
-/// Returns the index of the histogram bin of a value; nothing if the value is more than kMaxBins bins from zero, or
-/// NaN.
+/// Returns the index of the histogram bin that contains a value.
+/// @return no value for NaN, or if the value is more than kMaxBins bins from zero
 std::optional<int> bin_of(double value, double width) {
   const double bin = std::floor(value / width);
   if (!(bin >= -kMaxBins && bin < kMaxBins)) return std::nullopt;

@@ -20,7 +20,7 @@ std::string name_of(ForceKind kind);
 /// Unit in which contact forces and moments are expressed.
 enum class ForceUnit {
   pull_off,  ///< pull-off force F0 for forces, F0 a for moments (a is the largest diameter)
-  mean,      ///< mean magnitude of all forces of the ForceKind in question
+  mean,      ///< mean magnitude of all forces of one kind, see ForceKind
   pressure,  ///< P a^(Dim-1) for forces, P a^Dim for moments (P is the pressure, a the largest diameter)
 };
 
@@ -38,7 +38,8 @@ struct ForceDistribution {
   /// Unit of f (force, or force * length); 0 if the unit does not exist, such as the pull-off force without adhesion.
   double unit = 0.0;
   double width = 0.0;  ///< width of a bin, in `unit`
-  int first = 0;       ///< lower edge of the first bin over `width`, a whole number, so that no bin mixes signs
+  /// lower edge of the first bin over `width`: a whole number, so that no bin contains values of both signs
+  int first = 0;
   std::vector<std::int64_t> counts;
   std::int64_t n = 0;          ///< number of values, including those in no bin
   std::int64_t n_outside = 0;  ///< number of values more than kMaxBins widths from zero, which are in no bin
@@ -47,7 +48,8 @@ struct ForceDistribution {
   double middle(int b) const { return (first + b + 0.5) * width; }
   /// Returns the probability density of f/unit in bin b; its integral is the share of the values that are in bins.
   double density(int b) const { return static_cast<double>(counts[b]) / (static_cast<double>(n) * width); }
-  /// Adds the counts of another histogram, bin by bin. @pre Both have one width, or one of them is empty.
+  /// Adds the counts of another histogram, bin by bin.
+  /// @pre Both have one width, or one of them is empty.
   void add(const ForceDistribution& other);
 };
 
@@ -58,10 +60,12 @@ struct ForceDistribution {
 ForceDistribution distribution_of(const std::vector<double>& values, double unit, double width);
 
 /// Returns a warning about values that are in no bin of their histogram.
-/// @param what  name of the values, in the plural   @param remedy  option that has to be larger
+/// @param what    name of the values, in the plural
+/// @param remedy  option that has to be larger
 std::string outside_bins(const ForceDistribution& d, const std::string& what, const std::string& remedy);
 
-/// Returns the magnitudes of those values that have the given sign; zeros are left out. @param sign  1 or -1
+/// Returns the magnitudes of those values that have the given sign; zeros are left out.
+/// @param sign  1 or -1
 std::vector<double> sizes_of(const std::vector<double>& values, double sign);
 
 /// Returns the mean magnitude of values; 0 if there are none.
@@ -83,8 +87,8 @@ bool pressure_is_noise(const Packing<Dim>& packing);
 template <int Dim>
 double force_unit(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit);
 
-/// Returns the histogram of the forces of one kind in the unit of force_unit(). @param width  width of the bins,
-/// in that unit, > 0
+/// Returns the histogram of the forces of one kind in the unit that force_unit() returns.
+/// @param width  width of the bins, in this unit, > 0
 template <int Dim>
 ForceDistribution force_distribution(const Packing<Dim>& packing, ForceKind kind, ForceUnit unit, double width);
 

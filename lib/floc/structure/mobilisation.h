@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// Mean mobilisation of friction |F_T|/N, tangential over elastic normal force, of contacts with N above and
-/// below the mean. Contacts are added one by one.
+/// Mean mobilisation of friction in contacts with large and with small forces: mean |F_T|/N (tangential over elastic
+/// normal force) of contacts with N above and below the mean. Contacts are added one by one.
 class MobilisationByForce {
  public:
   /// @param mean  mean elastic normal force of the contacts, > 0 (force)

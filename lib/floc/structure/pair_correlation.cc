@@ -28,8 +28,8 @@ double inner_volume(const Packing<Dim>& packing, double reach) {
   return volume;
 }
 
-/// Counts the pairs around each grain that is at least `reach` away from the walls. @return the number of these
-/// grains
+/// Counts the pairs around each grain that is at least `reach` away from the walls.
+/// @return number of these grains
 template <int Dim>
 int count_away_from_walls(const Packing<Dim>& packing, const Grains<Dim>& points, double reach,
                           PairCorrelation& out) {

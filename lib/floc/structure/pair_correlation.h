@@ -8,18 +8,18 @@
 
 namespace floc {
 
-/// Pair correlation g(r) of the centres of grains: number of pairs at distances r in bin b, [b, b + 1) * width, over
-/// the number expected for independent grains of the same number density. All periodic images are counted, for any
-/// lattice and any distance.
+/// Pair correlation g(r) of the centres of grains: number of pairs at distances r in a bin, over the number expected
+/// for independent grains of the same number density. Bin b extends from b * width to (b + 1) * width. All periodic
+/// images are counted, for any lattice and any distance.
 ///
-/// Between walls, only grains at least the largest distance of g(r) away from every wall are counted, because these
-/// have all their neighbours. g(r) is then relative to the number density of these grains, and 0 if there are no such
-/// grains.
+/// Between walls, only grains that are at least the largest distance of g(r) away from every wall are counted, because
+/// all neighbours of these grains are in the packing. g(r) is then relative to the number density of these grains, and
+/// 0 if there are none.
 struct PairCorrelation {
   double width = 0.0;     ///< width of a bin (length)
   std::vector<double> g;  ///< pair correlation g(r) of each bin, from r = 0
-  /// Number of pairs in each bin; periodic images of a pair at other distances count separately. Between walls,
-  /// a pair counts once for each of its grains that is away from the walls.
+  /// Number of pairs in each bin; periodic images of a pair at other distances count separately. Between walls, a pair
+  /// counts once for each of its grains that is far enough from the walls.
   std::vector<std::int64_t> n_pairs;
 
   double middle(int b) const { return (b + 0.5) * width; }
@@ -32,7 +32,8 @@ inline constexpr NumberRange kPairReach{.least = 0.0, .most = 1000.0, .without_l
 inline constexpr double kMostPairs = 2.5e8;
 
 /// Computes the pair correlation g(r) of a packing.
-/// @param reach  largest distance (length), > 0   @param n_bins  number of bins, >= 1
+/// @param reach   largest distance (length), > 0
+/// @param n_bins  number of bins, >= 1
 /// @throws InputError for other values, or if about kMostPairs pairs or more would be counted
 template <int Dim>
 PairCorrelation pair_correlation(const Packing<Dim>& packing, double reach, int n_bins);

@@ -16,16 +16,17 @@ struct PhaseOptions {
   /// percolates has an error of about 0.1. Each shuffle costs one search for connected parts in each phase.
   int n_shuffles = 20;
   std::uint64_t seed = 1;
-  int n_bins = 10;  ///< number of bins of the share of neighbours whose pressure has equal sign
+  int n_bins = 10;  ///< number of bins for the share of neighbours whose pressure has equal sign
 
   static constexpr WholeRange kShuffles{.least = 1, .most = 100000};
   /// Returns the faults of the options, each as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// Mean pressure of those grains of a phase whose share of neighbours in the phase lies in one bin.
+/// Mean pressure of the grains of one phase (positive or negative pressure) that have a similar share of neighbours in
+/// this phase.
 struct LikeNeighbourBin {
-  /// Range [low, high) of the share of neighbours in the phase; the last bin includes 1.
+  /// range [low, high) of this share; the last bin includes 1
   double low = 0.0, high = 0.0;
   int n_grains = 0;
   double mean_size = 0.0;   ///< mean magnitude of the pressure of the grains of the bin (stress)
@@ -46,9 +47,9 @@ struct PhaseGeometry {
   std::vector<LikeNeighbourBin> by_share;
 };
 
-/// The two phases of grains with positive and with negative pressure, connected by bonds. Even if the signs were
-/// random, phases could percolate, and many neighbours would have equal signs. The phases are therefore compared with a
-/// control, in which the signs are shuffled among the grains of nonzero pressure.
+/// The two phases of grains with positive and with negative pressure, connected by bonds. Even with random signs,
+/// phases could percolate, and many neighbours would have equal signs. The phases are therefore compared with those
+/// that result if the signs are shuffled among the grains of nonzero pressure.
 struct PhaseStructure {
   PhaseGeometry positive, negative;
   int n_bonds = 0;             ///< number of bonds between two grains of nonzero pressure

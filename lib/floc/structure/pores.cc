@@ -88,10 +88,10 @@ struct AreaMoments {
   }
 };
 
-/// One face of the network of interactions, less the area that disks cover.
+/// Face of the network of interactions, without the area that disks cover.
 struct Face {
   AreaMoments moments;   // moments of area about `origin`
-  double polygon = 0.0;  // signed area of the polygon of centres
+  double polygon = 0.0;  // signed area of the polygon of grain centres around the face
   Vec<2> origin;         // centre of the first grain
   std::vector<int> grains;
   bool winds = false;  // whether the face winds around the periodic cell
@@ -111,8 +111,8 @@ class FaceWalk {
     }
     for (std::vector<int>& around : out) {
       std::sort(around.begin(), around.end(), [&](int p, int q) { return angle_[p] < angle_[q]; });
-      // After a walk arrives along the opposite half edge of `around[k]`, it keeps the face on its left by
-      // leaving along the next half edge clockwise.
+      // A walk that arrives along the half edge opposite to `around[k]` leaves along the next half edge clockwise. The
+      // face thus stays on its left.
       const std::size_t n = around.size();
       for (std::size_t k = 0; k < n; ++k) next_[twin(around[k])] = around[(k + n - 1) % n];
     }
@@ -148,7 +148,8 @@ class FaceWalk {
       winding += sign(h) * edges_[h / 2].image.cast<std::int64_t>();
       const int after = next_[h];
       double angle = angle_[twin(h)] - angle_[after];
-      if (angle <= 0.0) angle += 2.0 * std::numbers::pi;  // at a dead end the walk turns by the full angle
+      // at the end of a dead end the walk turns back, by the full angle
+      if (angle <= 0.0) angle += 2.0 * std::numbers::pi;
       face.moments.remove_sector(to, packing_.grains.radius[origin(after)], angle_[after], angle);
       at = to;
       h = after;

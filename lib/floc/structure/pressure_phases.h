@@ -24,8 +24,8 @@ struct PressurePhases {
   PressurePhase positive, negative;
 };
 
-/// Computes the two phases of positive and negative particle pressure. @param pressure  pressure of each grain
-/// (stress)
+/// Computes the two phases of positive and negative particle pressure.
+/// @param pressure  pressure of each grain (stress)
 template <int Dim>
 PressurePhases pressure_phases(const ContactNetwork<Dim>& network, const std::vector<double>& pressure);
 

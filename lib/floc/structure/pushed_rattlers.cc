@@ -28,8 +28,8 @@ struct HalfSpace {
   double low;
 };
 
-/// Advances `choice` to the next combination of Dim ascending indices below n. @return false after the last
-/// combination
+/// Advances `choice` to the next combination of Dim ascending indices below n.
+/// @return false after the last combination
 template <int Dim>
 bool next_choice(std::array<int, Dim>& choice, int n) {
   for (int a = Dim - 1; a >= 0; --a) {
@@ -40,8 +40,9 @@ bool next_choice(std::array<int, Dim>& choice, int n) {
   return false;
 }
 
-/// Returns that corner of the intersection of half spaces which lies furthest along a direction. All corners are tried,
-/// because there are few. @pre The intersection is bounded and contains the origin.
+/// Returns the corner of the intersection of half spaces that lies furthest along a direction. All corners are tried,
+/// because there are few.
+/// @pre The intersection is bounded and contains the origin.
 template <int Dim>
 Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Dim>& direction, double length) {
   const auto n = static_cast<int>(spaces.size());
@@ -63,11 +64,11 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
   return best;
 }
 
-/// Pushes a point from the origin along a direction until the obstacles, which are balls, stop it. Returns the place
-/// where it stops, or nothing if it moves further than `length`. Each step replaces every ball by the half space that
-/// contains the ball and touches it where it is nearest to the point, and solves the linear program of the furthest
-/// move outside these half spaces. The point never enters a ball, because each half space contains its ball. The steps
+/// Pushes a point from the origin along a direction until the obstacles, which are balls, stop it. Each step replaces
+/// every ball by a half space that contains the ball and touches it where it is nearest to the point. The step is the
+/// furthest move outside all half spaces, found by linear programming, so that the point never enters a ball. The steps
 /// converge quadratically to a corner between balls.
+/// @return place where the point stops; no value if it moves further than `length`
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
                                double length) {

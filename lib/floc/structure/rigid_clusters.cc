@@ -28,8 +28,9 @@ double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) {
   return p.angularDistance(q);
 }
 
-/// Returns the branch vector of contact `c` of the state after. It points from grain i to grain j of the contact
-/// `before`.
+/// Returns the branch vector, in the state after, of a contact that exists in both states.
+/// @param before  the contact in the state before; the vector points from its grain i to its grain j
+/// @param c       the contact in the state after
 template <int Dim>
 Vec<Dim> branch_after(const Packing<Dim>& after, const Contact<Dim>& before, const Contact<Dim>& c) {
   const Vec<Dim> r = branch(after, c);

@@ -20,14 +20,14 @@ struct RigidClusters {
 };
 
 /// Finds groups of grains joined by contacts that exist in both states and show no relative motion. At such a contact,
-/// the material points that touched before are within tolerance * a of each other after, and the rotations of the two
-/// grains differ by at most `tolerance` (radians). A rigid body that moves and rotates satisfies both conditions
-/// exactly. Along a chain of contacts, differences below the tolerance may add up. Both packings must include the
-/// orientations of the grains, which packings of other programs may lack.
+/// the material points that touched before are within tolerance * a of each other after, with the largest diameter a,
+/// and the rotations of the two grains differ by at most `tolerance` (radians). A rigid body that moves and rotates
+/// satisfies both conditions exactly. Along a chain of contacts, differences below the tolerance may add up. Both
+/// packings must include the orientations of the grains, which packings of other programs may lack.
 ///
 /// @param changes    changes of contacts from `before` to `after`
-/// @param tolerance  largest relative displacement of two grains, in largest diameters a, and largest relative
-/// rotation, in radians, that count as no motion; > 0, otherwise InputError
+/// @param tolerance  largest relative displacement (in largest diameters) and largest relative rotation (radians) of
+///                   two grains that count as no motion; > 0, otherwise InputError
 template <int Dim>
 RigidClusters rigid_clusters(const Packing<Dim>& before, const Packing<Dim>& after,
                              const ContactChanges<Dim>& changes, double tolerance);

@@ -34,8 +34,9 @@ struct ScatteringOptions {
   double cells_per_wave = 8.0;
   /// Ratio of the upper to the lower edge of a bin of k. A bin is at least 2 pi/V^(1/Dim) wide.
   double bin_growth = 1.05;
-  /// For spheres, a bin with more than `most_vectors` wave vectors is averaged over a random sample of this number of
-  /// them. The relative error of I is then 1/sqrt(n), 6 % for n = 300, no more than in bins of small k.
+  /// For spheres: a bin with more than `most_vectors` wave vectors is averaged over a random sample of `most_vectors`
+  /// of them. The relative error of the intensity I is then 1/sqrt(most_vectors), 6 % for 300, no more than in bins of
+  /// small k.
   int most_vectors = 300;
   /// For spheres, largest total number of wave vectors from which the random samples are drawn; the largest k is
   /// lowered to stay within this number.
@@ -70,11 +71,13 @@ Packing<2> in_shortest_cell(const Packing<2>& packing);
 
 /// Chooses the bins of the wave number and the mesh for a packing of disks. Both depend only on the options, the area
 /// of the cell and the largest diameter.
-/// @pre the packing has grains   @throws InputError with the faults of the options if they are not valid
+/// @pre the packing has grains
+/// @throws InputError with the faults of the options if they are not valid
 ScatteringMesh scattering_mesh(const Packing<2>& packing, const ScatteringOptions& options);
 
 /// Returns the edges of the bins of the wave number for a packing of spheres, ascending (1/length).
-/// @pre the packing has grains   @throws InputError with the faults of the options if they are not valid
+/// @pre the packing has grains
+/// @throws InputError with the faults of the options if they are not valid
 std::vector<double> scattering_edges(const Packing<3>& packing, const ScatteringOptions& options);
 
 /// Average of the scattering intensity I(k) over wave vectors and states, with the same bins for all states.
@@ -105,7 +108,8 @@ class ScatteringAverage {
 Scattering scattering(const Packing<2>& packing, const ScatteringOptions& options = {});
 Scattering scattering(const Packing<3>& packing, const ScatteringOptions& options = {});
 
-/// Returns the Fourier transform of a ball at k > 0: 4 pi (sin kR - kR cos kR)/k^3 (volume).
+/// Returns the Fourier transform of a ball of radius R at the wave number k > 0: 4 pi (sin kR - kR cos kR)/k^3
+/// (volume).
 double ball_transform(double k, double R);
 
 }  // namespace floc

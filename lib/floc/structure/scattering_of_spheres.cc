@@ -27,7 +27,7 @@ bool in_half_space(const Wave& n) {
 /// rows of M are the lattice vectors.
 std::vector<std::vector<Wave>> waves_in(const std::vector<double>& edges, const Cell<3>& cell) {
   const Mat<3> reciprocal = kTwoPi * cell.matrix.inverse();
-  // Largest component n_a = k . a_a/(2 pi) of an integer vector n, for each lattice vector a_a.
+  // For each lattice vector a, the largest component k . a/(2 pi) that an integer vector n may have.
   Wave reach;
   for (int a = 0; a < 3; ++a) reach[a] = static_cast<int>(edges.back() * cell.matrix.row(a).norm() / kTwoPi);
   std::vector<std::vector<Wave>> bins(edges.size() - 1);
@@ -61,7 +61,7 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
   double radius = 0.0, transform = 0.0;
   for (std::size_t i = 0; i < grains.place.size(); ++i) {
     if (grains.radius[i] != radius) radius = grains.radius[i], transform = ball_transform(k, radius);
-    // The factor stands outside std::polar, because the transform may be negative and a magnitude may not.
+    // `transform` is not given to std::polar as the magnitude, because it may be negative.
     sum += transform * std::polar(1.0, -kTwoPi * n.cast<double>().dot(grains.place[i]));
   }
   return sum;
@@ -82,7 +82,7 @@ std::vector<double> scattering_edges(const Packing<3>& packing, const Scattering
   assert(packing.grains.size() > 0);
   refuse_faults(options.validate());
   const double volume = packing.cell.volume();
-  // Up to the wave number k there are V k^3/(12 pi^2) pairs of wave vectors k and -k.
+  // Up to the wave number k there are V k^3/(12 pi^2) pairs of wave vectors k and -k, with the volume V of the cell.
   const double affordable = std::cbrt(3.0 * kTwoPi * kTwoPi * static_cast<double>(options.most_waves) / volume);
   return scattering_bins(std::min(options.largest * kTwoPi / largest_diameter(packing.grains), affordable),
                          kTwoPi / std::cbrt(volume), options.bin_growth);

@@ -22,8 +22,8 @@ struct VoronoiFaces {
   std::vector<VoronoiFace> faces;  ///< all faces, each once, sorted by (i, j, image)
 };
 
-/// Computes the volumes and faces of the Voronoi tessellation of points in a periodic cell. @pre No two points
-/// coincide.
+/// Computes the volumes and faces of the Voronoi tessellation of points in a periodic cell.
+/// @pre No two points coincide.
 VoronoiFaces voronoi_faces(const Cell<3>& cell, const std::vector<Vec<3>>& points);
 
 }  // namespace floc

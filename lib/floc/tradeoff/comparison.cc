@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kQuantile = 0.95;
 constexpr double kConfidence = 0.95;
-/// A step counts as elastic if the logarithm of the solid fraction changes by at most this multiple of dP/B, the change
-/// of pressure over the bulk modulus.
+/// A step of the load path counts as elastic if the logarithm of the solid fraction changes by at most this multiple of
+/// dP/B, the change of pressure over the bulk modulus.
 constexpr double kElastic = 3.0;
 /// Change of the logarithm of the solid fraction that counts as none, because Newton steps alone may cause it.
 constexpr double kStill = 1e-5;
@@ -172,7 +172,7 @@ ObservableErrors sampling_errors(const std::vector<const SamplePath*>& reference
   ObservableErrors out;
   const std::size_t n_states = references.front()->states.size();
   for (std::size_t k = 0; k < kObservables; ++k) {
-    // mean[i] is the mean over all samples in their state i, with which each sample is compared.
+    // mean[i] is the mean of the observable over all samples, in state i. Each sample is compared with these means.
     std::vector<double> mean(n_states);
     for (std::size_t i = 0; i < n_states; ++i)
       mean[i] = mean_over(

@@ -38,11 +38,11 @@ struct SamplePath {
 RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed);
 
 /// Makes a sample: assembles a packing from a gas, then takes it through every stage of the load path.
-/// @param moduli  method and tolerance for computing the elastic moduli
+/// @param moduli     method and tolerance for computing the elastic moduli
 /// @param reference  complete path with the strictest settings from the same seed, or null. If it is given, each stage
-/// starts from the state from which the reference starts this stage. States of both can then be compared one by one
-/// until the first collapse of the stage.
-/// @param deadline  deadline at which the run is stopped
+///                   starts from the state from which the reference starts this stage. States of both can then be
+///                   compared one by one until the first collapse (sudden rearrangement of grains) in the stage.
+/// @param deadline   deadline at which the run is stopped
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);
 

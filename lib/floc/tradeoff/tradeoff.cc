@@ -56,8 +56,8 @@ class Study {
     // Observables of the states of the reference path with the elastic moduli of this setting, if the setting changes
     // only the computation of the moduli.
     std::vector<Observation> levels;
-    // Processor time of the run to which the time of the moduli is added (s), if the setting changes only their
-    // computation.
+    // If the setting changes only the computation of the moduli: processor time of the run (s), to which the time of
+    // the moduli is added.
     double base_seconds = 0.0;
   };
 

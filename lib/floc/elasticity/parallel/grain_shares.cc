@@ -10,8 +10,8 @@ namespace {
 /// Number of grains up to which their order does not matter, because their data fit into a cache.
 constexpr std::size_t kLeaf = 32;
 
-/// Moves the grains with the lowest coordinates, along the longest side of the box around all given grains, to the
-/// front.
+/// Moves the `n_low` grains with the lowest coordinates along one axis to the front. The axis is the longest side of
+/// the box around all given grains.
 /// @param n_low  number of grains to move to the front
 template <int Dim>
 void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::size_t n_low) {
@@ -29,8 +29,8 @@ void split(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::siz
   std::nth_element(grains.begin(), grains.begin() + static_cast<std::ptrdiff_t>(n_low), grains.end(), is_lower);
 }
 
-/// Sorts grains by recursive bisection: first among the processes, then, for each process, by halves until few grains
-/// are left.
+/// Sorts grains by recursive bisection of space: first the processes get their grains, then the grains of each process
+/// are halved until few are left.
 /// @param first  receives the index of the first grain of each process
 template <int Dim>
 void divide(const std::vector<Vec<Dim>>& centres, std::span<int> grains, std::span<int> first) {

@@ -7,12 +7,12 @@
 namespace floc {
 namespace {
 
-/// Bound on the relative rounding error of an entry of the matrices A and B of a SpringSystem: the change of a spring's
-/// length per unit of an unknown.
+/// Bound on the relative rounding error of an entry of SpringSystem::on_free or SpringSystem::on_boundary: the change
+/// of a spring's length per unit of an unknown.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Shift added to the diagonal of the stiffness matrix, whose entries are of order one: below the stiffness of the
-/// softest motions that matter, above rounding errors.
+/// Shift added to the diagonal of the stiffness matrix, whose entries are of order one. It is below the stiffness of
+/// the softest motions that matter and above rounding errors.
 constexpr double kShift = 1e-11;
 
 template <int Dim>
@@ -60,9 +60,9 @@ void LocalRows<Dim>::gather(int process) {
     return block >= first_ && block < first_ + n_grains_;
   };
   of_start_.assign(n_grains_ + 1, 0);
-  // First come the grains of this process, in the order of their rows, then the grains of other processes that they
-  // touch. The contacts of each grain of this process are then listed by a counting sort; a contact between two grains
-  // of this process is listed at both.
+  // `at_hand_` begins with the grains of this process, in the order of their rows. The grains of other processes that
+  // touch them follow. The contacts of each grain of this process are then listed by a counting sort; a contact between
+  // two grains of this process is listed at both.
   for (int k = 0; k < static_cast<int>(network_.contacts.size()); ++k) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     if (!is_own(c.i) && !is_own(c.j)) continue;
@@ -90,7 +90,8 @@ Eigen::Map<const Eigen::VectorXi> LocalRows<Dim>::contacts_of(int place) const {
   return {of_.data() + of_start_[place], of_start_[place + 1] - of_start_[place]};
 }
 
-/// Returns the block numbers of a grain of this process and of the grains that it touches, in ascending order.
+/// Returns the numbers of the blocks (the rows of one grain in the stiffness matrix) that belong to a grain of this
+/// process and to the grains that it touches, in ascending order.
 template <int Dim>
 std::vector<int> LocalRows<Dim>::columns_of(int place) const {
   std::vector<int> columns{first_ + place};
@@ -103,8 +104,8 @@ std::vector<int> LocalRows<Dim>::columns_of(int place) const {
   return columns;
 }
 
-/// Returns, for each unknown of a grain in the stiffness matrix, the unknown divided by the value that is solved for; 0
-/// if the unknown is not solved for.
+/// Returns, for each unknown of a grain, the ratio of the unknown to the value that is solved for; 0 if the unknown is
+/// not solved for.
 template <int Dim>
 typename LocalRows<Dim>::Unknowns LocalRows<Dim>::scale_of(int grain) const {
   Unknowns scale;
@@ -120,7 +121,7 @@ typename LocalRows<Dim>::Unknowns LocalRows<Dim>::motion_of(int grain, const Eig
 
 /// Calls visit(rows, stiffness, boundary) for the springs of a contact. `rows` are its ContactRows, `stiffness` the
 /// stiffnesses of its springs divided by `unit_`, and `boundary` the changes of their lengths per unit of each boundary
-/// unknown.
+/// unknown (strain or wall displacement).
 template <int Dim>
 template <class Visit>
 void LocalRows<Dim>::for_each_spring(const NetworkContact<Dim>& c, const Visit& visit) const {
@@ -146,9 +147,9 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
   for (const int k : contacts_of(place)) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     for_each_spring(c, [&](const ContactRows<Dim>& rows, const RowStiffness<Dim>& stiffness, const auto&) {
-      // The contact adds G^T k G to the stiffness matrix, with the rigidity matrix G and the stiffnesses k. Here only
-      // the rows of `grain` are added; those of the other grain are added in the call for that grain, perhaps in
-      // another process. A contact with a wall or with the grain's own image has i = j and no second grain.
+      // The contact adds G^T k G to the stiffness matrix, with the rigidity matrix G and the stiffnesses k. This call
+      // adds only the rows of `grain`. The call for the other grain, perhaps in another process, adds the rows of that
+      // grain. A contact with a wall or with the grain's own image has i = j and no second grain.
       const bool is_i = c.i == grain;
       const Block mine = (is_i ? rows.on_i : rows.on_j) * scale.asDiagonal();
       const Block forces = stiffness.asDiagonal() * mine;
@@ -159,7 +160,8 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
       at(shares_.block[other]) += forces.transpose() * theirs;
     });
   }
-  // Unknowns that are not solved for (scale 0) get a one on the diagonal, so that all blocks have the same size.
+  // Unknowns that are not solved for have the scale 0. They get a one on the diagonal, so that all blocks have the same
+  // size.
   auto own = at(first_ + place);
   for (int b = 0; b < kSize; ++b)
     if (scale[b] == 0.0)
@@ -171,7 +173,8 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
 }
 
 /// Returns the rigid motions of all grains together, one per column: the translations, then the rotations about the
-/// middle of the packing, divided by half the extent of the packing.
+/// middle of the packing. The angle of a rotation is 1/(half the extent of the packing), so that no grain moves much
+/// farther than in a translation.
 template <int Dim>
 std::vector<double> LocalRows<Dim>::rigid_motions(const std::vector<Vec<Dim>>& centres) const {
   constexpr int kMotions = Dim + kRotations<Dim>;

@@ -10,12 +10,13 @@
 namespace floc {
 
 /// Rows of the stiffness matrix K that belong to the grains of one process, and the contacts of these grains. K is
-/// divided by `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). The rows of unknowns that
-/// are not solved for have a one on the diagonal and zeros elsewhere, so that all blocks have the same size.
+/// divided by the stiffness `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). The rows of
+/// unknowns that are not solved for have a one on the diagonal and zeros elsewhere, so that all blocks have the same
+/// size.
 ///
-/// If K cannot have negative eigenvalues, a shift is added to its diagonal, so that mechanisms, which carry no load, do
-/// not make it singular. The shift is far below any stiffness that resists a strain; refinement by balance() removes
-/// its effect.
+/// Mechanisms would make K singular, although they carry no load. If K cannot have negative eigenvalues, a shift is
+/// therefore added to its diagonal. The shift is far below any stiffness that resists a strain, and refinement by
+/// balance() removes its effect.
 template <int Dim>
 class LocalRows {
  public:
@@ -25,35 +26,36 @@ class LocalRows {
   LocalRows(const ContactNetwork<Dim>& network, const std::vector<bool>& kept, const GrainShares& shares,
             int process, double unit, const ResponseOptions& options);
 
-  /// Passes these rows of K to the solver, and the rigid motions of the grains, which the coarse grids of the solver
-  /// have to represent.
+  /// Passes these rows of K to the solver. It also passes the rigid motions of the grains, which the coarse grids of
+  /// the solver have to represent.
   /// @param centres  centres of all grains (length)
   /// @return largest diagonal entry of these rows
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also includes those of the grains of
-  /// other processes that they touch; it is the size of u in balance() and energies().
+  /// n_own() is the number of unknowns of the grains of this process. n_at_hand(), the size of u in balance() and
+  /// energies(), also counts the unknowns of the grains of other processes that touch them.
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 
   struct Balance {
-    Eigen::VectorXd net;  ///< net force -(K u + load of the boundary) on each unknown of this process
-    /// energy (A u + B)^T k (A u + B) of the contacts that this process counts, see SpringSystem
+    /// net force -(K u + f) on each unknown of this process, with the force f due to the boundary unknown
+    Eigen::VectorXd net;
+    /// twice the elastic energy of the contacts that this process counts
     double energy = 0.0;
   };
-  /// Computes the net forces on the grains for given motions of the grains, while one boundary unknown is displaced by
-  /// 1.
+  /// Computes the net forces on the grains for given motions of the grains, while one boundary unknown (a strain of the
+  /// cell or a wall displacement) is displaced by 1.
   /// @param u         motions of the grains, n_at_hand() unknowns
   /// @param boundary  number of the boundary unknown
   Balance balance(const Eigen::VectorXd& u, int boundary) const;
 
   struct Energies {
-    /// for each pair of boundary unknowns b and c, the energy (A u_b + B_b)^T k (A u_c + B_c), see SpringSystem
+    /// for each pair b, c of boundary unknowns, the sum over springs of stiffness * stretch_b * stretch_c
     Eigen::MatrixXd stiffness;
     /// bound on the error of `stiffness` that results from rounding in the geometry of the contacts
     Eigen::MatrixXd rounding;
   };
-  /// Sums the energies over the contacts that this process counts; each contact is counted by exactly one process.
+  /// Sums Energies over the contacts that this process counts; each contact is counted by exactly one process.
   /// @param u  for each boundary unknown, the response of the grains to its displacement by 1
   Energies energies(const std::vector<Eigen::VectorXd>& u) const;
 
@@ -80,12 +82,13 @@ class LocalRows {
   double shift_;      // value added to the diagonal of K
   int first_ = 0;     // first block of this process
   int n_grains_ = 0;  // number of grains of this process
-  // grains of this process in the order of their rows, then the grains of other processes that they touch
+  // grains of this process in the order of their rows, then the grains of other processes that touch them
   std::vector<int> at_hand_;
   std::vector<int> place_;     // for each grain, its index in `at_hand_`; -1 if it is not there
   std::vector<int> contacts_;  // contacts of the grains of this process
   std::vector<int> of_start_,
-      // contacts of each grain of this process: `of_` contains all their lists, `of_start_` where each begins
+      // contacts of the grains of this process: `of_` is the list of the first grain, then that of the next, and so on;
+      // `of_start_` tells where each list begins
       of_;
 };
 

@@ -13,20 +13,21 @@
 namespace floc {
 namespace {
 
-/// kFirstReduction is the reduction of the residual forces that the first solution has to reach; the energy is then
+/// kFirstReduction is the factor by which the first solution has to reduce the residual forces; the energy is then
 /// reduced by about its square. kLeastReduction is the strongest reduction that a later solution has to reach, because
 /// rounding prevents more.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
-/// Solutions follow each other, each for the residual forces that the previous one has left: at most kMostRounds, and
-/// only as long as each reduces the remaining energy to less than the share kGain.
+/// The grains are relaxed in rounds: each round solves for the residual forces that the round before has left. There
+/// are at most kMostRounds, and another one follows only if the last has reduced the remaining energy to less than the
+/// share kGain.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
 /// The smallest Ritz value times this factor is taken as the smallest eigenvalue of the preconditioned stiffness
 /// matrix.
 constexpr double kShareOfRitz = 0.1;
-/// kRounding is the rounding error of a stiffness after relaxation of the grains, and kNothing the largest one that
-/// cannot be told from zero; both as shares of the stiffness of affine motion.
+/// kRounding is the rounding error of a stiffness after relaxation of the grains, and kNothing the largest such
+/// stiffness that cannot be told from zero; both are shares of the stiffness without relaxation.
 constexpr double kRounding = 1e-14;
 constexpr double kNothing = 1e-11;
 /// Relative error of a stiffness after relaxation of the grains above which the solution counts as failed.
@@ -40,15 +41,15 @@ std::vector<bool> in_contact(const ContactNetwork<Dim>& network) {
   return taken;
 }
 
-/// Static condensation of the stiffness matrix: relaxes the grains while each boundary unknown in turn is displaced by
-/// 1.
+/// Static condensation of the stiffness matrix: displaces each boundary unknown (a strain of the cell or a wall
+/// displacement) in turn by 1 and relaxes the grains.
 template <int Dim>
 class ParallelCondensation {
  public:
   ParallelCondensation(const LocalRows<Dim>& rows, double norm, double tolerance, ParallelSolver& solver)
       : rows_(rows), norm_(norm), tolerance_(tolerance), solver_(solver) {}
 
-  /// Relaxes the grains and computes `stiffness` and `error`.
+  /// Displaces each boundary unknown in turn, relaxes the grains, and computes `stiffness` and `error`.
   /// @return reason why the relaxation failed, as a sentence; empty if all solutions converged
   std::string relax(int n_boundary) {
     for (int b = 0; b < n_boundary; ++b)
@@ -68,9 +69,9 @@ class ParallelCondensation {
  private:
   using Balance = typename LocalRows<Dim>::Balance;
 
-  /// Relaxes the grains for boundary unknown b: solves repeatedly for the net forces that are left, until the energy
-  /// that further relaxation would release is within the tolerance. @return reason for a failure, as a sentence, or
-  /// empty
+  /// Displaces boundary unknown b by 1 and relaxes the grains: solves repeatedly for the net forces that are left,
+  /// until the energy that further relaxation would release is within the tolerance.
+  /// @return reason for a failure, as a sentence, or empty
   std::string relax_one(int b) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(rows_.n_at_hand());
     Balance now = balance(u, b);
@@ -106,6 +107,7 @@ class ParallelCondensation {
   }
 
   /// Returns the tolerance on twice the energy that further relaxation would release.
+  /// @param now     balance of the grains after the relaxation so far
   /// @param affine  twice the energy before relaxation
   double wanted(const Balance& now, double affine) const {
     return std::max(tolerance_ * std::abs(now.energy), kRounding * affine);
@@ -152,7 +154,7 @@ class ParallelCondensation {
   // lower bound on the eigenvalues of the preconditioned stiffness matrix, from the Ritz values found so far
   double ratio_ = 1.0;
   std::vector<Eigen::VectorXd> u_;  // response of the grains to each boundary unknown
-  // for each boundary unknown, root of twice the energy that further relaxation would release
+  // for each boundary unknown, square root of twice the energy that further relaxation would release
   std::vector<double> excess_root_;
 };
 

@@ -97,7 +97,9 @@ TEST_F(Compare, GoesFromStateToStateOrFromTheFirst) {
 TEST_F(Compare, NamesWhatCannotBeComparedAndDoesTheRest) {
   const Outcome o = compare("a.h5 three.h5 none.h5 b.h5 a.h5 --format csv");
   EXPECT_EQ(o.code, 4);
-  EXPECT_THAT(o.err, HasSubstr("three.h5: against a.h5: there are 8 grains in one state, but 3 in the other"));
+  EXPECT_THAT(o.err,
+              HasSubstr("three.h5: this state cannot be compared with a.h5: there are 8 grains in one state, "
+                        "but 3 in the other"));
   EXPECT_THAT(o.err, HasSubstr("none.h5"));
   EXPECT_THAT(o.out, HasSubstr("\nb.h5,a.h5,8,"));
   const Outcome mixed = compare("three.h5 spheres.h5");

@@ -265,7 +265,8 @@ const Refusal kOfCommands[] = {
     {"compare_others",
      {{"g.csv", kGrains}, {"h.csv", kGrains + "3,3,0.5\n"}},
      {kConvert, "convert h.csv q.h5 --columns radius=r --cell '5,0;0,5' " + kLaw, "compare p.h5 q.h5"},
-     "q.h5: against p.h5: there are 2 grains in one state, but 3 in the other: both must be states of the same "
+     "q.h5: this state cannot be compared with p.h5: there are 2 grains in one state, but 3 in the other: both "
+     "must be states of the same "
      "grains"},
     {"draw_others",
      {{"g.csv", kGrains}, {"h.csv", kGrains + "3,3,0.5\n"}},

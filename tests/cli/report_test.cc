@@ -48,8 +48,8 @@ TEST_F(ReportOfSpheres, RefusesDisksAmongThem) {
   EXPECT_EQ(o.code, 4);
   EXPECT_THAT(
       o.err,
-      HasSubstr("state-0001.h5: the dimension of this state is not 3, as in run/state-0000.h5: expected the "
-                "states of one run"));
+      HasSubstr("state-0001.h5: this state is not in 3D like run/state-0000.h5: expected the states of one "
+                "run"));
 }
 
 }  // namespace

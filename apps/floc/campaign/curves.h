@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Returns the names of the quantities in a table of means that can be drawn as a curve: quantities that some case has
-/// at two different pressures or more.
+/// Returns the names of the quantities in a table of means that can be drawn as curves: those with values at two or
+/// more pressures in at least one case.
 std::vector<std::string> curve_quantities(const CsvTable& means);
 
-/// Draws one quantity against P* as an svg element of an html page. Each case is a group of class "curve", whose
-/// attribute data-case is the label of the case. The group shows the mean over the samples as a line with points, and a
-/// band from the lowest to the highest sample.
+/// Draws one quantity against the reduced pressure P* as an svg element of an html page. Each case is a group of class
+/// "curve", whose attribute data-case is the label of the case. The group shows the mean over the samples as a line
+/// with points, and a band from the lowest to the highest sample.
 /// @param labels  labels of the cases, in the order of their colours
 std::string curves_svg(const CsvTable& means, const std::string& quantity,
                        const std::vector<std::string>& labels);

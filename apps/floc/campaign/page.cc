@@ -83,8 +83,8 @@ struct CampaignPage {
   }
 };
 
-/// Returns the indices of the columns that have a value in some row of a table. Columns that are named after keys of
-/// the scene are left out, because the table of cases has their values; their names contain dots.
+/// Returns the indices of the columns of a table that have a value in at least one row. Columns with a dot in their
+/// name are left out: they are named after keys of the scene, whose values the table of cases shows.
 std::vector<int> used_columns(const CsvTable& table) {
   const auto is_used = [&table](int column) {
     if (table.columns()[static_cast<std::size_t>(column)].find('.') != std::string::npos) return false;
@@ -193,8 +193,8 @@ std::string tables_section(const CampaignPage& page) {
   return out;
 }
 
-/// Returns the index of the state of a case of which the page shows a picture: the state under the largest pressure, or
-/// the last state if no pressure is known.
+/// Returns the index of the state whose picture the page shows for a case: the state under the largest pressure, or the
+/// last state if no pressure is known.
 int drawn_state(const CasePlan& plan) {
   int best = static_cast<int>(plan.states.size()) - 1;
   double highest = 0.0;
@@ -214,7 +214,7 @@ std::map<int, CampaignRun> drawn_runs(const Campaign& campaign, const std::strin
   return drawn;
 }
 
-/// Largest number of cases of which the page shows a picture. Hundreds of pictures would make the page slow to open.
+/// Largest number of pictures on the page, one per case. Hundreds of pictures would make the page slow to open.
 constexpr std::size_t kMostPictures = 24;
 
 /// Returns the options of the pictures on the page. In 3D the spheres are drawn as pixel images, because vector

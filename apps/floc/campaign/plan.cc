@@ -127,7 +127,7 @@ int plan_campaign(const PlanArguments& arguments) {
   const std::string scene = portable_scene(planned.campaign);
   planned.campaign.scene = scene;
   planned.campaign.scene_file = (directory / kSceneFile).string();
-  planned.plans = plan_cases(planned.campaign);  // file names in the cases are relative to that directory
+  planned.plans = plan_cases(planned.campaign);  // file names in the cases are relative to `directory`
   const std::pair<const char*, std::string> files[] = {
       {kCampaignFile, read_file(arguments.file)},
       {kSceneFile, scene},
@@ -166,8 +166,8 @@ PlannedCampaign campaign_of(const std::string& directory) {
     throw InputError(directory,
                      "this directory holds no campaign: expected a directory that floc campaign plan wrote");
   PlannedCampaign planned{read_campaign(file.string(), kSceneFile), {}};
-  // A campaign without a name is named after its file, but in a directory of floc campaign plan this is always
-  // campaign.toml. The name of the directory is used instead.
+  // A campaign without a name is named after its file. Here this file is always campaign.toml, so the name of the
+  // directory is used instead.
   if (planned.campaign.name == file.stem().string())
     planned.campaign.name = fs::canonical(directory).filename().string();
   planned.plans = plan_cases(planned.campaign);

@@ -54,8 +54,8 @@ struct StepComparison {
   std::optional<double> largest;
 };
 
-/// The column in the path.csv of the second run that corresponds to a column in the path.csv of the first run, because
-/// both have one name. The factor converts the values of the second column to the unit of the first.
+/// The column in the path.csv of the second run that has the name of a column in the path.csv of the first run. The
+/// factor converts the values of the second run to the unit of the first run.
 struct Counterpart {
   int column;
   double factor;

@@ -121,7 +121,8 @@ template <int Dim>
 void report(const std::string& out, const State<Dim>& state) {
   spdlog::info(
       "{}: {} grains in {}D, {} contacts, solid fraction {:.6g}, pressure {:.6g}, largest net force on a grain "
-      "{:.2g} times the force scale max(F0, P a^(d-1))",
+      "{:.2g} times the larger of the pull-off force and P a^(d-1) (P: pressure, a: largest diameter, d: "
+      "dimension)",
       out, state.packing.grains.size(), Dim, state.packing.contacts.size(), solid_fraction(state.packing),
       state.stress.diagonal().mean(), state.residuals.force);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
@@ -189,8 +190,8 @@ std::string keywords(const std::vector<Format>& formats) {
 }
 
 void add_reading_options(CommandLine app, ConvertArguments& arguments) {
-  // Each help text ends with the default of its option, in brackets. Most variables are empty here nevertheless,
-  // because some defaults depend on the format of the file IN; the reader of that format sets them.
+  // Each help text ends with the default of its option, in brackets. The variables of most options are still empty:
+  // some defaults depend on the format of the file IN, and the reader of this format sets them.
   app.add_option(
       "--from", arguments.from,
       "format of the file IN: " + keywords(import_formats()) + " [recognised from the name and content of IN]");

@@ -42,8 +42,8 @@ int step(const std::string& about, const std::vector<std::string>& arguments, bo
 }
 
 /// Prints the parameters of the consolidation law from two fits: to the sample of this demonstration, and to the mean
-/// of eight samples, which are installed with floc. If a parameter is not determined by the single sample, its value is
-/// left empty.
+/// of eight samples, which are installed with floc. A parameter that the sample of the demonstration does not determine
+/// is left empty.
 void print_laws(const std::string& directory, const std::string& tables) {
   fmt::print(stderr,
              "\n== Parameters of the consolidation law, fitted to the mean of eight samples like this one, and "

@@ -124,12 +124,12 @@ void read_sight(DrawArguments& arguments) {
   arguments.cut = Slab{static_cast<int>(axis / 2), (*ends)[0], (*ends)[1]};
 }
 
-/// A picture of a state, with the cells that the row of this state has in the printed table.
+/// A picture of a state, with values of this state for its row in the printed table.
 template <int Dim>
 struct Drawn {
   std::string file;
   PackingPicture<Dim> picture;
-  std::vector<TableValue> cells;  ///< cells of the columns P_star, phi and z
+  std::vector<TableValue> cells;  ///< values of the columns P_star, phi and z
 };
 
 void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
@@ -183,7 +183,8 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   table.rows.push_back(std::move(row));
 }
 
-/// Gives all pictures of a strip one colour scale, from zero to the largest value in any of the pictures.
+/// Gives all pictures of a strip (pictures side by side) one colour scale, which ends at the largest value in any of
+/// them.
 template <int Dim>
 void share_shades(std::vector<PackingPicture<Dim>>& strip) {
   double largest = 0.0;

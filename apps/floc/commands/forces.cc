@@ -11,8 +11,8 @@ namespace {
 struct ForcesCommand {
   std::vector<std::string> files;
   ForcesTableOptions options;
-  std::string selection;  ///< "closest", "canonical"; empty: chosen for each state
-  std::string contacts;   ///< file of the table of contacts; empty: none
+  std::string selection;  ///< selection of forces, "closest" or "canonical"; empty: chosen for each state
+  std::string contacts;   ///< file to write with the table of contacts; empty: none
   Printing printing;
 };
 
@@ -74,13 +74,13 @@ Command add_forces(CommandLine program) {
       app.add_option("--contacts", command->contacts,
                      "file for the contacts with their forces, as floc convert --contacts reads them");
   app.add_flag("--range", command->options.ranges,
-               "add to this file the smallest and the largest normal force that each contact can carry while "
-               "all forces "
-               "balance")
+               "add to the file of --contacts the smallest and the largest normal force that each contact can "
+               "carry while all forces balance")
       .needs(table);
   app.add_option(
          "--range-of", command->options.range_of,
-         "compute these ranges for some contacts only: their numbers in this file, from 0, separated by commas")
+         "compute the ranges of --range for some contacts only: their numbers in the file of --contacts, from "
+         "0, separated by commas")
       .delimiter(',')
       .needs(table);
   add_printing_options(app, command->printing);

@@ -40,9 +40,9 @@ constexpr double kCoarse = 8.0;
 /// Largest number of lattice nodes of a sample that --strength breaks without the option --yes.
 constexpr int kBrokenUnasked = 20000;
 
-/// Returns the memory that the solution of a lattice is expected to take (bytes). The coefficients are those measured
-/// with 1e5 nodes, 2.5 kB per node in 2D and 2.3 kB in 3D, plus a margin. In 2D the memory of the Cholesky factor, per
-/// node, grows with the logarithm of the number of nodes.
+/// Returns the memory that the solution of a lattice is expected to take (bytes). With 1e5 nodes, it was measured to be
+/// 2.5 kB per node in 2D and 2.3 kB in 3D, to which a margin is added. In 2D the memory of the Cholesky factor per node
+/// grows with the logarithm of the number of nodes.
 double expected_memory(int dimension, double n_nodes) {
   if (dimension == 3) return 2600.0 * n_nodes;
   return n_nodes * (1600.0 + 90.0 * std::log2(std::max(n_nodes, 2.0)));
@@ -125,19 +125,20 @@ LatticeNetwork<Dim> make_network(const LatticeArguments& arguments, const Cement
 }
 
 /// Returns the settings of the solver of the lattice.
-/// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable, which
-/// the solver reads in each round; it must outlive the settings
+/// @param telling  whether the progress of the solver is printed. The settings keep a reference to this variable, so
+/// that it can be changed later; it must outlive them
 template <int Dim>
 RelaxationSettings settings_of(const LatticeArguments& arguments, const bool& telling) {
   RelaxationSettings settings;
   settings.tolerance = arguments.tolerance.value_or(Dim == 2 ? 1e-10 : 1e-9);
   settings.observe = [&telling](const RelaxationRound& r) {
     if (!telling) return;
-    say(fmt::format(
-        "round {} of the solver: {} bare contacts are open, {} opened or closed in this round, {} steps of "
-        "conjugate gradients{}, imbalance of the forces {:.1e} of the load",
-        r.round, r.n_open, r.n_changed, r.n_steps, r.factorized ? " with a new factorization" : "",
-        r.imbalance));
+    say(
+        fmt::format("round {} of the solver: {} contacts between grains without matrix are open, {} opened or "
+                    "closed in this round, {} steps of "
+                    "conjugate gradients{}, imbalance of the forces {:.1e} of the load",
+                    r.round, r.n_open, r.n_changed, r.n_steps, r.factorized ? " with a new factorization" : "",
+                    r.imbalance));
   };
   return settings;
 }
@@ -249,8 +250,8 @@ CompositeBounds bounds_of(const CementedSample<Dim>& sample, const ElementStiffn
                           Dim);
 }
 
-/// Checks that a sample with more than kBrokenUnasked nodes is broken only if --yes is given, because each broken
-/// element needs a new solution.
+/// Refuses to break a sample of more than kBrokenUnasked nodes without --yes. It can take long, because each broken
+/// element needs a new solution of the lattice.
 /// @throws InputError that gives the expected wall time, if --yes is missing
 void refuse_long_breaking(const LatticeArguments& arguments, const LatticeRow& row) {
   if (arguments.strength.empty() || arguments.yes || row.n_nodes <= kBrokenUnasked) return;

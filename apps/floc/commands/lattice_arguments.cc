@@ -80,7 +80,7 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_flag(
       "--by-facet", a.by_facet,
       "take the values of --stiffness as moduli E (stress); the stiffness of an element is then E A/L, with "
-      "the area A of the facet between its two nodes and its length L");
+      "the length L of the element and the area A of the facet between its two nodes");
   app.add_option(
       "--jitter", a.jitter,
       "in 3D, largest random displacement of a node from a regular lattice, in units of the spacing [0.35]");
@@ -132,8 +132,8 @@ void add_lattice_options(CommandLine app, LatticeArguments& a) {
   app.add_option("--phases", a.phases, "picture to write (F.svg, F.pdf or F.png): grains, matrix and voids");
   app.add_option(
       "--cut", a.cut,
-      "AXIS,FRACTION: in 3D, section through the sample that the pictures show: the axis perpendicular to it "
-      "and its position along this axis, as a fraction of the cell [y,0.5]");
+      "AXIS,FRACTION: in 3D, section through the sample that the pictures show; AXIS is perpendicular to the "
+      "section, and FRACTION is the position of the section along AXIS, as a fraction of the cell [y,0.5]");
   app.add_option("--pixels", a.pixels,
                  "number of pixels per lattice node in pictures; fewer if a side of the picture would exceed "
                  "3000 pixels [4]")

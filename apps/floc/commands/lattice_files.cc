@@ -42,7 +42,7 @@ std::vector<std::pair<int, int>> stress_components() {
 }
 
 /// Returns the table of --stress: a row for each node that belongs to an element, with position, phase and stress. The
-/// rows are numbered from 0, in the same order as the grains in the state file of --output, which are these nodes.
+/// state file of --output contains these nodes as grains, in the order of the rows.
 template <int Dim>
 Table node_table(const LoadedSample<Dim>& of) {
   Table table;
@@ -85,8 +85,8 @@ std::vector<Named> distributions(const LatticeRow& row, const LoadedSample<Dim>&
 Table distribution_table(const std::vector<Named>& all, double width) {
   Table table{{"of", "low", "high", "count", "n", "density", "unit", "n_outside"}, {}};
   for (const Named& named : all) {
-    // The histogram contains values divided by `unit`, the mean of the values with the sign of the load, so that these
-    // values become positive. If there are none, `unit` is zero.
+    // The histogram contains the values divided by `unit`, the mean of those values that have the sign of the load. If
+    // no value has this sign, `unit` is zero.
     const double unit = named.distribution.unit;
     if (unit == 0.0) continue;
     const ForceDistribution h = distribution_of(named.values, unit, width);
@@ -104,7 +104,7 @@ Table distribution_table(const std::vector<Named>& all, double width) {
 /// largest value. The tail is a distribution of the values above the threshold only, so its density is multiplied by
 /// their fraction of all values.
 /// @param n        number of all values
-/// @param largest  largest value, in the unit of the tail
+/// @param largest  largest value, expressed in the unit of the abscissa
 /// @param sign     factor of the abscissas: 1 for a tail of values with the sign of the load, -1 for a tail of the
 /// other values
 std::vector<std::vector<double>> tail_points(const StressTail& tail, int n, double largest, double sign) {

@@ -9,15 +9,15 @@
 
 namespace floc {
 
-/// A sample under load with its solution, and the stresses and forces that the output files contain, which are computed
-/// from the solution.
+/// A loaded sample, the solution of its lattice, and the stresses and forces that are computed from the solution for
+/// the output files.
 template <int Dim>
 struct LoadedSample {
   const CementedSample<Dim>& sample;
   const LatticeNetwork<Dim>& network;
   const LatticeSolution<Dim>& solution;
   std::vector<Mat<Dim>> stress;    ///< stress of each node
-  std::vector<double> pair_force;  ///< normal force between each two grains that exert forces on each other
+  std::vector<double> pair_force;  ///< normal force of each pair of grains that exert forces on each other
 };
 
 /// Returns the normal stress along an axis of each node that belongs to an element.

@@ -62,9 +62,8 @@ bool accuracy_met(const std::vector<ModuliRow>& rows, const std::optional<Moduli
   });
 }
 
-/// Returns whether the moduli of a state are to be computed. They are computed for every state in equilibrium. For a
-/// state that is not in equilibrium, they are computed only with `force`, and a warning is printed; otherwise an error
-/// is printed.
+/// Returns whether the moduli of a state are to be computed: if the state is in equilibrium, or if `force` is set. For
+/// a state that is not in equilibrium, prints a warning if `force` is set, otherwise an error.
 bool accepts_state(const std::string& file, const AnyState& any, bool force, const Remarks& remarks) {
   if (force) {
     std::visit([&](const auto& state) { warn_unless_in_equilibrium(file, state, remarks); }, any);

@@ -23,8 +23,7 @@ struct NetworkCommand {
   Printing printing;
 };
 
-/// Converts the command line to the options of the library: which groups of columns and which further tables are
-/// computed.
+/// Converts the command line to the options of the library: the groups of columns and the csv files to compute.
 NetworkTableOptions options_of(const NetworkCommand& command) {
   NetworkTableOptions options = command.options;
   options.unit = force_unit_named(command.unit);

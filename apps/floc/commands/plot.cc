@@ -75,9 +75,9 @@ ModuliPoint moduli_of_state(const AnyState& any) {
       any);
 }
 
-/// Returns the unit of the moduli in a table of `floc moduli`. The table does not say whether the packing has cohesion,
-/// which determines the unit, so this is inferred from the pressures: with cohesion and in reduced units, the reduced
-/// pressure P* and the pressure P are almost equal (they differ because the largest grain is a little smaller than a).
+/// Returns the unit of the moduli in a table of `floc moduli`. The unit depends on whether the packing has cohesion,
+/// which the table does not say. It follows from the pressures: with cohesion and in reduced units, the reduced
+/// pressure P* and the pressure P are almost equal.
 std::string unit_of_table(const CsvTable& table) {
   for (const char* name : {"units", "dimension", "P", "P_star"})
     if (!table.has(name)) return "units of the state";

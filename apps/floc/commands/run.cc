@@ -54,15 +54,15 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
   return kDone;
 }
 
-/// Makes freed memory available for other purposes at once: the allocator returns every freed block of at least this
-/// size (bytes) to the system. By default glibc keeps freed blocks of up to 32 MB. A large packing would then occupy
-/// the memory of its neighbour lists, of its saved states and of its files all at the same time.
+/// Freed blocks of memory of at least this size (bytes) are returned to the system at once. By default glibc keeps
+/// freed blocks of up to 32 MB. A large packing would then occupy the memory of its neighbour lists, of its saved
+/// states and of its files all at the same time.
 constexpr int kReturnedBlock = 1 << 22;
 
 template <int Dim>
 int run_scene(const Scene& scene, const SceneRunOptions& asked) {
-  // From here on, SIGINT and SIGTERM must not end the process at once: the run first completes the files in its
-  // directory, so that they are consistent.
+  // From here on, SIGINT and SIGTERM do not end the process at once, so that the run can first complete the files in
+  // its directory.
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   SceneRun<Dim> scene_run(scene, asked);

@@ -42,7 +42,8 @@ TableValue of_compared(int n, double value) {
 /// Name and dimensionless contact stiffness of the scene that was run. Each row of the table contains both.
 struct StudiedScene {
   std::string name;
-  /// Dimensionless contact stiffness: a K_N/F0, or K_N/P without adhesion (a: diameter, F0: pull-off force).
+  /// Dimensionless contact stiffness: a K_N/F0 or, without adhesion, K_N/P (a: diameter, K_N: normal stiffness, F0:
+  /// pull-off force, P: pressure).
   double kappa;
 };
 
@@ -113,7 +114,7 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
     for (std::size_t i = 0; i < tradeoff.settings.size(); ++i) {
       const MeasuredSetting& m = tradeoff.settings[i];
       const ObservableError& e = m.errors[k];
-      // A setting for which no values of this observable could be compared has no row.
+      // A setting has no row if it gave no value of this observable that could be compared.
       if (e.before.n + e.after.n + e.mean.n > 0) table.rows.push_back(row_of(run, m, names[k], e, front[i]));
     }
   }
@@ -126,8 +127,7 @@ double stiffness_of(const Scene& scene) {
   return 0.0;
 }
 
-/// Prints the table. On a terminal, only its first columns are printed, as many as fit the width of the terminal,
-/// unless the user has chosen columns.
+/// Prints the table. In the format "table" only its first columns are printed, unless the user has chosen columns.
 void print_tradeoff(Table table, const Printing& printing) {
   constexpr std::size_t kShort = 11;
   if (chosen_format(printing.format) == TableFormat::table && printing.columns.empty()) {

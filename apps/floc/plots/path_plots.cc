@@ -63,9 +63,9 @@ double stress_of_unit(const PathTable& path, int row) {
 }
 
 /// Returns the modulus of the state at the start of an unloading branch, in the unit of the pressures of the path;
-/// absent if this state is not available. The modulus is B_S, the bulk modulus for imposed stresses. For an oedometer
-/// it is a modulus of uniaxial strain: M if the pressures are the driven stress, B_uniaxial if they are the mean
-/// stress.
+/// absent if this state is not available. The modulus is B_S, the bulk modulus for imposed stresses. In an oedometer
+/// test it is a modulus for uniaxial strain: M if the pressures are stresses on the driven axis, B_uniaxial if they are
+/// mean stresses.
 std::optional<double> modulus_of_state(const PathTable& path, const Loading& branch) {
   const auto found = moduli_of_row(path, branch.rows.front(), driven_axis(path, branch.rows.back()));
   if (!found) return std::nullopt;

@@ -25,7 +25,7 @@ FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 /// error, the fitted law with its regimes, and the unloading branches with their elastic lines dPhi/Phi = dP/B. The
 /// modulus B is computed from the state at the start of the unloading branch if its file is in the directory of
 /// path.csv; otherwise B is fitted to the branch.
-/// @param samples  loading paths; at least one
+/// @param samples  load paths of the samples; at least one
 Plot consolidation_plot(const std::vector<PathTable>& samples, const FittedConsolidation& fitted);
 
 /// Plots four coordination numbers against P*: those of all contacts and of the contacts with positive, negative and

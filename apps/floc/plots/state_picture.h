@@ -11,9 +11,9 @@ namespace floc {
 enum class Shown {
   equilibrium,     ///< contact forces
   isotropic_step,  ///< increments of the contact forces in a small step of pressure
-  deviatoric_step,  ///< increments of the contact forces in a small step of the stress difference sigma_1 - sigma_2
+  deviatoric_step,  ///< increments of the contact forces in a small step of the stress difference of axes 1 and 2
   particle_pressure,  ///< pressure of each grain, as its colour
-  phases,  ///< grains coloured by the sign of their pressure, with the bonds between grains of equal sign
+  phases,  ///< grains coloured by the sign of their pressure, and contacts between grains of equal sign
   grains,  ///< grains without forces
 };
 
@@ -25,7 +25,7 @@ template <int Dim>
 PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state, Shown shown);
 
 /// Draws the changes from one state to another at the grain positions of the first state: lost and gained contacts, and
-/// the displacements of the grains, without the affine part that the deformation of the cell explains.
+/// the displacements of the grains relative to a uniform deformation of all grains with the cell.
 /// @throws InputError if the two states do not have the same grains
 template <int Dim>
 PackingPicture<Dim> picture_of_changes(const std::string& before_file, const State<Dim>& before,

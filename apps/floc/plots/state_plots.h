@@ -13,14 +13,14 @@ namespace floc {
 struct ForceSample {
   std::string name;  ///< name in the legend
   ForceDistribution distribution;
-  /// Forces (or moments) from which `distribution` is computed, divided by the unit of force that force_sample() was
-  /// called with.
+  /// Forces or moments from which `distribution` is computed, divided by the unit that was given to force_sample().
   std::vector<double> forces;
 };
 
-/// Returns the contact forces of one kind (normal, tangential, rolling) in a packing and their distribution. The width
-/// of the bins of this distribution is chosen so that about twenty bins hold nine tenths of the forces.
+/// Returns the contact forces of one kind (normal, tangential, rolling) in a packing and their distribution. The bins
+/// of the distribution are so wide that about twenty of them hold nine tenths of the forces.
 /// @param place  name of the state file, for messages
+/// @param name  name of the state in the legend
 /// @throws InputError if the packing has no contact forces of this kind or the unit of force is zero
 template <int Dim>
 ForceSample force_sample(const std::string& place, const std::string& name, const Packing<Dim>& packing,
@@ -35,8 +35,7 @@ Plot forces_plot(const std::vector<ForceSample>& samples, ForceKind kind, ForceU
 struct PressureSample {
   std::string name;               ///< name in the legend
   std::vector<double> pressures;  ///< pressures of the grains that are not rattlers
-  /// Whether the unit is that of adhesion, F0/<a>^(d-1), with the mean diameter <a> and the dimension d; if not, the
-  /// unit is the pressure of the state.
+  /// Whether the unit of the pressures is F0/<a>^(d-1), which needs adhesion; if not, it is the pressure of the state.
   bool over_adhesion = true;
 };
 
@@ -53,7 +52,8 @@ PressureSample pressure_sample(const std::string& place, const std::string& name
 /// @pre there is at least one sample, and all samples have the same kind of unit
 Plot pressures_plot(const std::vector<PressureSample>& samples);
 
-/// The scattered intensity of a state, for a plot.
+/// The scattered intensity I(k) of a state at the wave numbers k, and the law of fractal aggregates fitted to it, for a
+/// plot.
 struct ScatteringSample {
   std::string name;
   int dimension = 2;
@@ -62,7 +62,7 @@ struct ScatteringSample {
   std::vector<double> fit_k,
       fit_I;               ///< points of the fitted law of fractal aggregates; empty if it could not be fitted
   std::string parameters;  ///< fitted parameters of the law of fractal aggregates, as text for the legend
-  std::string failure_reason;  ///< reason why this law could not be fitted; empty if it was fitted
+  std::string failure_reason;  ///< reason why the law was not fitted; empty if it was fitted
 };
 
 /// Computes I(k), the scattered intensity of the indicator function of the grains at wave number k, and fits the law of

@@ -14,8 +14,8 @@ namespace {
 /// Smallest relative error that is drawn. Smaller errors are drawn at this value, because the axis is logarithmic.
 constexpr double kSmallest = 1e-10;
 
-/// One curve of the plot: the errors and costs measured for several values of one parameter, in the order of the
-/// processor time that they take. The value that the scene gives is one of these values.
+/// One curve of the plot: the errors and costs measured for several values of one parameter, in the order of increasing
+/// cost. The value that the scene gives is one of these values.
 struct ParameterCurve {
   std::string parameter;
   std::vector<const MeasuredSetting*> settings;

@@ -68,8 +68,8 @@ class CommandLine {
   bool parsed() const;
   /// Returns the names of the parent commands and of this command, without the name of the program: "fit elastic".
   std::string full_name() const;
-  /// Sets a function that is called after the whole command line has been parsed without an error, if this command was
-  /// given.
+  /// Sets a function that is called if this command was given, after the whole command line has been parsed without an
+  /// error.
   void after_parsing(const std::function<void()>& work);
   bool has_option(const std::string& name) const;
   /// Sets the text that the help prints below the list of options.

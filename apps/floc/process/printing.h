@@ -27,10 +27,12 @@ void add_printing_options(CommandLine app, Printing& printing);
 /// Converts a value of `--format` to a table format. An empty value means "table" on a terminal and "csv" otherwise.
 TableFormat chosen_format(const std::string& format);
 
-/// Returns the chosen columns of a table, in the order in which they were chosen. If no columns are chosen, returns all
-/// columns; on a terminal, returns the columns that docs/columns.md lists for terminals, as many as fit its width, with
-/// a note on stderr. Chosen columns that this table does not have, such as a column of 3D states in a table of 2D
-/// states, are left out with a note on stderr.
+/// Returns the columns of a table that are to be printed.
+/// 1. If columns were chosen, these, in the order in which they were chosen. Chosen columns that this table does not
+/// have, such as columns of 3D states in a table of 2D states, are left out with a note on stderr.
+/// 2. Otherwise, on a terminal, the columns that docs/columns.md lists for terminals, as many as fit its width, with a
+/// note on stderr.
+/// 3. Otherwise all columns.
 /// @param on_terminal  whether the table is printed with aligned columns on a terminal
 /// @throws InputError if the table has none of the chosen columns
 Table with_chosen_columns(const Table& table, const Printing& printing, bool on_terminal);

@@ -14,8 +14,8 @@ std::string table_of_run(const std::string& directory);
 /// @throws InputError if the directory has no state files
 std::vector<std::string> states_of_run(const std::string& directory);
 
-/// Returns the inputs, with each directory replaced by state files of the run in it: the states with the numbers
-/// `steps`, or all states if `steps` is empty.
+/// Returns the names of state files: the inputs, where each directory is replaced by the states of its run that have
+/// the numbers `steps`, or by all its states if `steps` is empty.
 /// @throws InputError if a directory has no state files, or if `steps` are given but no directory
 std::vector<std::string> states_of_inputs(const std::vector<std::string>& inputs,
                                           const std::vector<int>& steps = {});

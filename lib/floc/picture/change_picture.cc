@@ -25,8 +25,8 @@ PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<D
   for (const int c : changes.lost) add_before(c, LineKind::lost);
   const Mat<Dim> back = changes.deformation.inverse();
   for (const int c : changes.gained) {
-    // A gained contact is drawn along its branch vector before the change, b. After the change, the branch vector is
-    // the deformed b plus the relative displacement of the two grains; this is solved for b.
+    // A gained contact is drawn along the vector b that connected its two grains before the change. After the change,
+    // this vector is the deformed b plus the relative displacement of the grains, which is solved for b here.
     const Contact<Dim>& contact = after.contacts[c];
     const Vec<Dim> apart = changes.displacement[contact.j] - changes.displacement[contact.i];
     picture.lines.push_back(

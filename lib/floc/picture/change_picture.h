@@ -5,10 +5,10 @@
 
 namespace floc {
 
-/// Returns a picture of the changes between two states, drawn at the grain positions of the first state. It shows lost
-/// and gained contacts, kept contacts as thin lines, and the displacement of each grain, without the affine part that
-/// the deformation of the cell explains.
-/// @param changes  changes from `before` to `after`
+/// Returns a picture of the changes between two states of a packing, drawn at the grain positions of the first state.
+/// It shows lost contacts, gained contacts, and kept contacts as thin lines. Arrows show the displacements of the
+/// grains, relative to a uniform deformation of all grains with the cell.
+/// @param changes  changes from the state `before` to the state `after`
 template <int Dim>
 PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<Dim>& after,
                                      const ContactChanges<Dim>& changes);

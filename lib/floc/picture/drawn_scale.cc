@@ -33,7 +33,7 @@ double rms_displacement(const PackingPicture<Dim>& picture) {
 
 double round_number_below(double x) {
   const double power = std::pow(10.0, std::floor(std::log10(x)));
-  // The small factor keeps rounding errors of the logarithm or the quotient from turning 0.2 into 0.1.
+  // Without the last factor, rounding errors of the logarithm or the quotient could turn 0.2 into 0.1.
   const double digit = x / power * (1.0 + 1e-12);
   return power * (digit >= 10.0 ? 10.0 : digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
 }

@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Factors that turn lengths, forces and displacements of a picture into points on the page.
+/// Factors by which lengths, forces and displacements of a picture are multiplied to give points on the page.
 struct DrawnScale {
   double points_per_length = 1.0;
   double points_per_force = 0.0;  ///< line width of a unit force (points)
@@ -14,7 +14,7 @@ struct DrawnScale {
 template <int Dim>
 double mean_diameter(const PackingPicture<Dim>& picture);
 
-/// Returns the root mean square of the forces of those lines of a picture whose force is > 0; 0 if there are none.
+/// Returns the root mean square of all positive forces that the lines of a picture show; 0 if there are none.
 template <int Dim>
 double rms_force(const PackingPicture<Dim>& picture);
 
@@ -22,7 +22,7 @@ double rms_force(const PackingPicture<Dim>& picture);
 template <int Dim>
 double rms_displacement(const PackingPicture<Dim>& picture);
 
-/// Returns the largest number not above x > 0 that is 1, 2 or 5 times a power of ten.
+/// Returns the largest number that is 1, 2 or 5 times a power of ten and not above x. @pre x > 0
 double round_number_below(double x);
 
 /// Formats a number with at most three significant digits: "13.3", "0.01", "2×10⁻⁵".

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Force that is the unit of the forces in a picture, and the symbol of this unit in the legend.
+/// Unit in which the forces in a picture are expressed: its size as a force, and its symbol in the legend.
 struct UnitForce {
   double size;
   const char* name;
@@ -50,8 +50,8 @@ double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
   return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
 }
 
-/// Returns the sign of the pressure of each grain: 1 or -1, and 0 for rattlers and for grains whose pressure is not
-/// above the pressure that a normal force of `zero_force` would give.
+/// Returns the sign of the pressure of each grain: 1 or -1. It is 0 for rattlers, and for grains whose pressure is at
+/// most zero_force/a^(Dim-1) in magnitude, where a is the largest diameter.
 template <int Dim>
 std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& rattler, double zero_force) {
   std::vector<int> sign;
@@ -60,9 +60,8 @@ std::vector<int> signs_of(const Packing<Dim>& packing, const std::vector<bool>& 
   return sign;
 }
 
-/// Finds the clusters of grains that active contacts connect, and sets `shade` to `value` for the grains of the largest
-/// cluster.
-/// @param active  whether each contact is active
+/// Finds the clusters of grains that are connected by the contacts marked in `active`, and sets `shade` to `value` for
+/// the grains of the largest cluster.
 template <int Dim>
 void mark_largest(const ContactNetwork<Dim>& network, const Adjacency& of, const std::vector<bool>& active,
                   double value, std::vector<double>& shade) {

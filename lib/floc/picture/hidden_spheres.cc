@@ -11,8 +11,8 @@ namespace {
 constexpr double kTilesPerRadius = 8.0;
 constexpr double kMaxTilesPerSide = 3000.0;
 
-/// Square tiles that cover the picture, for finding hidden spheres. A tile is marked as soon as one sphere covers it
-/// completely.
+/// Square tiles into which the picture is divided in order to find hidden spheres. A tile is marked when one sphere
+/// covers it completely.
 class Tiles {
  public:
   explicit Tiles(const std::vector<SeenSphere>& spheres) {
@@ -30,8 +30,8 @@ class Tiles {
                     false);
   }
 
-  /// Returns whether all tiles that a sphere overlaps were marked in earlier calls. Then marks the tiles that lie
-  /// within the sphere. Spheres have to be passed in the order from the nearest to the farthest.
+  /// Returns whether all tiles that a sphere overlaps were marked in earlier calls, so that it is hidden. Then marks
+  /// the tiles that lie within the sphere. @pre calls are made from the nearest to the farthest sphere
   bool hides_then_cover(const SeenSphere& s) {
     bool hidden = true;
     const int first_row = row_of(s.centre[1] - s.radius, 1), last_row = row_of(s.centre[1] + s.radius, 1);
@@ -51,9 +51,9 @@ class Tiles {
 
  private:
   int row_of(double x, int axis) const { return static_cast<int>((x - low_[axis]) / side_); }
-  /// Returns the distances from the coordinate `x` to the nearest and to the farthest coordinate of a row (axis 1) or
-  /// column (axis 0) of tiles.
-  /// @param row  number of this row or column
+  /// Returns the smallest and the largest distance along an axis from the coordinate `x` to a column (axis 0) or row
+  /// (axis 1) of tiles.
+  /// @param row  number of the column or row of tiles
   std::pair<double, double> distances(int row, int axis, double x) const {
     const double begin = low_[axis] + row * side_ - x, end = begin + side_;
     return {std::max({begin, -end, 0.0}), std::max(-begin, end)};

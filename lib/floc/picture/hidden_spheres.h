@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Removes the spheres that are completely hidden behind other spheres and returns the rest. No visible sphere is
-/// removed. Some hidden spheres remain, because the test divides the picture into tiles, an eighth of the smallest
-/// radius wide, and a tile counts as open unless a single sphere covers it.
+/// Removes spheres that are completely hidden behind other spheres, and returns the others. Every visible sphere is
+/// kept. Some hidden spheres are kept too: the picture is divided into square tiles, an eighth of the smallest radius
+/// wide, and a tile counts as covered only if one sphere alone covers it.
 std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres);
 
 }  // namespace floc

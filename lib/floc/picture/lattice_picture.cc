@@ -58,8 +58,8 @@ int nearest_node(const NodeGrid<Dim>& grid, const Vec<Dim>& point, double spacin
   return nearest;
 }
 
-/// Returns the periodic copy of the point x that lies in a rectangular box along the axes, whose sides are the diagonal
-/// elements of the cell matrix.
+/// Returns the periodic copy of the point x that lies in the drawn box: a rectangular box along the axes whose sides
+/// are the diagonal elements of the cell matrix.
 template <int Dim>
 Vec<Dim> brought_into_room(const Cell<Dim>& cell, Vec<Dim> x) {
   // Lattice vector a has no components along the axes after a, so the axes are treated from the last to the first: a
@@ -104,8 +104,8 @@ void set_source(cairo_t* page, const Color& c) {
   cairo_set_source_rgb(page, c.red, c.green, c.blue);
 }
 
-/// Draws the faces between two nodes, such as cracks, as lines across the bonds of these nodes. In a 3D section, only
-/// faces whose midpoint is within half a lattice spacing of the section are drawn.
+/// Draws each bond in `picture.faces`, that is, each broken bond, as a line across the bond, through the point at which
+/// its force acts. In a 3D section, only bonds are drawn whose point is within half a lattice spacing of the section.
 template <int Dim>
 void draw_faces(cairo_t* page, const Section<Dim>& section, const LatticePicture<Dim>& picture, double scale) {
   set_source(page, palette::kArrow);

@@ -11,18 +11,17 @@
 
 namespace floc {
 
-/// A picture of a lattice. Each node is drawn as the cell around it (a hexagon in 2D), in the colour of its value or
-/// its phase.
+/// Colours of the nodes of a lattice, and texts, for draw_lattice(). Each node is drawn as the region of all points
+/// nearest to it, for example a hexagon in 2D.
 template <int Dim>
 struct LatticePicture {
   std::vector<Color> color;  ///< colour of each node
-  /// Indices of broken bonds. Each is drawn as the face between its two nodes, which shows cracks.
+  /// Indices of broken bonds. To show cracks, a broken bond is drawn as a line between the regions of its two nodes.
   std::vector<int> faces;
   std::string caption;
   /// Colours and their meanings, which the legend lists.
   std::vector<std::pair<Color, std::string>> meanings;
-  /// Name of the quantity of the colour bar, which goes from the most negative to the most positive value; empty: no
-  /// colour bar.
+  /// name of the quantity that the colour bar shows, from -bar_largest to bar_largest; if empty, there is no colour bar
   std::string bar_name;
   double bar_largest = 1.0;
 };
@@ -33,7 +32,7 @@ struct LatticeSheetOptions {
   double width = 482.0;  ///< width of the page (points)
   int cut_axis = 1;      ///< 3D: axis normal to the drawn section, counted from 0
   double cut_at = 0.5;   ///< 3D: position of the section along cut_axis, as a fraction of the cell
-  /// Pixels across a node of mean size; fewer if a side of the picture would exceed 3000 pixels.
+  /// Number of pixels per lattice spacing; it is reduced if a side of the picture would exceed 3000 pixels.
   double pixels_a_node = 4.0;
 
   static constexpr NumberRange kPixels{.least = 1.0, .most = 100.0};
@@ -41,27 +40,28 @@ struct LatticeSheetOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Returns whether draw_lattice() can draw a lattice in this cell: the first lattice vector has to lie along the first
-/// axis, and the second in the plane of the first two axes. The picture shows a rectangular box whose sides are the
-/// diagonal elements of the matrix of the cell. The box holds each point of the periodic lattice once, however slanted
-/// the cell is.
+/// Returns whether draw_lattice() can draw a lattice in this cell: the first cell vector has to lie along the first
+/// axis, and the second in the plane of the first two axes. The picture then shows a rectangular box whose sides are
+/// the diagonal elements of the cell matrix. However slanted the cell is, the box holds each point of the periodic
+/// lattice once.
 template <int Dim>
 bool can_be_drawn(const Cell<Dim>& cell) {
   return cell.matrix.isLowerTriangular(0.0);
 }
 
 /// Draws a lattice.
-/// @return content of the picture file. In svg and pdf, the nodes are an embedded image and all other elements are
-/// vectors
+/// @return content of the picture file; in svg and pdf files, the nodes are an embedded image, and all other elements
+/// are vector graphics
 /// @pre can_be_drawn(lattice.cell)
 /// @throws InputError naming the errors of the options
 template <int Dim>
 std::string draw_lattice(const Lattice<Dim>& lattice, const LatticePicture<Dim>& picture,
                          const LatticeSheetOptions& options);
 
-/// Returns the colours of nodes with the stresses `value`: blue for compression, orange for tension, white for zero,
-/// and grey for nodes without a stress. Stresses beyond +-`largest` have the last colours of the scale.
-/// @param there  whether each node has a stress
+/// Returns the colour of each node for its stress: blue for compression, orange for tension, white for zero, and grey
+/// if the node has no stress. Stresses larger than `largest` in magnitude have the last colours of the scale.
+/// @param value  stress of each node
+/// @param there  whether the node has a stress
 std::vector<Color> stress_colors(const std::vector<double>& value, const std::vector<bool>& there,
                                  double largest);
 

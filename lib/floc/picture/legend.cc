@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kBetween = 12.0;  ///< distance between two items of the legend (points)
 constexpr double kAfterSample = 4.0;
-/// Largest width of the line in the legend that shows how wide a force is drawn (points). A wider line would cover
+/// Largest width (points) of the line in the legend that shows the line width for a force. A wider line would cover
 /// text.
 constexpr double kThickest = 8.0;
 
@@ -93,9 +93,9 @@ LegendItem text_item(const std::string& text) {
   return {-kAfterSample, [](cairo_t*, double, double) {}, text};
 }
 
-/// Distributes legend items over lines, and calls `place(item, x, line)` for each item, with its position x in the line
-/// (points) and the index of the line. Lines are filled from the left. An item that is wider than a line takes as many
-/// lines as its text needs. @return number of lines
+/// Distributes the items of a legend over lines of text, filled from the left, and calls `place(item, x, line)` for
+/// each item: x is its distance from the left end of the line (points), `line` the index of the line. An item that is
+/// wider than a line takes as many lines as its text needs. @return number of lines of the legend
 template <class Place>
 int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   double x = 0.0;
@@ -111,8 +111,8 @@ int flow(const std::vector<LegendItem>& items, double width, Place&& place) {
   return n_lines;
 }
 
-/// Returns the number of bytes of the longest beginning of a text that fits into `width` (points). This beginning holds
-/// at least one letter, and never ends inside a letter of several bytes (UTF-8).
+/// Returns the number of bytes of the longest beginning of a text that fits into `width` (points). The beginning has at
+/// least one letter, even if this letter does not fit, and never ends within a letter of several bytes (UTF-8).
 std::size_t end_of_fitting(const std::string& text, double width) {
   std::size_t end = 0;
   do {

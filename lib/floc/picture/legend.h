@@ -22,7 +22,7 @@ void set_font(cairo_t* page);
 /// Draws a text whose left end on the base line is at (x, y), in points.
 void draw_text(cairo_t* page, double x, double y, const std::string& text);
 
-/// Returns the width of a text (points). It does not depend on the format of the picture.
+/// Returns the width of a text in the font of legends (points). It is the same in all picture formats.
 double text_width(const std::string& text);
 
 /// Breaks a text at its spaces into lines not wider than `width` (points). A word that is wider than a line is broken
@@ -32,20 +32,21 @@ std::vector<std::string> wrapped_text(const std::string& text, double width);
 /// One item of a legend: a graphical sample and the text to the right of it.
 struct LegendItem {
   double sample_width;  ///< width of the sample (points)
-  /// Draws the sample to the right of x, with its middle at height y (points).
+  /// Draws the sample. Its left end is at x, and its middle at the height y (points).
   std::function<void(cairo_t* page, double x, double y)> draw_sample;
   std::string text;
 
   double width() const;
-  /// Returns the lines into which the text is broken if the item is at most `room` wide (points). The text is to the
-  /// right of the sample if each of its words fits there; otherwise it is below the sample, and the first line returned
-  /// is empty.
+  /// Returns the text, broken into lines so that sample and text together are at most `room` wide (points). The text
+  /// is to the right of the sample if each of its words fits there. Otherwise the text is below the sample, and the
+  /// first line returned is empty.
   std::vector<std::string> lines(double room) const;
   void draw(cairo_t* page, double x, double baseline, double room) const;
 };
 
-/// Returns a legend item whose sample is a line (in 3D a round bar) of a given width (points), with a text that
-/// explains the line.
+/// Returns a legend item whose sample is a line, in 3D a round bar.
+/// @param width  width of the line (points)
+/// @param text  meaning of the line
 template <int Dim>
 LegendItem line_item(const Color& color, double width, const std::string& text);
 
@@ -53,21 +54,21 @@ LegendItem line_item(const Color& color, double width, const std::string& text);
 /// @param room  largest length of the bar (points)
 LegendItem color_bar(const GrainShade& shade, double room);
 
-/// Returns a legend item that shows how wide the line of a contact force is drawn, for a round value of the force. This
-/// value is chosen so that the line is not thicker than the text is high.
-/// @pre some line of the picture has a force > 0
+/// Returns a legend item that shows the line width for one round value of the contact force. The value is chosen so
+/// that the line is at most as thick as the text is high.
+/// @pre at least one line of the picture has a force > 0
 template <int Dim>
 LegendItem force_item(const PackingPicture<Dim>& picture, const DrawnScale& scale);
 
-/// Returns the legend of a page with pictures, with an item for each element that some picture shows: scale bar, kinds
-/// of lines, rattlers, arrows, colours, notes.
-/// @param bar  approximate largest length of the scale bar (points)
+/// Returns the legend of a page of pictures. It has a scale bar, and an item for each kind of line, rattlers, arrows,
+/// colours or notes if they are in at least one of the pictures.
+/// @param bar  largest length of the scale bar (points)
 /// @param width  width of the legend (points)
 template <int Dim>
 std::vector<LegendItem> legend_of(const std::vector<PackingPicture<Dim>>& pictures, const DrawnScale& scale,
                                   double bar, double width);
 
-/// Returns the height of a legend whose lines are not wider than `width` (points).
+/// Returns the height (points) of a legend whose lines are at most `width` wide (points).
 double legend_height(const std::vector<LegendItem>& items, double width);
 
 void draw_legend(cairo_t* page, const std::vector<LegendItem>& items, double left, double top, double width);

@@ -12,11 +12,12 @@
 namespace floc {
 namespace {
 
-/// Largest number of shapes that are combined in one cairo path. The limit saves time, because the time to draw a path
-/// grows faster than the number of its shapes.
+/// Largest number of shapes that are combined in one cairo path. Larger paths would take more time, because the time to
+/// draw a path grows faster than the number of shapes in it.
 constexpr int kBatch = 200;
 constexpr double kSmallestOutlined = 2.5;
-/// Step to which line widths are rounded (points). Lines of equal width share one path, which keeps files small.
+/// Line widths are rounded to multiples of this width (points), so that many lines share one path. This keeps files
+/// small.
 constexpr double kWidthStep = 0.05;
 constexpr int kShades = 64;
 
@@ -102,8 +103,9 @@ class Drawing {
   }
 
  private:
-  /// Returns a number for the fill colour of a grain: its place on the colour scale, from -kShades to kShades, or, in
-  /// pictures that do not colour grains by a value, 1 for rattlers and 0 for other grains.
+  /// Returns a number that stands for the fill colour of a grain. If the picture colours grains by a value, the number
+  /// is the place of the value on the colour scale, from -kShades to kShades. Otherwise it is 1 for a rattler, and 0
+  /// for another grain.
   int fill_of(int i) const {
     if (!picture_.shade.value.empty()) {
       const double share = std::clamp(picture_.shade.value[i] / picture_.shade.largest, -1.0, 1.0);

@@ -10,9 +10,9 @@
 
 namespace floc {
 
-/// Meaning of a line between two grains. Lines are drawn in this order of their kinds, so the last kind is on top.
+/// Meaning of a line between two grains. Lines are drawn in the order of these kinds, so that the last kind is on top.
 enum class LineKind {
-  background,  ///< a contact that is not in the set of contacts that the picture emphasizes
+  background,  ///< a contact that the picture shows, but does not emphasize
   zero,        ///< a contact whose normal force is zero within the tolerance
   distant,
   tension,
@@ -21,14 +21,14 @@ enum class LineKind {
   gained,
 };
 
-/// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to that of grain
-/// j.
+/// An interaction of two grains, or of a grain and a wall, drawn as a line from the centre of grain i to the centre of
+/// grain j or to the wall.
 template <int Dim>
 struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
   Vec<Dim> to = Vec<Dim>::Zero();  ///< centre of the periodic image of grain j that interacts with grain i
   LineKind kind = LineKind::compression;
-  double force = 0.0;  ///< force in `PackingPicture::force_unit`, to which the line width is proportional
+  double force = 0.0;  ///< force that the width of the line shows, in units of `PackingPicture::force_unit`
   int i = 0, j = 0;    ///< indices of the grains (or walls) at both ends
 };
 
@@ -43,21 +43,23 @@ struct DisplacementArrow {
 /// A value of every grain, which is drawn as the colour of the grain.
 struct GrainShade {
   std::vector<double> value;  ///< value of each grain
-  double largest = 1.0;       ///< value > 0 at which the colour scale ends; larger values have the last colour
+  double largest = 1.0;       ///< value > 0 at the end of the colour scale; larger values have its colour
   std::string name;           ///< name of the quantity in the legend
 };
 
-/// A layer of a cell between two lattice planes, whose positions are fractions of a lattice vector.
+/// A layer of a cell between two planes that are parallel to two of the cell vectors. The positions of the planes are
+/// fractions of the third cell vector.
 struct Slab {
-  int axis = 2;  ///< index of the lattice vector, counted from 0
+  int axis = 2;  ///< index of the cell vector that crosses the layer, counted from 0
   double from = 0.0, to = 1.0;
 
   /// Returns all errors of the slab, as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// A picture of a packing: grains, lines, arrows and colours, in the unit of length of the state. It holds each element
-/// once, without periodic copies; the functions that draw the picture add copies and clip at the border of the cell.
+/// A picture of a packing: grains, lines, arrows and colours. Lengths have the unit of length of the state. Each
+/// element is held once; the functions that draw the picture add its periodic copies, and clip them at the border of
+/// the cell.
 template <int Dim>
 struct PackingPicture {
   Cell<Dim> cell;
@@ -65,27 +67,27 @@ struct PackingPicture {
   std::vector<double> radius;
   std::vector<bool> rattler;  ///< whether each grain is a rattler; empty: no rattlers are marked
   std::vector<ContactLine<Dim>> lines;
-  std::string force_unit;  ///< symbol of the unit of force in the legend, such as "F₀"
+  std::string force_unit;  ///< symbol of the unit of the forces of lines, such as "F₀", for the legend
   std::string force_symbol = "F";
   // Texts in the legend for kinds of lines.
   std::string compression_name = "compression";
   std::string tension_name = "tension";
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow<Dim>> arrows;
-  std::optional<Slab> slab;  ///< part of the cell that is shown, see part_in_slab()
-  GrainShade shade;          ///< values that colour the grains; if there are none, grains are grey
-  /// Parts of the caption above the picture. A line of the caption can end after each part; a part is broken only if it
-  /// is wider than a line.
+  std::optional<Slab> slab;  ///< layer of the cell that is shown (see part_in_slab()); absent: the whole cell
+  GrainShade shade;          ///< values that colour the grains; if it has none, grains are grey
+  /// Parts of the caption above the picture. A line of the caption ends after a part; a part is broken only if it is
+  /// wider than the line.
   std::vector<std::string> caption;
   std::string note;  ///< note in the legend; may be empty
 };
 
-/// Returns a picture with the cell and the grains of a packing.
+/// Returns a picture with only the cell and the grains of a packing, to which lines, arrows and colours can be added.
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
-/// Returns the part of a picture that lies in a slab of the cell: grains whose centres lie in the slab, their arrows,
-/// and lines between two such grains. A centre on the border between two slabs is in the upper slab.
+/// Returns the part of a picture that lies in a slab of the cell: the grains whose centres lie in the slab, the arrows
+/// of these grains, and the lines between them. A centre on the border between two slabs is in the upper slab.
 PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab);
 
 }  // namespace floc

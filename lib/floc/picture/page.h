@@ -31,17 +31,18 @@ class Page {
   cairo_t* context_;
 };
 
-/// Pixel image, with the resolution of a png, that is drawn on instead of the page. Its destructor paints it on the
-/// page. It is used for drawings with so many shapes that a file with all of them as vectors would be slow to display.
+/// Pixel image that replaces a part of a page, for drawings of so many shapes that as vector graphics they would be
+/// slow to display. The shapes are drawn on the context() of the image, and its destructor paints the image on the
+/// page.
 class ImageLayer {
  public:
-  /// @param left,top,width,height  part of the page that the image covers (points)
+  /// @param left,top,width,height  rectangle of the page that the image covers (points)
   ImageLayer(cairo_t* page, double left, double top, double width, double height, double pixels_per_point);
   ~ImageLayer();
   ImageLayer(const ImageLayer&) = delete;
   ImageLayer& operator=(const ImageLayer&) = delete;
 
-  /// Returns the cairo context of the image, in which coordinates are coordinates of the page.
+  /// Returns the cairo context of the image. Its coordinates are those of the page.
   cairo_t* context() const { return context_; }
 
  private:

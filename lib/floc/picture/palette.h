@@ -15,20 +15,21 @@ constexpr Color hex_color(int rgb) {
 }
 
 /// Colours of the elements of a picture of a packing. Readers with any of the three kinds of colour blindness can
-/// distinguish the colours of lines (a test checks this). Blue and vermilion are from the palette of Okabe and Ito; the
-/// green is lighter than in that palette.
+/// distinguish the colours of lines, which a test checks. Blue and vermilion are from the palette of Okabe and Ito; the
+/// green is lighter than the green of that palette.
 namespace palette {
 
 inline constexpr Color kCompression = hex_color(0x0072B2);
 inline constexpr Color kTension = hex_color(0xD55E00);
 inline constexpr Color kDistant = hex_color(0x00B377);
 inline constexpr Color kZero = hex_color(0x5A5A5A);
-inline constexpr Color kBackground = hex_color(0xBDBDBD);  ///< contacts that the picture does not emphasize
+inline constexpr Color kBackground =
+    hex_color(0xBDBDBD);  ///< colour of contacts that the picture does not emphasize
 inline constexpr Color kLost = kTension;
 inline constexpr Color kGained = kCompression;
 inline constexpr Color kArrow = hex_color(0x222222);
 inline constexpr Color kGrain = hex_color(0xEFEFEF);
-inline constexpr Color kSphere = hex_color(0xD6D6D6);  ///< grains in 3D, before shading
+inline constexpr Color kSphere = hex_color(0xD6D6D6);  ///< colour of grains in 3D, before shading
 /// Colour of the small spheres at the ends of the tubes that show contacts.
 inline constexpr Color kNode = hex_color(0x9C9C9C);
 inline constexpr Color kRattler = hex_color(0xFFFFFF);

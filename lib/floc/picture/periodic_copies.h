@@ -7,17 +7,17 @@
 
 namespace floc {
 
-/// Finds the periodic copies of an object that reach into the cell 0 <= s < 1, where s are reduced coordinates. The
-/// cell may have any lattice vectors, and the object may be larger than the cell.
+/// Finds the periodic copies of an object that reach into the periodic cell, that is, to points whose reduced
+/// coordinates are in [0, 1). The cell may have any lattice vectors, and the object may be larger than the cell.
 template <int Dim>
 class PeriodicCopies {
  public:
   explicit PeriodicCopies(const Cell<Dim>& cell)
       : cell_(cell), reciprocal_(cell.matrix.transpose().inverse()), reach_(reciprocal_.rowwise().norm()) {}
 
-  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell, with the displacement of the
-  /// copy. The object is the convex hull of two disks (3D: balls) of equal radius with centres `from` and `to`
-  /// (length).
+  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell, where `shift` is the
+  /// displacement of the copy from the object. The object is the convex hull of two disks (3D: balls) of equal radius
+  /// with centres `from` and `to` (length).
   template <class Draw>
   void of_segment(const Vec<Dim>& from, const Vec<Dim>& to, double radius, Draw&& draw) const {
     const Vec<Dim> a = reciprocal_ * from, b = reciprocal_ * to;
@@ -41,7 +41,7 @@ class PeriodicCopies {
   static int last(double low) { return static_cast<int>(std::floor(1.0 - low)); }
 
   Cell<Dim> cell_;
-  Mat<Dim> reciprocal_;  ///< its rows are the reciprocal lattice vectors, so that s = reciprocal_ x
+  Mat<Dim> reciprocal_;  ///< its product with a point gives the reduced coordinates of the point
   Vec<Dim> reach_;       ///< half the extent of a ball of radius 1 along each reduced coordinate
 };
 

@@ -34,11 +34,11 @@ void append_path(std::string_view path, std::string& out) {
   }
 }
 
-/// Texts in an svg after which the name of an element follows.
+/// Texts in an svg that are followed by the name of an element.
 constexpr std::string_view kBeforeName[] = {"id=\"", "href=\"#", "url(#"};
-/// Beginnings of the names that cairo ends with a number.
+/// Beginnings of the names of elements that cairo numbers, such as "surface12".
 constexpr std::string_view kCounted[] = {"surface", "image", "source-"};
-/// Text in an svg after which the coordinates of a path follow.
+/// Text in an svg that is followed by the coordinates of a path.
 constexpr std::string_view kBeforePath = " d=\"";
 
 }  // namespace
@@ -54,8 +54,8 @@ std::string plain_svg(std::string_view svg) {
     i += text.size();
     return true;
   };
-  // Gives a name that ends in a number a new number, in the order in which such names first appear. The definition of
-  // an element and the references to it thus get the same new name.
+  // Copies the name of an element with a new number: such names are numbered in the order in which they first appear.
+  // The definition of an element and all references to it get one new name.
   const auto take_name = [&] {
     for (const std::string_view prefix : kCounted) {
       if (!take(prefix)) continue;

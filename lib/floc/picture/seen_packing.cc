@@ -12,10 +12,11 @@ namespace floc {
 namespace {
 
 constexpr double kWithLines = 0.25;
-/// Smallest length of a tube that is drawn, in units of its width. Between spheres of full size, shorter tubes would be
-/// slivers around the contact point.
+/// Smallest length of a tube that is drawn, divided by the width of the tube. Between spheres that are drawn with their
+/// true radii, shorter tubes would look like splinters at the contact point.
 constexpr double kShortest = 0.05;
-/// Cosine of the angle between the normal of a face and the line of sight below which the face counts as seen edge-on.
+/// Cosine below which a face of the cell counts as seen edge-on. The cosine is that of the angle between the normal of
+/// the face and the line of sight.
 constexpr double kEndOn = 1e-9;
 
 using Interval = std::pair<double, double>;
@@ -29,8 +30,8 @@ std::optional<Interval> negative_part(double a, double b, double c) {
   return Interval{(-b - std::sqrt(root)) / (2.0 * c), (-b + std::sqrt(root)) / (2.0 * c)};
 }
 
-/// Returns the part of a line segment that lies in the cell 0 <= s <= 1, as fractions of the length of the segment. Its
-/// ends are given in reduced coordinates.
+/// Returns the part of a line segment that lies in the cell, as fractions of the length of the segment.
+/// @param from,to  ends of the segment in reduced coordinates, which are between 0 and 1 in the cell
 std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   Interval part{0.0, 1.0};
   for (int a = 0; a < 3; ++a) {
@@ -77,8 +78,8 @@ class Sight {
   }
 
  private:
-  /// Adds all spheres, and sets `far` and `near`, the ends of the range of the depths (coordinates towards the eye) of
-  /// their centres. This range includes spheres that are removed later, because other spheres hide them.
+  /// Adds all spheres, and sets `far` and `near`, the smallest and the largest coordinate of their centres towards the
+  /// eye. Spheres that are removed later, because other spheres hide them, count too.
   void add_spheres() {
     seen_.far = std::numeric_limits<double>::infinity();
     seen_.near = -seen_.far;
@@ -102,8 +103,8 @@ class Sight {
     }
   }
 
-  /// Adds the tube of a contact. A tube begins where its surface meets the sphere, at the distance sqrt(R^2 -
-  /// (width/2)^2) from the centre of a sphere of radius R.
+  /// Adds the tube of a contact. A tube of width w begins where its surface meets the surface of the sphere, at the
+  /// distance sqrt(R^2 - (w/2)^2) from the centre of a sphere of radius R.
   void add_tube(const ContactLine<3>& line, const Vec<3>& from, const Vec<3>& to) {
     const auto in_cell = part_in_cell(picture_.cell.reduced(from), picture_.cell.reduced(to));
     if (!in_cell) return;
@@ -188,8 +189,8 @@ std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const V
   const Vec<3> apart = from - sphere.centre, along = to - from;
   const Vec<2> apart2 = apart.head<2>(), along2 = along.head<2>();
   const double r2 = sphere.radius * sphere.radius;
-  // The hidden region is the sphere, together with the cylinder behind its equator whose cross-section is the outline
-  // of the sphere. This region is convex, so that the segment crosses it only once.
+  // A sphere hides the points inside it and those in the cylinder behind it that has the radius of the sphere. The
+  // union of sphere and cylinder is convex, so that one interval describes the hidden part of the segment.
   std::optional<Interval> cylinder =
       negative_part(apart2.squaredNorm() - r2, 2.0 * apart2.dot(along2), along2.squaredNorm());
   if (!cylinder) return std::nullopt;

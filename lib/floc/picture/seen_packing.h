@@ -10,16 +10,17 @@
 
 namespace floc {
 
-// Points are in the coordinates of a Camera: x to the right, y upwards, z towards the eye (length).
+// In the following structures, points are in the coordinates of a Camera: x to the right, y upwards, z towards the eye
+// (length).
 
 struct SeenSphere {
   Vec<3> centre = Vec<3>::Zero();
-  double radius = 0.0;  ///< drawn radius
+  double radius = 0.0;  ///< radius with which the sphere is drawn (length)
   int grain = 0;
 };
 
 enum class TubeEnd {
-  round,      ///< a round end at the centre of a sphere that is narrower than the tube
+  round,      ///< a round end at the centre of a sphere, which is narrower than the tube
   at_sphere,  ///< an end at the surface of a sphere
   cut,        ///< a flat end at a face of the cell or at a wall
 };
@@ -38,14 +39,14 @@ struct SeenArrow {
   Vec<3> to = Vec<3>::Zero();
 };
 
-/// An edge of a cell or a slab, which are parallelepipeds.
+/// An edge of the cell, or of a slab of the cell; both are parallelepipeds.
 struct SeenEdge {
   Vec<3> from = Vec<3>::Zero();
   Vec<3> to = Vec<3>::Zero();
   int axis = 0;
-  bool behind = false;   ///< whether both adjacent faces of the edge face away from the eye
-  bool outline = false;  ///< whether exactly one adjacent face faces away from the eye
-  /// Parts that no sphere hides, as fractions of the length of the edge.
+  bool behind = false;   ///< whether both faces that meet at the edge face away from the eye
+  bool outline = false;  ///< whether exactly one of the two faces faces away from the eye
+  /// Parts of the edge that no sphere hides: beginning and end of each, as fractions of the length of the edge.
   std::vector<std::pair<double, double>> visible;
 };
 
@@ -55,28 +56,27 @@ struct SeenPacking {
   struct Mark {
     Part part;
     int index;
-    /// Coordinate towards the eye (length), of the centre of a sphere or of the middle of a tube or arrow.
+    /// Coordinate towards the eye (length), taken at the centre of a sphere or at the middle of a tube or arrow.
     double depth;
   };
 
   std::vector<SeenSphere> spheres;
   std::vector<SeenTube> tubes;
   std::vector<SeenArrow> arrows;
-  /// Parts in the order from the farthest to the nearest. For spheres that do not overlap, the order of their centres
-  /// is exact: a plane separates two such spheres, and in parallel projection the sphere with the nearer centre is in
-  /// front of it.
+  /// Spheres, tubes and arrows from the farthest to the nearest. Two spheres that do not overlap are drawn correctly in
+  /// the order of their centres: in parallel projection, the sphere with the farther centre hides no part of the other.
   std::vector<Mark> order;
-  double far = 0.0, near = 0.0;  ///< smallest and largest coordinate towards the eye of the centres of spheres
+  double far = 0.0, near = 0.0;  ///< smallest and largest coordinate of sphere centres towards the eye (length)
   std::vector<SeenEdge> cell_edges;  ///< the twelve edges of the cell
   std::vector<SeenEdge> slab_edges;  ///< the twelve edges of the slab; empty without a slab
 };
 
-/// Returns the ratio of the drawn radius of spheres to their true radius.
+/// Returns the ratio of the radius with which spheres are drawn to their true radius.
 double sphere_size(const PackingPicture<3>& picture, const View& view);
 
 /// Returns the visible parts of a packing: each sphere once, at the periodic copy whose centre is in the cell, and the
 /// contacts, cut at the faces of the cell. Spheres that are completely hidden are left out.
-/// @param scale  scale of the widths of tubes and the lengths of arrows
+/// @param scale  scales for the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 
 /// Returns the part of a line segment that a sphere hides or contains, as fractions of the length of the segment in [0,
@@ -84,8 +84,9 @@ SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, con
 std::optional<std::pair<double, double>> hidden_part(const Vec<3>& from, const Vec<3>& to,
                                                      const SeenSphere& sphere);
 
-/// Returns the twelve edges of the part of a cell between the corners `low` and `high`, which are given in reduced
-/// coordinates. Each edge is marked as visible over its whole length.
+/// Returns the twelve edges of the part of a cell that lies between two opposite corners. No part of an edge is marked
+/// as visible yet.
+/// @param low,high  reduced coordinates of the two corners
 std::vector<SeenEdge> edges_of(const Cell<3>& cell, const Camera& camera, const Vec<3>& low,
                                const Vec<3>& high);
 

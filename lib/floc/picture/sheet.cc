@@ -16,15 +16,15 @@ namespace {
 
 constexpr double kMargin = 5.0;   ///< margin of the page (points)
 constexpr double kGap = 12.0;     ///< distance between two pictures (points)
-constexpr double kTallest = 1.3;  ///< largest height of a picture, in units of the width of the page
+constexpr double kTallest = 1.3;  ///< largest height of a picture, divided by the width of the page
 /// Smallest resolution of images, in pixels per point. Shaded spheres in 3D need more pixels than the flat colours of
 /// 2D.
 template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsPerSide = 3000.0;
 constexpr double kPixelsPerDiameter = 6.0;
-/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D each shape has its own
-/// colour gradient, which takes about 600 bytes of the file.
+/// Largest number of shapes that are drawn as vector graphics; more shapes are drawn as an image. The number is smaller
+/// in 3D, where each shape has its own colour gradient, which takes about 600 bytes of the file.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
 constexpr double kAxisRoom = 10.0;  ///< margin around a picture in 3D for the names of the axes (points)
@@ -94,7 +94,7 @@ class Layout {
   }
 
  private:
-  /// Sets the line width of a unit force and the length of a unit displacement on the page (points).
+  /// Sets the width of the line for a force of 1, and the length of the arrow for a displacement of 1 (points).
   void set_scales() {
     double moved = 0.0, force = 0.0, force_diameter = 0.0;
     for (const PackingPicture<Dim>& p : pictures_) {
@@ -164,7 +164,7 @@ class Layout {
   DrawnScale scale_;
   std::vector<LegendItem> legend_;
   std::vector<std::vector<std::string>> captions_;  ///< lines of the caption of each picture
-  bool own_keys_ = false;  ///< whether each picture has its own force scale and its own legend for it
+  bool own_keys_ = false;  ///< whether each picture has its own force scale, shown beside its caption
   std::vector<Placement> placements_;
   double legend_top_ = 0.0;
   double height_ = 0.0;
@@ -245,8 +245,8 @@ std::string draw_sheet(const std::vector<PackingPicture<Dim>>& pictures, const S
     placed.emplace_back(pictures[k], layout.placements()[k], layout.boxes()[k], options);
     n_marks += placed.back().n_marks();
   }
-  // In svg and pdf, grains and lines are embedded as an image if they would take megabytes as vectors; frames, axes and
-  // text are always vectors. A png is an image in any case.
+  // In svg and pdf files, grains and lines are embedded as an image if as vector graphics they would take megabytes;
+  // frames, axes and text are always vector graphics. A png is an image anyway.
   const bool as_image =
       options.format != PictureFormat::png && options.as_image.value_or(n_marks > kMaxVectors<Dim>);
   Page page(options.format, options.width, layout.height(), pixels);

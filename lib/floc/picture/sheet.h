@@ -15,18 +15,18 @@ struct SheetOptions {
   PictureFormat format = PictureFormat::svg;
   double width = 482.0;  ///< width of the page (points); the default is 17 cm, two columns of a journal
   int columns = 4;       ///< number of columns if there are several pictures, >= 1
-  /// Width of the line for a force that equals the root mean square of all forces, in mean diameters. With the default,
-  /// the line of the largest of thousands of forces is about as wide as a grain, because the distribution of forces in
-  /// granular media is about exponential.
+  /// Width of the line for a force equal to the root mean square of all forces of the picture, in mean diameters.
+  /// Forces in granular media have about an exponential distribution. With the default, the line of the largest of
+  /// thousands of forces is therefore about as wide as a grain.
   double line_width = 0.15;
   bool same_force_scale = false;  ///< whether all pictures have a common force scale
   bool bare = false;              ///< whether captions and legend are left out
-  /// Pixels per inch of a png, and of grains and lines that are embedded as an image. If absent: six pixels per mean
-  /// diameter, but at least 200 (in 3D 300) per inch and at most 3000 per side of the page.
+  /// Pixels per inch, of a png or of an embedded image of grains and lines. If absent, there are six pixels per mean
+  /// diameter, but at least 200 (in 3D 300) per inch, and at most 3000 along a side of the page.
   std::optional<double> resolution;
-  /// Whether the grains and lines of an svg or pdf are drawn as an embedded image; all other elements are vectors. If
-  /// absent: an image is used for more than 15 000 grains and lines (in 3D 6 000 visible ones), because as vectors they
-  /// would take megabytes.
+  /// Whether grains and lines in an svg or pdf file are drawn as an embedded image; all other elements are vector
+  /// graphics. If absent, an image is used for more than 15 000 grains and lines (in 3D 6 000 visible ones), because as
+  /// vector graphics they would take megabytes.
   std::optional<bool> as_image;
   View view;  ///< viewpoint for packings of spheres
 
@@ -35,9 +35,9 @@ struct SheetOptions {
 };
 
 /// Draws one picture, or several pictures side by side with a common length scale. Grains and lines are cut at the
-/// borders of the cell. The page has captions, a legend of the elements that are drawn, a scale bar in largest
-/// diameters and a line that shows the width of a force. Spheres are shaded, with the edges of the cell and the names
-/// of its axes, and nearer spheres hide farther ones; the contact forces between spheres are drawn as tubes.
+/// borders of the cell. The page has captions and a legend with a scale bar and the line width for a force. Packings of
+/// spheres are drawn with shaded spheres, tubes for contact forces, the edges of the cell and the names of its axes;
+/// nearer spheres hide farther ones.
 /// @return content of the picture file
 /// @pre there is at least one picture, and each has at least one grain
 /// @throws InputError naming the errors of the options

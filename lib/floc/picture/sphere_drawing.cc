@@ -9,18 +9,18 @@
 namespace floc {
 namespace {
 
-/// Fraction of white in the colour of the parts farthest from the eye. It is smaller in pictures of full spheres, which
-/// hide each other, than in pictures of contact networks.
+/// Fraction of white that is mixed into the colours of the spheres or tubes farthest from the eye. It is smaller in
+/// pictures without tubes, whose spheres hide each other, than in pictures of contact networks.
 constexpr double kPaleSpheres = 0.25;
 constexpr double kPaleTubes = 0.65;
-/// Radius below which shading would be invisible (points). Smaller shapes have a single colour, which keeps files
+/// Radius below which shading would be invisible (points). Smaller shapes are drawn in one colour, which keeps files
 /// small.
 constexpr double kSmallestShaded = 0.6;
 /// Width of arrows and length of their heads, in mean diameters. Arrows are thinner than in 2D, because more of them
 /// overlap.
 constexpr double kArrowWidth = 0.04;
 constexpr double kArrowHead = 0.2;
-/// Unit vector on the page (x to the right, y down) that points to where the light comes from.
+/// Direction from which the light comes, as a unit vector on the page (x to the right, y down).
 const Vec<2> kLight = Vec<2>(-0.6, -0.8);
 
 Color mixed(const Color& a, const Color& b, double share) {
@@ -161,12 +161,11 @@ class SeenDrawing {
     cairo_stroke(page_);
   }
 
-  /// Returns the cell edge parallel to the first edge and diagonally opposite to it.
+  /// Returns the edge of the cell that is parallel and diagonally opposite to the first edge.
   const SeenEdge& opposite() const { return seen_.cell_edges[3]; }
 
-  /// Returns the edge of the cell beside which the name of an axis is drawn. Of the edges along this axis in the
-  /// outline of the cell, it is the lowest on the page, and of equally low edges the leftmost. Null if the axis is seen
-  /// end-on.
+  /// Returns the edge of the cell beside which the name of an axis is drawn: the lowest on the page of the edges along
+  /// this axis in the outline of the cell, or the leftmost if several are equally low. Null if the axis is seen end-on.
   const SeenEdge* labelled_edge(int axis) const {
     constexpr double kShortestLabelled = 30.0, kLevel = 1.0;
     const SeenEdge* best = nullptr;
@@ -182,8 +181,9 @@ class SeenDrawing {
     return best;
   }
 
-  /// Returns the distance (points) by which a label has to be moved from a point of the outline of the cell, in the
-  /// direction `out`, so that it overlaps no sphere.
+  /// Returns the distance (points) from a point of the outline of the cell, in the direction `out`, at which a label
+  /// overlaps no sphere.
+  /// @param along  direction of the outline at this point
   /// @param length  length of the label along the outline (points)
   double clear_of_spheres(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
     constexpr double kClearance = 4.0;
@@ -198,7 +198,7 @@ class SeenDrawing {
   }
 
   /// Draws a labelled arrow for an axis beside a cell edge.
-  /// @param middle  middle of the cell; the arrow is on the other side of the edge
+  /// @param middle  middle of the cell; the arrow is drawn on the side of the edge away from it
   void draw_axis(const Vec<2>& from, const Vec<2>& to, const Vec<2>& middle, char name) const {
     constexpr double kLength = 18.0, kLetter = 5.0, kLeast = 6.0;
     const Vec<2> along = (to - from).normalized(), half_way = 0.5 * (from + to);
@@ -266,8 +266,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
   cairo_translate(page, bar.from[0], bar.from[1]);
   cairo_rotate(page, std::atan2(along[1], along[0]));
   cairo_new_path(page);
-  // In the coordinates of the bar, each end is half an ellipse: a round end, or the flat end of a cylinder that is
-  // tilted towards the eye. Ends without bulge are drawn as straight lines, because cairo cannot scale an arc by zero.
+  // The outline of each end is half an ellipse: a round end is half a circle, and the flat end of a tilted bar is
+  // flatter. An end without bulge is drawn as a straight line, because cairo cannot scale an arc by zero.
   const auto end_at = [&](double x, double bulge, double begin) {
     if (bulge <= 1e-3 * half) {
       cairo_line_to(page, x, begin < 0.0 ? -half : half);
@@ -289,8 +289,8 @@ void draw_bar(cairo_t* page, const Bar& bar, const Color& color) {
     cairo_fill(page);
     return cairo_restore(page);
   }
-  // The bright line along the bar is on the side of the light. Its distance from the middle line grows with the angle
-  // between the light and the bar.
+  // The brightest line along the bar is on the side of the light. It is the farther from the middle of the bar, the
+  // larger the angle between light and bar is.
   cairo_pattern_t* gradient = cairo_pattern_create_linear(0.0, -half, 0.0, half);
   add_stop(gradient, 0.0, darker(color, 0.45));
   add_stop(gradient, 0.18, darker(color, 0.1));

@@ -8,22 +8,22 @@
 
 namespace floc {
 
-/// The viewpoint of a picture of spheres, in parallel projection with the z axis upright. The defaults show three faces
-/// of a cubic cell.
+/// The direction from which a packing of spheres is seen, in parallel projection with the z axis upright. The defaults
+/// show three faces of a cubic cell.
 struct View {
   /// Azimuth of the eye (degrees): 0 if the eye is on the x axis, 90 if it is on the y axis.
   double azimuth = -65.0;
   /// Elevation of the eye above the x-y plane (degrees), -90 to 90.
   double elevation = 20.0;
-  /// Ratio of the drawn radius of a sphere to its true radius, 0 to 1. If absent, it is 1, or 0.25 if the picture has
-  /// lines between the centres of spheres.
+  /// Ratio of the radius with which a sphere is drawn to its true radius, 0 to 1. If absent, the ratio is 0.25 if the
+  /// picture has lines for contacts, and 1 otherwise.
   std::optional<double> sphere_size;
 
   /// Returns all errors of the viewpoint, as "name = value: requirement".
   std::vector<std::string> validate() const;
 };
 
-/// Rotates vectors in space to the coordinates of the viewer.
+/// Rotates vectors from the coordinates of the packing to those of the viewer.
 class Camera {
  public:
   explicit Camera(const View& view);

@@ -9,17 +9,17 @@
 namespace floc {
 
 /// Records how contacts open and close while the packing of a run moves, in the table DIR/contacts.csv, where DIR is
-/// the directory of the run. The table has one row per interval of time, and one for each equilibrium (the last row of
-/// a step).
+/// the directory of the run. The table has one row per interval of simulated time. The last row of each step of the run
+/// describes the equilibrium with which the step ends.
 ///
-/// Columns: step (number of the equilibrium), branch (name of the stage), P (imposed pressure), time (since the
+/// Columns: step (number of the equilibrium), branch (name of the load stage), P (imposed pressure), time (since the
 /// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that closed or opened since the
 /// previous row or the beginning of the step), kept (contacts that exist since the beginning of the step).
 template <int Dim>
 class ContactTracker final : public MotionTable<Dim> {
  public:
   /// @param file  file of the table; if it exists, its rows up to the present time of the run are kept
-  /// @param start  packing at the beginning of the present step
+  /// @param start  packing at the beginning of the present step of the run
   ContactTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start);
 
   /// Adds a row for a moving packing.
@@ -34,7 +34,7 @@ class ContactTracker final : public MotionTable<Dim> {
 /// Starts recording the contacts of a run in the table contacts.csv of its directory while its packing moves.
 /// @param options  options of the run
 /// @param interval  simulated time between two rows (time unit of the scene)
-/// @pre the run is not finished; its object is not moved in memory while it is driven
+/// @pre `run` is not finished, and the object stays at its address in memory until the run has been driven
 template <int Dim>
 std::unique_ptr<ContactTracker<Dim>> track_contacts(Run<Dim>& run, const RunOptions& options,
                                                     const RunDirectory& directory, double interval);

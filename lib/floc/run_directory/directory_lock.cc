@@ -17,8 +17,8 @@ namespace floc {
 namespace fs = std::filesystem;
 namespace {
 
-/// The lock is tried several times with a pause (microseconds) in between, because the processes of a killed ensemble
-/// may end, and release their locks, slightly after the ensemble.
+/// Number of attempts to lock a directory, and pause between two attempts (microseconds). One attempt is not enough:
+/// the processes of a killed ensemble may release their locks slightly after the ensemble has ended.
 constexpr int kAttempts = 50;
 constexpr useconds_t kPause = 10'000;
 
@@ -44,8 +44,8 @@ bool is_current(int file, const std::string& path) {
          opened.st_dev == named.st_dev;
 }
 
-/// Whether an error of flock() means that the file system does not support locks. The directory is then used without a
-/// lock.
+/// Whether `error`, the errno of a failed flock(), means that the file system does not support locks. A directory is
+/// then used without a lock.
 bool has_no_locks(int error) {
   return error == ENOTSUP || error == EOPNOTSUPP || error == ENOSYS || error == ENOLCK;
 }
@@ -108,7 +108,7 @@ DirectoryLock::DirectoryLock(const std::string& directory)
 
 DirectoryLock::~DirectoryLock() {
   if (file_ < 0) return;
-  // if another process has its own lock file under this name, that file is not removed
+  // A lock file that another process has created under this name is left in place.
   if (is_current(file_, path_)) ::unlink(path_.c_str());
   ::close(file_);
 }
@@ -132,7 +132,7 @@ void DirectoryLock::require_held() const {
 
 ClaimedDirectory::ClaimedDirectory(const std::string& path, Existing existing, const std::string& runs)
     : lock_(prepared(path, existing, runs)) {
-  // This is checked once more, because another process may have written files into the directory just before it was
+  // The directory is checked once more, because another process may have written files into it just before it was
   // locked.
   require_empty(path, existing, runs);
 }

@@ -36,14 +36,15 @@ class Driver {
   }
 
  private:
-  /// Advances the run by one chunk of time steps. If the motion cannot continue, the message of the error names the
-  /// step and its pressure: no single file or key of the scene is to blame.
+  /// Advances the run by one chunk of time steps. If the motion cannot continue, the error message names the step and
+  /// its pressure, because no single key of the scene is to blame.
   RunEvent advance() {
     try {
       return run_.advance();
     } catch (const InputError& error) {
       throw InputError(
-          fmt::format("step {} ({} P = {:.4g})", run_.point().step, run_.target().branch, run_.pressure()),
+          fmt::format("step {} (branch {}, P = {:.4g})", run_.point().step, run_.target().branch,
+                      run_.pressure()),
           fmt::format(
               "the motion of the packing cannot continue: {}. A packing collapses in this way if its contacts "
               "are too soft for its pressure or for its adhesion: expected stiffer contacts, a lower pressure "

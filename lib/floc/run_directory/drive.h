@@ -14,9 +14,9 @@ namespace floc {
 template <int Dim>
 struct DriveOptions {
   double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
-  int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to compute, from 0
+  int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to compute, counted from 0
   static constexpr WholeRange kUntil{.least = 0, .most = std::numeric_limits<int>::max()};
-  /// whether path.csv records the wall time of each step; without it, equal runs write equal files
+  /// whether path.csv records the wall time of each step; if it does not, equal runs write equal files
   bool timing = true;
   /// Function that is called after each chunk of time steps, for example to test for a signal. If it returns true, a
   /// checkpoint is written and the run stops. May be empty: the run then does not stop early.
@@ -41,14 +41,14 @@ struct DriveReport {
 };
 
 /// Returns the run in a directory, at the point that it has reached, or a new run if the directory contains none.
-/// @param options  options with which the directory was opened
+/// @param options  the same options with which `directory` was opened
 /// @throws InputError if a run with these options is not possible, or if files in the directory cannot be read
 template <int Dim>
 Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options);
 
 /// Drives a run: computes its equilibria and writes the results into its directory, namely a state file and a row of
 /// path.csv for each equilibrium, and checkpoints in between.
-/// @param table  table in which the motion of this run is also recorded; null for none
+/// @param table  table contacts.csv or energy.csv, which also records the motion of the packing; null for none
 /// @throws InputError if `options.until` is out of its range, IoError if a file cannot be written
 template <int Dim>
 [[nodiscard]] DriveReport drive(Run<Dim>& run, RunDirectory& directory, const DriveOptions<Dim>& options,

@@ -55,7 +55,8 @@ void EnergyTracker<Dim>::add_row_of(const Run<Dim>& run, const Packing<Dim>& pac
 template <int Dim>
 void EnergyTracker<Dim>::record(const Run<Dim>& run, const Packing<Dim>& packing, double time) {
   const double time_step = time - std::exchange(time_, time);
-  // No balance is recorded during an aggregation: clusters of grains are moved over long times without time steps.
+  // No balance is recorded while grains aggregate, because clusters of grains then move over long times without time
+  // steps.
   if (run.point().aggregating) {
     account_ = EnergyAccount<Dim>(packing);
     return;

@@ -13,15 +13,15 @@ namespace floc {
 /// has one row per chunk of time steps and one per equilibrium. If the packing is made by aggregation, the balance
 /// begins when the grains have aggregated.
 ///
-/// Columns: step (number of the equilibrium), branch (name of the stage), P (imposed pressure), time (since the
-/// beginning of the run), phi (solid fraction), then the members of EnergyTerms (unit of energy): work, elastic,
-/// kinetic, viscous, sliding, scaling, removed, initial, error (the part of the balance that the other terms do not
-/// explain), liquid, law and hysteresis.
+/// Columns: step (number of the equilibrium), branch (name of the load stage), P (imposed pressure), time (since the
+/// beginning of the run), phi (solid fraction), then the energies that EnergyTerms describes: work, elastic, kinetic,
+/// viscous, sliding, scaling, removed, initial, error (the part of the balance that the other energies do not explain),
+/// liquid, law and hysteresis.
 template <int Dim>
 class EnergyTracker final : public MotionTable<Dim> {
  public:
   /// @param file  file of the table; if it exists, its rows up to the present time of the run are kept
-  /// @param start  packing from which on the balance is recorded or continued
+  /// @param start  packing at which the balance begins or, in a resumed run, continues
   /// @throws InputError if the packing has walls
   EnergyTracker(const std::string& file, const Run<Dim>& run, Packing<Dim> start);
 
@@ -40,14 +40,14 @@ class EnergyTracker final : public MotionTable<Dim> {
 };
 
 /// Checks that the energy balance of a run can be recorded.
-/// @throws InputError if the scene has walls, if equilibria may be found by Newton steps (without motion), or if grains
-/// are moved without forces between two equilibria (by a vibration or a simple shear)
+/// @throws InputError if the scene has walls; if Newton steps may find its equilibria without motion; or if it contains
+/// a vibration or a simple shear, which displaces grains without forces
 void require_energy_account(const RunOptions& options);
 
 /// Starts recording the energy balance of a run in the table energy.csv of its directory while its packing moves.
 /// @param options  options of the run
-/// @pre the run is not finished; its object is not moved in memory while it is driven
-/// @throws InputError if require_energy_account() does
+/// @pre `run` is not finished, and the object stays at its address in memory until the run has been driven
+/// @throws InputError if require_energy_account() refuses `options`
 template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory);

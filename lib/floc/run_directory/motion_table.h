@@ -14,7 +14,7 @@ class MotionTable {
  public:
   virtual ~MotionTable() = default;
 
-  /// Records the equilibrium with which a step ends and the next step begins.
+  /// Records the equilibrium at the end of a step, from which the next step begins.
   virtual void finish_step(const Run<Dim>& run) = 0;
 
   /// Writes the table into its file, replacing the whole file. @throws IoError if the file cannot be written
@@ -25,7 +25,7 @@ class MotionTable {
   /// @param header  names of the columns, separated by commas; the first four are step, branch, P and time (since the
   /// beginning of the run)
   /// @param point  point of the run from which the table continues
-  /// @throws InputError if the file exists and has other columns or an invalid time
+  /// @throws InputError if the file exists and has other columns than `header`, or a time that is not a number
   MotionTable(std::string file, std::string header, const RunPoint& point);
 
   void add_row(std::string row) { rows_.push_back(std::move(row)); }

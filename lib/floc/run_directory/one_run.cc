@@ -87,7 +87,7 @@ void require_one_run(const std::string& directory) {
     ++expected;
     const std::optional<Origin> origin = origin_of(file);
     if (!origin) continue;
-    // A state file of this run that was renamed or copied would pass the other checks.
+    // This check finds a state file that was renamed or copied in the directory of its own run.
     if (origin->step != step)
       throw InputError(file,
                        fmt::format("this file contains state {} of its run, but its name is that of state {}",
@@ -97,9 +97,8 @@ void require_one_run(const std::string& directory) {
       first_file = file;
     }
     if (origin->dimension != first->dimension)
-      throw InputError(
-          file, fmt::format("the dimension of this state is not {}, as in {}: expected the states of one run",
-                            first->dimension, first_file));
+      throw InputError(file, fmt::format("this state is not in {}D like {}: expected the states of one run",
+                                         first->dimension, first_file));
     require_same_scene(*origin, *first, file, "the states before it in the directory");
     if (origin->seed != first->seed)
       throw InputError(file, fmt::format("this state was made with seed {}, but the states before it with seed "

@@ -10,7 +10,7 @@ namespace floc {
 /// the directory of the run.
 std::string state_file(const std::string& directory, int step);
 
-/// Returns the state files in the directory of a run, by the numbers in their names.
+/// Returns the paths of the state files in the directory of a run; the key of a path is the number in its file name.
 std::map<int, std::string> numbered_states(const std::string& directory);
 
 /// Checks that the state files in a directory belong to one run: they are numbered from 0 without a gap, the number in

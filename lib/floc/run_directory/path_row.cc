@@ -59,8 +59,9 @@ std::vector<std::string> columns_of(int dimension, bool boxed) {
   return columns;
 }
 
-/// Adds to a row of path.csv the stress and strain along each axis, and quantities such as the mobilised friction of a
-/// test in which one axis is driven. If the stage drives no axis, these quantities are given for the last axis.
+/// Adds to a row of path.csv the stress and strain along each axis, then the quantities of a test that drives one axis:
+/// mean stress, deviator, lateral stress ratio K0, volumetric strain, mobilised friction and so on. If the load stage
+/// drives no axis, the first four of these are given for the last axis and the others are empty.
 template <int Dim>
 void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std::vector<TableValue>& row) {
   const Vec<Dim> stress = state.stress.diagonal();

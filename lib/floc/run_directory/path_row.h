@@ -11,16 +11,17 @@ namespace floc {
 /// @param boxed  whether the packing has walls; the last columns then describe the walls
 std::string path_header(int dimension, bool boxed);
 
-/// Earlier sides of the cell to which the strains in a row of path.csv refer.
+/// Sides of the cell earlier in a run. The strains in a row of path.csv are expressed with respect to these sides.
 template <int Dim>
 struct PathReference {
-  Vec<Dim> first_sides;  ///< sides of the cell in the first state of the run (length)
-  /// sides of the cell in the state of the previous row (length); absent in the first row
+  Vec<Dim> first_sides;  ///< sides of the cell (length) in the first state of the run
+  /// sides of the cell (length) in the state of the previous row; absent for the first row
   std::optional<Vec<Dim>> sides_before;
 };
 
-/// Returns the row of path.csv for one equilibrium. Except for the wall time, it can be computed from the saved states.
-/// @param reference  earlier sides of the cell
+/// Returns the row of path.csv for one equilibrium. All its values but the wall time can be computed again from the
+/// saved states.
+/// @param reference  sides of the cell in the first state of the run and in the state before this one
 /// @param seconds  wall time of the step (s); absent if it was not measured
 /// @param file  name of the state file, without its directory
 template <int Dim>

@@ -29,8 +29,8 @@ struct SceneRunOptions {
   bool no_timing = false;
 };
 
-/// Returns the options of a run: those of its scene, changed by `asked`, with no more threads than are useful
-/// (useful_threads()).
+/// Returns the options of a run: those of its scene, changed by `asked`, with at most as many threads as
+/// useful_threads() returns.
 /// @throws InputError if the scene cannot be run with these options; no file has been written then
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked);
 
@@ -70,13 +70,13 @@ struct SceneRun {
 /// @param stop  function that is called between chunks of time steps and stops the run by returning true; if empty, the
 /// run continues to its end
 /// @return report whose `outcome` is `done`, `stopped`, or, if an equilibrium was not reached, `gave_up`
-/// @throws InputError if read_scene() or the constructor of SceneRun does, IoError if the directory cannot be written
+/// @throws InputError if read_scene() or the constructor of SceneRun refuses the scene, IoError if the directory cannot
+/// be written
 [[nodiscard]] DriveReport run_scene(const std::string& scene_file, const SceneRunOptions& asked,
                                     const std::vector<std::string>& changes = {},
                                     const std::function<bool()>& stop = {});
 
-/// Returns the treatment of a directory that already contains a run. It follows from the options `resume` and
-/// `overwrite`.
+/// Returns the treatment of a directory that already contains a run, according to the options `resume` and `overwrite`.
 Existing existing_of(const SceneRunOptions& asked);
 
 /// Returns a message that says why a run ended before all its equilibria were made; empty if it made them all.

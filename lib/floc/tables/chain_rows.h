@@ -13,22 +13,22 @@ struct ChainOptions {
   int n = 0;           ///< number of disks
   double R = 0.0;      ///< radius of the disks (length)
   ChainStiffness k{};  ///< stiffnesses of the contacts
-  double bend = 0.0;   ///< angle between successive segments, which join centres of touching disks (degrees)
+  double bend = 0.0;   ///< angle between successive lines that join centres of touching disks (degrees)
 };
 
 /// One compliance of a chain of disks, computed by a closed formula and by a numerical solution.
 struct ChainRow {
   std::string name;
   double formula;  ///< compliance by the closed formula for a straight chain
-  /// Compliance by the numerical solution of the contact network, with a bound of its error.
+  /// Compliance by the numerical solution of the contact network, with a bound on its error.
   BoundedValue solved;
 };
 
 /// Computes the compliances of a chain of disks.
 std::vector<ChainRow> chain_rows(const ChainOptions& chain);
 
-/// Returns the table of `floc chain`, with a row for each compliance. The cells of a numerical solution are empty if
-/// rounding in double precision leaves no correct digit in it.
+/// Returns the table of `floc chain`, with a row for each compliance. The cells of the numerical solution are empty if
+/// rounding in double precision leaves no correct digit in the compliance.
 Table chain_table(const ChainOptions& chain, const std::vector<ChainRow>& rows);
 
 }  // namespace floc

@@ -15,7 +15,7 @@ namespace floc {
 template <class Row>
 using Column = std::pair<std::string, std::function<TableValue(const Row&)>>;
 
-/// Returns a table with these columns and one table row for each element of `rows`.
+/// Returns a table with the columns `columns` and one table row for each element of `rows`.
 template <class Row>
 Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
   Table table;
@@ -29,7 +29,7 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
 }
 
 /// Gives a table the columns `names` if it has no columns yet. If an earlier state has already added rows, checks that
-/// the columns are these.
+/// the table has these columns.
 /// @param file  file of the state that is about to add rows, for messages
 /// @throws InputError if the table has other columns, because the earlier state has another dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {

@@ -52,7 +52,7 @@ CompareRow compare_row(const std::string& old_file, const State<Dim>& before, co
                        const State<Dim>& after, const CompareTableOptions& options, CompareTables& side) {
   const Packing<Dim>&p = before.packing, &q = after.packing;
   if (const std::string fault = incomparable(p, q); !fault.empty())
-    throw InputError(new_file, fmt::format("against {}: {}", old_file, fault));
+    throw InputError(new_file, fmt::format("this state cannot be compared with {}: {}", old_file, fault));
   const ContactChanges<Dim> changes = contact_changes(p, q);
   const RigidClusters rigid = rigid_clusters(p, q, changes, options.rigid_tolerance);
   CompareRow row;

@@ -11,9 +11,9 @@ namespace floc {
 
 /// Options of the tables of `floc compare`.
 struct CompareTableOptions {
-  /// Two grains in contact belong to one rigid cluster if their relative motion is at most this tolerance: the distance
-  /// between the two points of the grains that touched, in largest diameters, and the difference of their rotations, in
-  /// radians.
+  /// Largest relative motion of two grains in contact that still belong to one rigid cluster. It limits both the
+  /// distance between the points at which the grains touched, in largest diameters, and the difference of the rotations
+  /// of the grains, in radians.
   double rigid_tolerance = 0.01;
   bool displacements = false;  ///< adds the table with a row for each grain
   bool contacts = false;       ///< adds the table with a row for each contact
@@ -23,10 +23,10 @@ struct CompareTableOptions {
 struct CompareRow {
   std::string before, after;
   int n_grains = 0;
-  /// Reduced pressure and solid fraction of the state before, at index 0, and of the state after, at index 1.
+  /// Reduced pressure and solid fraction: at index 0 of the state `before`, at index 1 of the state `after`.
   double pressure[2] = {}, solid_fraction[2] = {};
   int n_before = 0, n_after = 0, n_kept = 0, n_lost = 0, n_gained = 0, n_parted = 0;
-  Eigen::MatrixXd strain;  ///< strain of the cell from before to after, shortening positive
+  Eigen::MatrixXd strain;  ///< strain of the cell from `before` to `after`; shortening is positive
   double rms = 0.0, largest = 0.0;
   int n_clusters = 0, n_clustered = 0, largest_cluster = 0;
 };

@@ -42,8 +42,8 @@ const char* word_for(Weighting weighting) {
   }
 }
 
-/// Returns, as json, where one regime of consolidation changes to the next: the two successive pressures of the curve
-/// between which it changes, and the ends of the 95 % interval of this place.
+/// Returns the change from one regime of consolidation to the next as a json object: the two successive pressures of
+/// the curve between which the change lies, the ends of its 95 % interval, and its probability.
 Json change_as_json(const std::optional<ChangePoint>& change, const ConsolidationCurve& curve) {
   if (!change) return nullptr;
   const auto pressure = [&](int i) {
@@ -58,8 +58,8 @@ Json change_as_json(const std::optional<ChangePoint>& change, const Consolidatio
           {"probability", change->places.empty() ? Json(nullptr) : Json(change->places.front().probability)}};
 }
 
-/// Returns the numbers of the table rows that contain the points `first` to `end - 1` of a sample. The mean of several
-/// tables has no rows; for it these are the indices of its points.
+/// Returns the numbers of the table rows from which the points `first` to `end - 1` of a sample were read. For the mean
+/// of several tables, which has no rows, returns the indices of the points.
 Json rows_of(const ConsolidationSample& sample, int first, int end) {
   Json rows = Json::array();
   for (int i = first; i < end; ++i)

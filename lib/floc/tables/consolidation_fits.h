@@ -11,8 +11,8 @@
 
 namespace floc {
 
-/// Options of a fit of the consolidation law to load paths. Those that are texts have the keywords of the options of
-/// `floc fit consolidation`.
+/// Options of a fit of the consolidation law to load paths. Options that are texts contain the keywords that
+/// `floc fit consolidation` accepts.
 struct ConsolidationFitOptions {
   std::string law = "full";
   std::string protocol;
@@ -26,8 +26,8 @@ struct ConsolidationFitOptions {
   std::string stress = "driven";
 };
 
-/// A sample: its consolidation curve, and where this was read from. For the mean of several samples, which is not read
-/// from a table, there are no rows.
+/// Consolidation curve of a sample, with the table rows from which it was read. The mean curve of several samples has
+/// no rows.
 struct ConsolidationSample {
   std::string name;
   Loading loading;
@@ -38,8 +38,8 @@ struct ConsolidationSample {
   std::string stress = {};
 };
 
-/// A kind of step of a load path, such as unloading, whose rows are left out of fits of the consolidation law; with its
-/// json key and its description in messages.
+/// A kind of step of a load path, such as unloading, whose rows are left out of fits of the consolidation law. It has a
+/// json key, and a description for messages.
 struct LeftOutStep {
   PathStep step;
   const char *key, *description;
@@ -51,9 +51,8 @@ std::span<const LeftOutStep> left_out_steps();
 /// them.
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 
-/// Returns the rows of a load path to which the consolidation law is fitted, as a curve: the rows of the first loading.
-/// If the option `loading` is "virgin", the curve also contains the rows of later loadings at pressures above the
-/// largest pressure reached before.
+/// Returns the consolidation curve of a load path. Its points are the rows of the first loading and, if the option
+/// `loading` is "virgin", the rows of later loadings at pressures above the largest pressure reached before.
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked);
 
 /// Converts the keywords of `floc fit consolidation` to the options of fit_consolidation().
@@ -65,15 +64,15 @@ ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked)
 std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled);
 
 /// Fits the consolidation law to one sample.
-/// @param asked    options as keywords; of these, `weights` and `P0` are applied to the sample here
-/// @param options  options that all samples share, from consolidation_options()
+/// @param asked    options as keywords; only `weights` and `P0` are used, whose effect depends on the sample
+/// @param options  all other options, from consolidation_options()
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options);
 
 /// Fits the consolidation law to one or several load paths in a single call, as `floc fit consolidation` does. Several
 /// load paths are fitted by their mean.
 /// @param inputs   csv tables with the columns P_star and phi or void_ratio, or directories of floc run
-/// @param columns  headers of these columns, if the tables have other headers
+/// @param columns  headers of the columns P_star, phi and void_ratio, if the tables have other headers for them
 /// @throws InputError if an input is not a load path or an option is not valid
 ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs,
                                    const ConsolidationFitOptions& options = {},

@@ -7,8 +7,9 @@ namespace floc {
 namespace {
 
 /// Returns the moduli of the state with which a fit to a branch is compared, in the unit of the pressures of `path`.
-/// This is the state in the file `state`. If `state` is empty, it is the state that a row of the path names; nothing is
-/// returned if its file is not in the directory of the table.
+/// 1. If `state` is not empty, it is the state file.
+/// 2. Otherwise the row number `row` of the path names the state file. Returns nothing if this file is not in the
+/// directory of the table.
 /// @param axis  driven axis of an oedometer test, from 0; -1 for other load paths
 std::optional<StateModuli> find_state(const std::string& state, const PathTable& path, int row, int axis) {
   const auto found = state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
@@ -30,7 +31,7 @@ int driven_axis_of(const PathTable& path, const Loading& branch) {
   return axis;
 }
 
-/// Returns a branch with the stress on the driven axis in place of the mean stress as its pressures.
+/// Returns a branch with its pressures, which are mean stresses, replaced by the stresses on the driven axis.
 Loading against_driven_stress(const PathTable& path, Loading branch) {
   for (std::size_t i = 0; i < branch.rows.size(); ++i)
     branch.curve.P_star[i] *= path.rows[static_cast<std::size_t>(branch.rows[i])].driven_over_mean;

@@ -32,19 +32,20 @@ struct ElasticBranch {
 /// oedometer test, also the modulus M against the stress on the driven axis. Compares each fit with the moduli of a
 /// saved state.
 /// @param path   load path, read with OedometerPressure::mean
-/// @param state  file of this state. If it is empty, each branch is compared with the state of its first row or, if the
-/// branch is curved, of the middle row of its straight part. This state must be in the directory of the table;
-/// otherwise the branch is not compared
+/// @param state  file of the saved state. If it is empty, each branch is compared with the state that its first row
+/// names or, if the branch is curved, the middle row of its straight part. If the file of this state is not in the
+/// directory of the table, the branch is not compared
 std::vector<ElasticBranch> elastic_branches(const PathTable& path, const std::string& state);
 
-/// Returns the distance of an unloading branch from the elastic line of a saved state: root mean square difference of
-/// ln Phi (Phi: solid fraction). The line passes through the state and gives ln Phi as a function of the mean stress;
-/// its slope is 1/B_S, or 1/B_uniaxial in an oedometer test.
+/// Returns the distance of an unloading branch from the elastic line of a saved state: the root mean square difference
+/// of ln Phi, where Phi is the solid fraction. The elastic line is ln Phi as a function of the mean stress. It passes
+/// through the state, and its slope is 1/B_S or, in an oedometer test, 1/B_uniaxial, from the moduli of the state.
 double distance_from(const StateModuli& state, const ConsolidationCurve& branch);
 
 /// Returns the table of `floc fit elastic`, with its columns and without rows.
 Table elastic_table();
-/// Adds a row for each parameter fitted to a branch, and for each modulus of the state with which it is compared.
+/// Adds a row for each parameter fitted to a branch, and for each modulus of the state with which the branch is
+/// compared.
 void add_rows(const PathTable& path, const ElasticBranch& branch, Table& table);
 
 /// Returns the fit of a branch as the json object that `floc fit elastic --format json` prints.

@@ -140,7 +140,7 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
 
 /// Adds a warning to a load path if its void ratios are all so large that they are probably percentages.
 void check_for_percent(PathTable& path) {
-  // Larger void ratios are probably percentages; the loosest soils have about 5.
+  // Void ratios from here on are probably percentages, because even the loosest soils have only about 5.
   constexpr double kLoosest = 10.0;
   double smallest = std::numeric_limits<double>::infinity();
   for (const PathRow& row : path.rows) smallest = std::min(smallest, 1.0 / row.phi - 1.0);
@@ -151,8 +151,8 @@ void check_for_percent(PathTable& path) {
                   smallest));
 }
 
-/// Reads, from columns of a table of `floc run`, how each row was loaded, and the ratio of the stress on the driven
-/// axis to the mean stress.
+/// Reads two properties of each row of a table of `floc run`: how the packing was loaded, and the ratio of the stress
+/// on the driven axis to the mean stress.
 class LoadColumns {
  public:
   explicit LoadColumns(const CsvTable& table) : table_(table) {
@@ -192,8 +192,8 @@ class PressureUnit {
     stress_ = table.column("P");
   }
 
-  /// Returns the factor that converts P_star of a row. If the unit of P_star changes at this row, adds a note to
-  /// `notes`.
+  /// Returns the factor that converts P_star of a row to the unit of the first rows. If the unit of P_star changes at
+  /// this row, adds a note to `notes`.
   double factor(int row, std::vector<std::string>& notes) {
     if (reduced_ < 0) return 1.0;
     const double reduced = table_.number(row, reduced_), stress = table_.number(row, stress_);

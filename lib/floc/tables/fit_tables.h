@@ -78,8 +78,8 @@ struct PathArrays {
 };
 
 /// Converts arrays to a load path, without a table.
-/// @throws InputError with array, index and value, if a value is negative, or if the pressures along a branch neither
-/// all grow, nor all fall, nor are all equal
+/// @throws InputError with the name of the arrays, the index and the value, if a value is negative, or if the pressures
+/// along a branch neither all grow, nor all fall, nor are all equal
 PathTable path_of_arrays(const PathArrays& arrays);
 
 /// Returns ascending row numbers as a text of ranges, such as "1-9, 12".

@@ -15,10 +15,11 @@
 namespace floc {
 namespace {
 
-/// Normal forces below this carry nothing, and friction this close to its limit is mobilised, in units of the mean
-/// normal force: forces that balance are known to a few digits more.
+/// Tolerance for contact forces, in mean normal forces. A smaller force counts as zero, and friction counts as
+/// mobilised if it is within this tolerance of its limit. Balanced forces are computed to a few digits more.
 constexpr double kNothing = 1e-6;
-/// Time of the ranges of a state above which a remark predicts it.
+/// If the ranges of the forces of a state are predicted to take longer than this (s), a remark gives the predicted
+/// time.
 constexpr double kLongSeconds = 2.0;
 
 const char* name_of(ForceSelection selection) {
@@ -37,7 +38,7 @@ std::optional<Mat<Dim>> stress_of(const std::vector<double>& components) {
   if (n == 1) return Mat<Dim>(components[0] * Mat<Dim>::Identity());
   Mat<Dim> stress = Mat<Dim>::Zero();
   for (int s = 0; s < n; ++s) {
-    // A unit of a shear strain has one half in each of two entries.
+    // For a shear component, unit_strain() has 1/2 in each of two entries, where the stress needs 1.
     const Mat<Dim> unit = unit_strain<Dim>(s);
     stress += components[s] * (s < Dim ? unit : Mat<Dim>(2.0 * unit));
   }
@@ -68,7 +69,7 @@ void count_contacts(const ContactForces<Dim>& forces, ForcesRow& row) {
   row.mobilised = static_cast<double>(mobilised) / row.n_carrying;
 }
 
-/// Returns the ranges of the normal forces, empty for the contacts whose range is not computed.
+/// Returns the range of the normal force of each contact; absent for the contacts whose range is not computed.
 template <int Dim>
 std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, StaticForces<Dim>& forces,
                                                  int n_contacts, const ForcesTableOptions& options,
@@ -78,14 +79,15 @@ std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, Static
   std::vector<int> chosen = options.range_of;
   for (const int k : chosen)
     if (k < 0 || k >= n_contacts)
-      throw InputError(file, fmt::format("contact {}: the contacts of this state have the numbers 0 to {}", k,
-                                         n_contacts - 1));
+      throw InputError(
+          file, fmt::format("contact {}: this state has no contact with this number: expected 0 to {}", k,
+                            n_contacts - 1));
   if (chosen.empty())
     for (int k = 0; k < n_contacts; ++k) chosen.push_back(k);
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t n = 0; n < chosen.size(); ++n) {
     out[chosen[n]] = forces.range(chosen[n]);
-    // The first few ranges predict the time of all.
+    // The time that the first ranges took predicts the time for all ranges.
     const double seconds = seconds_since(start);
     const std::size_t sample = std::min<std::size_t>(5, chosen.size());
     if (n + 1 == sample &&
@@ -98,7 +100,7 @@ std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, Static
   return out;
 }
 
-/// Adds the contacts with their forces, with the columns that `floc convert --contacts` reads.
+/// Adds a row for each contact and its forces to a table that `floc convert --contacts` can read.
 template <int Dim>
 void add_contacts(const std::string& file, const Packing<Dim>& packing, const ContactForces<Dim>& forces,
                   const std::vector<std::optional<ForceRange>>& ranges, bool with_ranges, Table& table) {
@@ -115,7 +117,7 @@ void add_contacts(const std::string& file, const Packing<Dim>& packing, const Co
     row.emplace_back(file);
     row.push_back(count(static_cast<std::int64_t>(k)));
     row.push_back(count(packing.grains.name(c.i)));
-    // Walls have no identifier: they are numbered after the grains.
+    // Walls have no identifiers; their indices follow those of the grains.
     row.push_back(packing.is_wall(c.j) ? count(c.j) : count(packing.grains.name(c.j)));
     for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
     row.emplace_back(c.gap);

@@ -13,34 +13,37 @@
 
 namespace floc {
 
-/// Ways to select one of the sets of contact forces that balance a load.
+/// Ways to select one of the many sets of contact forces that balance a load.
 enum class ForceSelection {
   kClosest,    ///< the set closest to the forces of the state
   kCanonical,  ///< the set of least elastic energy
 };
 
-/// Returns the selection of a name, "closest" or "canonical". @throws InputError for other names
+/// Returns the selection with a name, "closest" or "canonical". @throws InputError for other names
 ForceSelection force_selection_named(const std::string& name);
 
-/// Numbers that a contact may have: the state tells whether it has a contact with this number.
+/// Range of the contact numbers that an option may give. Whether a state has a contact with this number is checked
+/// later.
 inline constexpr WholeRange kAnyContact{.least = 0, .most = std::numeric_limits<int>::max()};
-/// Largest gap, in units of the smallest diameter.
+/// Range of the option `gap`, which is expressed in smallest diameters.
 inline constexpr NumberRange kNearGap{.least = 0.0, .most = 1.0};
 
 /// Options of the table of static forces.
 struct ForcesTableOptions {
   std::optional<ForceSelection> selection;  ///< absent: closest; canonical if the state has no forces
   std::optional<double> friction;           ///< friction coefficient; absent: that of the contact law
-  std::optional<double> kn, kt;             ///< K_N and K_T (force/length); absent: those of each contact
-  /// Stress that the forces transmit (force/length^(d-1)): the pressure, the components along the axes, or all
-  /// components in the order of Voigt. Empty: that of the forces of the state.
+  /// Normal and tangential stiffness of all contacts (force/length); absent: the stiffness of each contact in the
+  /// state.
+  std::optional<double> kn, kt;
+  /// Stress that the contact forces have to balance (stress): the pressure, the components along the axes, or all
+  /// components in the order of Voigt. Empty: the stress of the contact forces that the state contains.
   std::vector<double> stress;
   /// Largest gap, in units of the smallest diameter, across which pairs of grains may carry a force; absent: only the
   /// contacts of the state carry forces.
   std::optional<double> gap;
-  bool contacts = false;  ///< adds the contacts and their forces to `contacts`
-  bool ranges = false;    ///< computes the range of the normal force of each contact
-  /// Numbers of the contacts, from 0, to which the ranges are restricted; empty: all.
+  bool contacts = false;  ///< whether the table of the contacts and their forces is computed
+  bool ranges = false;    ///< whether the smallest and largest normal force of each contact are computed
+  /// Numbers (from 0) of the contacts for which `ranges` computes the smallest and largest force; empty: all contacts.
   std::vector<int> range_of;
 
   std::vector<std::string> validate() const;
@@ -52,18 +55,21 @@ struct ForcesRow {
   int dimension = 0, n_grains = 0, n_contacts = 0, n_carrying = 0;
   ForceSelection selection = ForceSelection::kClosest;
   double friction = 0.0;
-  std::optional<double> net_force_before;  ///< over the mean normal force; empty if the state has no forces
+  /// largest net force on a grain over the mean normal force, with the contact forces that the state contains; absent
+  /// if it contains none
+  std::optional<double> net_force_before;
   double net_force = 0.0, net_moment = 0.0, stress_error = 0.0;
-  double mean_normal_force = 0.0;  ///< over the contacts that carry a force (force)
-  double mobilised = 0.0;          ///< share of the contacts that carry a force whose friction is at its limit
-  std::optional<double> moved;     ///< relative distance from the forces of the state; empty if it has none
-  double force_freedom = 0.0;      ///< relative distance of the forces from those of least elastic energy
+  double mean_normal_force = 0.0;  ///< mean over the contacts that carry a force (force)
+  double mobilised = 0.0;          ///< fraction of the force-carrying contacts whose friction is at its limit
+  /// relative distance of the forces from those that the state contains; absent if it contains none
+  std::optional<double> moved;
+  double force_freedom = 0.0;  ///< relative distance of the forces from those of least elastic energy
   int n_factorizations = 0;
 };
 
-/// Returns the row of a state: its contact forces at rest, by the cone problem of StaticForces.
+/// Computes contact forces that balance the load of a state at rest, by StaticForces, and returns the row of the state.
 /// @param contacts  receives the forces of the contacts, and their ranges, if the options select them
-/// @throws InputError if an option is not valid or the state has no such forces (force_balance())
+/// @throws InputError if an option is not valid, or if force_balance() refuses the packing
 /// @throws NoResult if no set of forces balances the load
 template <int Dim>
 ForcesRow forces_row(const std::string& file, const State<Dim>& state, const ForcesTableOptions& options,

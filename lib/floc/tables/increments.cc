@@ -28,13 +28,13 @@ Names column_names() {
   return names;
 }
 
-/// Number of columns that a table of force increments has for one stress increment (isotropic or deviatoric). They are
-/// the normal force, the vector of the shear force, the rolling moment, the elastic energy, the rank by this energy,
-/// and whether the contact is among those that store 95 % of the energy.
+/// Number of columns that a table of force increments has for one stress increment, isotropic or deviatoric: the normal
+/// force, the shear force and the rolling moment, the elastic energy, the rank of the contact by this energy, and
+/// whether the contact is among those that store 95 % of the energy.
 template <int Dim>
 constexpr int kStepColumns = 1 + Dim + kRotations<Dim> + 3;
 
-/// Appends, to the cells of a contact, those for one stress increment (isotropic or deviatoric).
+/// Appends to the cells of a contact its cells for one stress increment, isotropic or deviatoric.
 /// @param step  response of the network to the stress increment; if absent, the cells are empty
 /// @param c     index of the contact in the network; -1 for a contact of a rattler, which is not in the network
 template <int Dim>

@@ -20,18 +20,19 @@ struct ModeRow {
   std::string kind;
   std::int64_t count = 1;
   std::optional<double> eigenvalue, with_prestress, participation, softens_B, softens_G;
-  /// Volume times stress per unit amplitude of a mode; empty in rows that do not describe a mode.
+  /// Stress per unit amplitude of a mode, times the volume of the cell; empty in rows that do not describe a mode.
   Eigen::VectorXd coupling;
-  /// Strain of the cell that costs no energy; empty in rows that do not describe one.
+  /// Strain of the cell that costs no energy; empty in rows that do not describe such a strain.
   Eigen::VectorXd strain;
   std::vector<std::int64_t> grains;
 };
 
 /// Adds the rows of one state to the table of `floc modes`: its free motions by kind, the strains of its cell that cost
 /// no energy, and its softest modes.
-/// @param count  number of modes to add. If absent, all modes with eigenvalues below max |F_N|/r (largest ratio of
-/// normal force to distance of the two grains over the contacts) are added, but at least 10 and at most 100
-/// @return messages about the mechanisms and about the modes with eigenvalues below max |F_N|/r, for stderr
+/// @param count  number of modes to add. If absent, all modes are added whose eigenvalues are below the largest value
+/// of |F_N|/r over the contacts, but at least 10 and at most 100; F_N is the normal force, r the distance of the two
+/// grain centres
+/// @return messages, for stderr, about the mechanisms and about the modes with eigenvalues below the largest |F_N|/r
 /// @throws InputError if the state has walls
 template <int Dim>
 std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim>& state,

@@ -39,8 +39,8 @@ struct ModuliRow {
   /// Error budget of the moduli; absent unless the moduli were computed by --method factor.
   std::optional<ErrorBudget> budget;
   std::optional<int> n_near_mechanisms;
-  /// Bulk modulus with prestress, that is, with the effect of the contact forces on the stiffness (stress). Computed
-  /// only with --prestress, or if the network has near-mechanisms.
+  /// Bulk modulus (stress) with prestress, that is, with the effect of the contact forces on the stiffness. Absent
+  /// unless --prestress is given or the network has near-mechanisms.
   std::optional<double> B_prestress;
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;

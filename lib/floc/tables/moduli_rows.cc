@@ -41,7 +41,7 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
-/// Warns if the residual forces or stresses that rounding of the positions causes in a state reach the tolerances of
+/// Warns if rounding of the grain positions in a state causes residual forces or stresses that reach the tolerances of
 /// its equilibrium.
 template <int Dim>
 void warn_of_rounding(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
@@ -94,8 +94,8 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
   row.moduli.response = {};  // frees its memory, because all rows are kept until they are printed
 }
 
-/// Returns the options with this rolling stiffness, which replaces that of the state. Without value, returns them
-/// unchanged.
+/// Returns the options with a rolling stiffness that replaces that of the state. If `rolling_stiffness` is absent,
+/// returns the options unchanged.
 ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
   if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
   return options;
@@ -122,8 +122,8 @@ bool by_factor(const ModuliTableOptions& options) {
   return options.moduli.method == ModuliMethod::factor && !options.accuracy;
 }
 
-/// Returns the options with the largest memory that a Cholesky factor of the stiffness matrix may take: the value that
-/// they give or, without one, 70 % of the free memory. The rest is for the matrix itself and for workspace.
+/// Sets the memory that a Cholesky factor of the stiffness matrix may take: the value in the options or, if there is
+/// none, 70 % of the free memory. The remaining memory is for the matrix itself and for workspace.
 ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   constexpr double kShare = 0.7;
   if (options.solver == ModuliSolver::automatic && by_factor(options))

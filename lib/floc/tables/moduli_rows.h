@@ -17,7 +17,7 @@ namespace floc {
 
 /// Solver of the linear systems from which moduli are computed.
 enum class ModuliSolver {
-  automatic,  ///< CHOLMOD, or PETSc in this process if the factor by CHOLMOD would not fit into memory
+  automatic,  ///< CHOLMOD or, if its Cholesky factor would not fit into memory, PETSc in this process
   cholmod,
   petsc,
 };
@@ -27,12 +27,12 @@ struct ModuliTableOptions {
   ModuliOptions moduli;
   /// Required relative errors of the moduli. If given, the cheapest method that achieves them is used.
   std::optional<ModuliAccuracy> accuracy;
-  /// Rolling stiffnesses that replace those of the states (force * length). Each of them gives a row of its own. If
-  /// empty, the rolling stiffnesses of the states are used.
+  /// Rolling stiffnesses (force * length) that replace the rolling stiffness of a state, with a row of the table for
+  /// each of them. If empty, the rolling stiffness of the state is used.
   std::vector<double> rolling_stiffness;
   ModuliSolver solver = ModuliSolver::automatic;
-  /// Largest Cholesky factor of the stiffness matrix that ModuliSolver::automatic may compute (bytes). If absent, 0.7
-  /// of the free memory.
+  /// Memory that a Cholesky factor of the stiffness matrix may take with ModuliSolver::automatic (bytes). If absent,
+  /// 0.7 of the free memory.
   std::optional<double> memory;
   bool increments = false;  ///< adds a table of the force increments of every contact
 
@@ -71,7 +71,8 @@ class ModuliRows {
                                      const ModuliOptions& options, const Remarks& remarks);
 
   ModuliTableOptions options_;
-  /// Solutions of earlier states in 2D (plane_) and in 3D (space_), from which an iterative method starts.
+  /// Moduli of successive states in 2D (plane_) and in 3D (space_). An iterative method starts from the solution of the
+  /// state before.
   ModuliSequence<2> plane_;
   ModuliSequence<3> space_;
   double last_row_;                         // processor time of this process when the last row was complete (s)
@@ -80,7 +81,7 @@ class ModuliRows {
 
 /// Computes the rows of the table of `floc moduli` for one state with the solver of PETSc, on all its processes. All
 /// processes must call this function with equal states, and all obtain equal rows.
-/// @param state  the state, as a copy whose contacts are freed as soon as possible, to save memory
+/// @param state  the state, passed by value so that its contacts can be freed early, to save memory
 /// @throws NoResult if the state has no moduli
 template <int Dim>
 std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> state,

@@ -40,8 +40,8 @@ struct Measured {
   std::optional<double> window_plus, window_minus;
 };
 
-/// Returns the size of a unit as a table cell. The cell is empty for rows of all states together, because the size of
-/// the unit differs between states.
+/// Returns the size of a unit as a table cell. In rows for all states together, whose units differ in size, the cell is
+/// empty.
 TableValue size_or_none(double unit) {
   return unit > 0.0 ? TableValue{unit} : TableValue{};
 }
@@ -67,10 +67,10 @@ void add_exponents(const std::string& file, const Measured& of, Table& table) {
   }
 }
 
-/// Returns the windows of values to which exponential distributions are fitted, for a quantity in a unit. The values
-/// themselves are left empty.
+/// Returns the windows in which exponential distributions are fitted to the values of a quantity. The member `values`
+/// is left empty.
 /// @param near             magnitude below which a normal force counts as near zero, in units of F0
-/// @param end_of_negative  largest magnitude that a negative value can have, in the unit
+/// @param end_of_negative  largest magnitude that a negative value can have, expressed in `unit`
 Measured limits_of(const std::string& quantity, const std::string& unit, double near, double end_of_negative) {
   constexpr double kBeyondTheMiddle = 0.1;
   Measured out{quantity, unit, 0.0, {}, {0.0, 1.0}, end_of_negative, std::nullopt, std::nullopt};
@@ -84,9 +84,9 @@ Measured limits_of(const std::string& quantity, const std::string& unit, double 
   return out;
 }
 
-/// Returns the normal forces in three units (the pull-off force F0, their mean magnitude, and P a^(Dim-1) with the
-/// pressure P and the largest diameter a) and the particle pressures in two (p0 and their mean magnitude). Units that
-/// are zero are left out.
+/// Returns the normal forces and the particle pressures, each in several units. The units of the forces are the
+/// pull-off force, the mean magnitude of the forces, and P a^(Dim-1) with the pressure P and the largest diameter a.
+/// The units of the pressures are p0 and the mean magnitude of the pressures. Units that are zero are left out.
 /// @param unit_pressure  unit p0 of the particle pressures (stress)
 template <int Dim>
 std::vector<Measured> measured(const Packing<Dim>& packing, const std::vector<double>& pressure,

@@ -22,9 +22,9 @@ struct BondTableOptions {
   /// Magnitude of the normal force below which a bond counts as near zero, in units of the pull-off force F0.
   double near = 0.02;
   PhaseOptions phase_structure;
-  /// Tables that are computed in addition to the table of states; see BondTables.
+  /// Whether each of these tables is computed in addition to the table of states; see BondTables.
   bool exponents = false, pressures = false, neighbours = false, clusters = false;
-  double bin_width = 0.1;  ///< bin width of the histogram of particle pressures, in units of p0 (see BondRow)
+  double bin_width = 0.1;  ///< bin width of the histogram of particle pressures, in BondRow::unit_pressure
 
   bool is_empty() const { return !bonds && !needs_values() && !needs_phases(); }
   bool needs_values() const { return exponents || pressures; }
@@ -35,20 +35,21 @@ struct BondTableOptions {
 struct BondRow {
   BondSigns bonds;
   double virial_strength = 0.0, rumpf_strength = 0.0;  ///< estimates of the tensile strength (stress)
-  /// Unit p0 of particle pressures (stress): F0 over the mean diameter to the power Dim - 1 or, without adhesion, the
-  /// pressure of the state.
+  /// Unit p0 of particle pressures (stress): the pull-off force divided by the mean diameter to the power Dim - 1 or,
+  /// without adhesion, the pressure of the state.
   double unit_pressure = 0.0;
   std::optional<PhaseStructure> phases;
 };
 
-/// Tables of `floc network` on bonds and phases that are written in addition to the table of states.
+/// Tables of `floc network` on bonds between grains and on the phases (grains of positive and of negative particle
+/// pressure). They are written in addition to the table of states.
 struct BondTables {
   Table exponents{{"file", "quantity", "unit", "unit_size", "side", "from", "to", "n", "exponent", "stderr"},
                   {}};
   Table pressures{{"file", "unit_stress", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table neighbours{{"file", "phase", "like_low", "like_high", "n_grains", "mean_size", "stderr"}, {}};
   Table clusters{{"file", "phase", "n_grains", "count"}, {}};
-  /// Values of all states together, by the names of their quantity and unit. Each value is expressed in the unit of its
+  /// Values of all states together, for each pair of a quantity and a unit. Each value is divided by the unit of its
   /// own state.
   std::map<std::pair<std::string, std::string>, std::vector<double>> pooled;
 };
@@ -57,7 +58,7 @@ struct BondTables {
 /// tolerance.
 struct ForceLimits {
   double zero;      ///< largest normal force that counts as zero (force)
-  double pressure;  ///< P a^(Dim-1) must be larger than this to serve as a unit of force (force)
+  double pressure;  ///< largest force P a^(Dim-1) that counts as zero (force); P: pressure, a: largest diameter
 };
 
 /// Computes the bonds and phases of one state, and adds its rows to the tables that the options select.
@@ -70,8 +71,8 @@ BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std
 /// Returns those columns on bonds and on phases that the options select.
 std::vector<Column<BondRow>> bond_columns(const BondTableOptions& options);
 
-/// Adds rows for all states together, which are taken as samples of one ensemble, to the tables. Their name is "pooled"
-/// instead of that of a state. Does nothing if there are fewer than two states.
+/// Adds rows for all states together to the tables. In these rows, the name "pooled" replaces the name of a state. The
+/// states are taken as samples of one ensemble. Does nothing if there are fewer than two states.
 /// @param n_states  number of states
 void add_pooled(const BondTableOptions& options, std::size_t n_states, BondTables& tables,
                 const Remarks& remarks);

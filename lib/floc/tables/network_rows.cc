@@ -19,8 +19,8 @@ namespace {
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
 /// Computes the degree of hyperstaticity of the force-carrying structure `held` of a packing.
-/// @param network, response  contact network from which the moduli were computed, and its elastic response; they are
-/// used again if this network has the contacts of `held`
+/// @param network, response  contact network from which the moduli were computed, and its elastic response. They save
+/// time if the network has the same contacts as `held`
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {
@@ -31,8 +31,8 @@ Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructur
   return force_indeterminacy(carrying, elastic_response(carrying, {}));
 }
 
-/// Adds to a row those values that need the elastic moduli: the mechanics of the network, the correlation of the forces
-/// with their increments, and the hyperstaticity.
+/// Adds to a row the values that need the elastic moduli: the mechanics of the network, the degree of hyperstaticity,
+/// and the correlation of the contact forces with their increments under isotropic stress.
 /// @param held  force-carrying structure of the packing
 template <int Dim>
 void add_mechanics(const State<Dim>& state, const CarryingStructure& held, double tolerance, NetworkRow& row,

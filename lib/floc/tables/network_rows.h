@@ -65,7 +65,8 @@ struct NetworkRow {
   double seconds;
 };
 
-/// Distributions of the contact forces of all states together, by kind of force (normal, tangential, rolling moment).
+/// Distribution of the contact forces of all states together, for each kind of force: normal, tangential, rolling
+/// moment.
 using Pooled = std::map<ForceKind, ForceDistribution>;
 
 /// Tables that `floc network` writes to files, in addition to the table of states that it prints.

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Moduli of a saved state, with its pressure and its solid fraction phi. Its elastic line gives the solid fraction Phi
-/// at other pressures P: ln Phi = ln phi + (P - pressure)/B.
+/// Moduli of a saved state, with its pressure and its solid fraction phi. Its elastic line predicts the solid fraction
+/// Phi at another pressure P: ln Phi = ln phi + (P - pressure)/K, where K is B_S or, in an oedometer test, B_uniaxial.
 struct StateModuli {
   std::string file;
   std::string unit;  ///< unit of the moduli and of the pressure; empty for reduced units
@@ -20,7 +20,7 @@ struct StateModuli {
 
 /// Reads a state file and computes the moduli of the state.
 /// @param axis  driven axis of an oedometer test, from 0; -1 if there is none
-/// @throws InputError if the file is not a state file, or if the state has fewer axes
+/// @throws InputError if the file is not a state file, or if the state has no such axis
 StateModuli moduli_of(const std::string& file, int axis = -1);
 
 /// Converts the moduli of a state to the unit of the pressures of a load path. If the path does not say its unit, the

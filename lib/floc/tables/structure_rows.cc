@@ -63,9 +63,9 @@ void add_fit(const Scattering& s, double diameter, const StructureTableOptions& 
   report(row.file, s, *row.fit, series.intensity, remarks);
 }
 
-/// Returns the average of the scattered intensity over states, which is created for the first state.
-/// @param edges     edges of the bins of wave number in this first state; they are used for all states
-/// @param diameter  largest diameter in this first state (length)
+/// Returns the average of the scattered intensity over all states. Creates it when it is called for the first state.
+/// @param edges     edges of the bins of wave number for the first state; they are used for all states
+/// @param diameter  largest diameter in the first state (length)
 ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
   if (!series.average) {
     series.diameter = diameter;
@@ -100,8 +100,8 @@ void add_scattering(const Packing<3>& packing, const StructureTableOptions& opti
   if (options.average) average_in(series, edges, diameter).add(packing, options.scattering.most_vectors);
 }
 
-/// Sets the columns of a table that has no rows yet, because they depend on the dimension of the state. If the table
-/// has rows, checks that these are its columns.
+/// Sets the columns of a table that has no rows yet; the columns depend on the dimension of the state. If the table has
+/// rows, checks that its columns are `names`.
 void choose_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {
   if (table.rows.empty()) table.columns.clear();
   expect_columns(file, names, table);
@@ -203,8 +203,8 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Returns the gaps (length) up to which neighbours are counted: 0, and 1e-6 to 1 times the largest diameter, with ten
-/// values per decade.
+/// Returns the gaps (length) up to which grains are counted as neighbours: 0, and from 1e-6 to 1 times the largest
+/// diameter with ten values per decade.
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));

@@ -20,9 +20,9 @@ struct StructureTableOptions {
   /// Range of wave numbers k in which a law is fitted to the scattered intensity I(k), in units of 2 pi over the
   /// largest diameter.
   std::vector<double> fit_range = {0.0, 1.0};
-  /// Whether a row for the average over all states is added, which are taken as samples of one ensemble.
+  /// Whether a row with averages over all states is added. The states are taken as samples of one ensemble.
   bool average = false;
-  /// Tables that are computed in addition to the table of states; see Series.
+  /// Whether each of these tables is computed in addition to the table of states; see Series.
   bool intensity = false, pairs = false, gaps = false, pores = false, map = false, prediction = false;
   bool porosity = false, profile = false;
   /// Number of cubes of different sizes around the centre of the cell in which the porosity is computed.
@@ -62,7 +62,7 @@ struct StructureRow {
   double seconds = 0.0;
 };
 
-/// Columns of the table of pores and of the map of the local solid fraction, in 2D. In 3D these tables have other
+/// Columns of the table of pores and of the map of the local solid fraction for states in 2D. States in 3D have other
 /// columns.
 inline const std::vector<std::string> kPoreColumns = {"file",    "x1", "x2", "area", "gyration_radius",
                                                       "n_grains"};
@@ -89,7 +89,7 @@ struct Series {
   std::optional<ScatteringAverage> average;
   double diameter = 0.0;  ///< largest diameter of the first state (length)
   double pore_area = 0.0, pore_second_moment = 0.0;
-  StructureRow mean;  ///< sums over the states, from which averaged() computes the means
+  StructureRow mean;  ///< sums over the states, from which averaged() computes its row
 };
 
 /// Computes the row of one state, and adds rows to the tables in `series` that the options select. For a state with
@@ -99,8 +99,8 @@ template <int Dim>
 StructureRow structure_row(const std::string& file, const State<Dim>& state,
                            const StructureTableOptions& options, Series& series, const Remarks& remarks = {});
 
-/// Returns the row of the average over all states, which are taken as samples of one ensemble. Also adds the average
-/// intensity to `series.intensity`.
+/// Returns a row with averages over all states. The states are taken as samples of one ensemble. Also adds the average
+/// scattered intensity to `series.intensity`.
 /// @param rows  rows of the states
 StructureRow averaged(const std::vector<StructureRow>& rows, const StructureTableOptions& options,
                       Series& series, const Remarks& remarks = {});

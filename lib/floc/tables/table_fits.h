@@ -51,12 +51,12 @@ void add_rows(const std::string& name, const CompactionFit& fit, Table& table);
 /// Returns a fit as the json object that `floc fit dynamic-compaction --format json` prints.
 Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference);
 
-/// Options of fits of distributions to forces. Those that are texts have the keywords of the options of `floc fit
-/// force-distribution`.
+/// Options of fits of distributions to forces. The text `form` contains a keyword that `floc fit force-distribution
+/// --form` accepts.
 struct ForceDistributionOptions {
   std::string form = "all";
-  /// Magnitude of the force at which the exponential tails begin (force). If absent, the mean magnitude of the forces
-  /// of each sign.
+  /// Magnitude of the force at which the exponential tails begin (force). If absent, the tail of the forces of each
+  /// sign begins at their mean magnitude.
   std::optional<double> threshold;
   ForceFitOptions fit;
 };

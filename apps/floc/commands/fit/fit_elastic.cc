@@ -34,8 +34,8 @@ int fit_tables(const ElasticArguments& arguments) {
     if (branches.empty()) {
       spdlog::warn("{}: no modulus can be fitted: the pressure never falls, so there is no unloading branch",
                    path.name);
-      // The exit code is kNotConverged instead of kBadInput, because the table is valid: it only contains no unloading
-      // branch.
+      // The exit code is kNotConverged instead of kBadInput, because the table is valid, although it contains no
+      // unloading branch.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;

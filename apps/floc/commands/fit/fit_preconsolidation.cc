@@ -32,8 +32,8 @@ int fit_tables(const PreconsolidationArguments& arguments) {
           "{}: no preconsolidation pressure can be fitted: the pressure does not rise again after it has "
           "fallen, so there is no reloading branch",
           path.name);
-      // The exit code is kNotConverged instead of kBadInput, because the table is valid: it only contains no reloading
-      // branch.
+      // The exit code is kNotConverged instead of kBadInput, because the table is valid, although it contains no
+      // reloading branch.
       return static_cast<int>(kNotConverged);
     }
     int worst = kDone;

@@ -56,13 +56,9 @@ class Law {
   /// Hertz contacts with Young's modulus E and Poisson's ratio nu it is E/(1 - nu^2).
   double contact_modulus(int dim, double diameter) const;
 
-<<<<<<< HEAD
   /// Whether the contacts are rigid: their surfaces do not overlap, and their forces are not functions of the geometry.
   bool is_rigid() const;
-  /// Whether the normal force depends on the history of the overlap, and so dissipates energy.
-=======
   /// Whether the normal force depends on earlier overlaps of the contact, and so dissipates energy.
->>>>>>> w_wa
   bool keeps_overlap() const;
   /// Whether the normal law itself includes the adhesion.
   bool adheres_by_itself() const;

@@ -14,16 +14,10 @@
 ///      with a closed form.
 namespace floc {
 
-<<<<<<< HEAD
-/// Whether the program contains the contact law composed of these models. It does if three conditions hold: each model
-/// can be combined with the normal law (kGoesWith, model_traits.h); rolling resistance comes with friction and without
-/// liquid bridges (kRollsFreely); twisting resistance comes with a rolling spring, whose coefficient may be zero.
-/// Rigid contacts are never composed, because their forces are not functions of the geometry.
-=======
 /// Whether the program contains the contact law composed of these models. Three conditions must hold: each model can be
 /// combined with the normal law (kGoesWith, model_traits.h); a law with rolling resistance has friction and no liquid
-/// bridges (kRollsFreely); a law with twisting resistance has a rolling spring, whose coefficient may be zero.
->>>>>>> w_wa
+/// bridges (kRollsFreely); a law with twisting resistance has a rolling spring, whose coefficient may be zero. Rigid
+/// contacts are never composed, because their forces are not functions of the geometry.
 template <class Normal, class Adhesion, class Damping, class Tangential, class Rolling, class Twisting>
 inline constexpr bool kIsCompiled =
     family_of<Normal>() != Family::rigid&& kGoesWith<Normal, Adhesion>&& kGoesWith<Normal, Damping>&& kGoesWith<

@@ -30,10 +30,11 @@ constexpr double kStressMemory = 0.1;
 /// to which a packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
 constexpr double kGasStress = 0.3;
-/// Longest and shortest time step of grains at rest in units of T, and largest number of sweeps in it.
+/// Longest and shortest time step of grains at rest in units of T, and number of sweeps in it at first and at most.
 constexpr double kLongestRest = 0.5;
 constexpr double kShortestRest = 1e-3;
 constexpr int kRestingSweeps = 300;
+constexpr int kMostRestingSweeps = 9600;
 /// Error of the impulses at which the sweeps of a step at rest end, over the mean normal impulse.
 constexpr double kRestingTolerance = 1e-8;
 /// Largest net force on a grain, over the mean normal force, at which balanced forces are sought: for round grains and
@@ -47,6 +48,10 @@ constexpr int kMostRestingSteps = 3000;
 /// Default gap tolerance over the diameter of the smaller grain, for round grains and for grains with corners.
 constexpr double kGapToleranceRound = 1e-4;
 constexpr double kGapToleranceAngular = 1e-3;
+/// Number of steps for which a packing in balance has to stay in place when it is free to move, and largest displacement of a
+/// grain in them, over its diameter and the gap tolerance.
+constexpr int kFreeSteps = 50;
+constexpr double kStaysWithin = 10.0;
 /// Force of a contact, over the mean normal force, below which the contact carries no force.
 constexpr double kCarries = 1e-9;
 /// Share of Coulomb's limit by which a tangential force may lie below it and still count as sliding.
@@ -66,6 +71,7 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("resting_steps", p.resting_steps);
   visit("next_trial", p.next_trial);
   visit("rest_length", p.rest_length);
+  visit("rest_sweeps", p.rest_sweeps);
   visit("mean_stress", p.mean_stress);
   visit("obstacle", p.obstacle);
 };
@@ -130,7 +136,7 @@ ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   return {.longest_step = (resting ? progress_.rest_length : own.time_step) * time_unit_,
           .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
                                      : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,
-          .max_sweeps = resting ? std::min(kRestingSweeps, own.max_sweeps) : own.max_sweeps,
+          .max_sweeps = resting ? progress_.rest_sweeps : own.max_sweeps,
           .restitution = resting ? 0.0 : own.restitution,
           .threads = options_.threads};
 }
@@ -197,6 +203,7 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
   if (progress_.calm_steps >= kCalmSteps) {
     progress_.phase = ContactDynamicsProgress::resting;
     progress_.rest_length = kLongestRest;
+    progress_.rest_sweeps = kRestingSweeps;
     progress_.time_step = 0.0;
   }
   return progress_.time > options_.max_time * time_unit_ ? RelaxationStatus::gave_up
@@ -261,7 +268,9 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
+    // A grain still moves. Without friction, many sweeps are needed to resolve its slow motion.
     progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
+    progress_.rest_sweeps = std::min(2 * progress_.rest_sweeps, kMostRestingSweeps);
     return false;
   }
   const Mat<Dim> stress = static_stress(rested);
@@ -270,11 +279,41 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     progress_.obstacle = worst_residual(reached, options_.tolerance, rested.grains.id);
     return false;
   }
+  if (!stays_in_place(rested)) {
+    progress_.obstacle = "the balance is unstable: grains that are free to move leave their places";
+    progress_.phase = ContactDynamicsProgress::moving;
+    progress_.calm_steps = 0;
+    progress_.time_step = 0.0;
+    return false;
+  }
   packing_ = std::move(rested);
   stress_ = stress;
   residuals_ = reached;
   const std::string names[] = {"closest", "canonical", "stepped"};
   ending_ = names[static_cast<int>(options_.contact_dynamics.forces)];
+  return true;
+}
+
+/// Returns whether the grains that carry forces stay in place when the packing is free to move for some steps. Balanced
+/// forces alone do not exclude an unstable packing.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) const {
+  std::vector<bool> carries(rested.grains.size(), false);
+  for (const Contact<Dim>& c : rested.contacts) {
+    carries[c.i] = true;
+    if (!rested.is_wall(c.j)) carries[c.j] = true;
+  }
+  ContactDynamicsSettings chosen = settings();
+  chosen.longest_step = options_.contact_dynamics.time_step * time_unit_;
+  ContactDynamics<Dim> motion(rested, boundary_load(), chosen, chosen.longest_step);
+  for (int k = 0; k < kFreeSteps; ++k) motion.step(false);
+  const Packing<Dim>& now = motion.packing();
+  const double allowed = kStaysWithin * gap_tolerance();
+  for (int i = 0; i < rested.grains.size(); ++i) {
+    const Vec<Dim> carried_along = now.cell.matrix.transpose() * rested.cell.reduced(rested.grains.position[i]);
+    const double moved = (now.grains.position[i] - carried_along).norm();
+    if (carries[i] && moved > allowed * 2.0 * rested.grains.radius[i]) return false;
+  }
   return true;
 }
 

@@ -29,6 +29,7 @@ struct ContactDynamicsProgress {
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
   int next_trial = 0;  ///< number of steps of the phase `resting` at which balanced forces are sought next
   double rest_length = 0.0;  ///< longest time step of the phase `resting` (T)
+  int rest_sweeps = 0;       ///< largest number of sweeps in a time step of the phase `resting`
   /// Mean stress on each axis in the last steps (force/length^(Dim-1)).
   std::vector<double> mean_stress;
   std::string obstacle;  ///< reason why no balanced forces were found last; empty before the first trial
@@ -68,6 +69,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   double near_balance() const;
   double largest_carrying_gap() const;
   bool find_balanced_forces();
+  bool stays_in_place(const Packing<Dim>& rested) const;
   void set_balanced_forces(Packing<Dim>& packing) const;
   RelaxationStatus rest();
   void measure();

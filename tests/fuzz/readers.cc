@@ -263,21 +263,25 @@ std::vector<std::string> law_seeds() {
 }  // namespace
 
 const std::vector<Reader>& readers() {
-  static const std::vector<Reader> all = {
-      {"scene", read_scene_bytes, scene_seeds},
-      {"law", read_law_bytes, law_seeds},
-      {"state", read_edited_state, edit_seeds},
-      {"state_bytes", read_unsealed_bytes, [] { return written_states(".h5"); }},
-      {"csv", read_csv_bytes, csv_seeds},
-      {"contacts", read_contacts_bytes, contact_seeds},
-      {"lammps_dump", read_dump_bytes, [] { return shipped("packings/lammps/disks.dump"); }},
-      {"lammps_data", read_data_bytes, [] { return written_states(".data"); }},
-      {"yade", read_yade_bytes, [] { return shipped("packings/yade/spheres.txt"); }},
-      {"vtu", read_vtu_bytes, [] { return written_states(".vtu"); }},
-      {"extended_xyz", read_xyz_bytes, [] { return written_states(".xyz"); }},
-      {"jambashbulk", read_jambashbulk_bytes,
-       [] { return shipped("packings/jambashbulk/N16~P1e-3~0001.txt"); }},
-  };
+  static const std::vector<Reader> all = [] {
+    std::vector<Reader> made = {
+        {"scene", read_scene_bytes, scene_seeds},
+        {"law", read_law_bytes, law_seeds},
+        {"state", read_edited_state, edit_seeds},
+        {"state_bytes", read_unsealed_bytes, [] { return written_states(".h5"); }},
+        {"csv", read_csv_bytes, csv_seeds},
+        {"contacts", read_contacts_bytes, contact_seeds},
+        {"lammps_dump", read_dump_bytes, [] { return shipped("packings/lammps/disks.dump"); }},
+        {"lammps_data", read_data_bytes, [] { return written_states(".data"); }},
+        {"yade", read_yade_bytes, [] { return shipped("packings/yade/spheres.txt"); }},
+        {"vtu", read_vtu_bytes, [] { return written_states(".vtu"); }},
+        {"extended_xyz", read_xyz_bytes, [] { return written_states(".xyz"); }},
+        {"jambashbulk", read_jambashbulk_bytes,
+         [] { return shipped("packings/jambashbulk/N16~P1e-3~0001.txt"); }},
+    };
+    for (const Reader& reader : shape_readers()) made.push_back(reader);
+    return made;
+  }();
   return all;
 }
 

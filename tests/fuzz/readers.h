@@ -16,6 +16,9 @@ struct Reader {
   std::vector<std::string> (*seeds)();
 };
 
+/// Readers of the shapes of grains: .off, .obj, .stl (text and binary), .csv (in 2D and 3D) and .shp.
+std::vector<Reader> shape_readers();
+
 /// All readers of input that users bring.
 const std::vector<Reader>& readers();
 

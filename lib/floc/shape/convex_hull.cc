@@ -16,6 +16,18 @@ namespace {
 /// their unit normals).
 constexpr double kOneDirection = 1e-6;
 
+/// Smallest box along the axes that contains all points.
+template <int Dim>
+struct Box {
+  Vec<Dim> low, high;
+
+  /// @param points  at least one point
+  explicit Box(const std::vector<Vec<Dim>>& points) : low(points[0]), high(points[0]) {
+    for (const Vec<Dim>& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  }
+  double extent() const { return (high - low).maxCoeff(); }
+};
+
 template <int Dim>
 void require_points(const std::vector<Vec<Dim>>& points, const std::string& place) {
   const int n = static_cast<int>(points.size());
@@ -25,9 +37,25 @@ void require_points(const std::vector<Vec<Dim>>& points, const std::string& plac
   if (n > kMostHullPoints)
     throw InputError(place, fmt::format("found {} points, expected at most {} points", n, kMostHullPoints));
   for (int i = 0; i < n; ++i)
-    if (!points[i].allFinite() || points[i].cwiseAbs().maxCoeff() > 1e100)
-      throw InputError(place, fmt::format("point {}: expected coordinates that are finite numbers", i + 1));
+    if (!points[i].allFinite() || points[i].cwiseAbs().maxCoeff() > kLargestLength)
+      throw InputError(
+          place, fmt::format("point {}: expected coordinates that are finite numbers from {:g} to {:g}", i + 1,
+                             -kLargestLength, kLargestLength));
+  const double extent = Box<Dim>(points).extent();
+  if (extent > 0.0 && extent < kLeastLength)
+    throw InputError(place, fmt::format("the largest extent of the points is {:g}: expected at least {:g}",
+                                        extent, kLeastLength));
 }
+
+/// Requires that the convex hull is as large as the set of its points, to 1e-5 of the largest extent. Otherwise vertices
+/// were taken for points on an edge, as at the end of a needle that is a million times as long as it is thick.
+void require_whole(const Polytope<3>& hull, const std::vector<Vec<3>>& points, const std::string& place) {
+  const Box<3> all(points), kept(hull.vertices);
+  const double missing = std::max((kept.low - all.low).maxCoeff(), (all.high - kept.high).maxCoeff());
+  if (missing > 1e-5 * all.extent())
+    throw InputError(place, "all points lie nearly on one line or in one plane: expected a polyhedron");
+}
+void require_whole(const Polytope<2>&, const std::vector<Vec<2>>&, const std::string&) {}
 
 /// Removes the corners of a polygon at which its boundary turns by an angle of less than kOneDirection.
 void drop_straight_corners(const std::vector<Vec<2>>& points, std::vector<int>& loop) {
@@ -35,7 +63,8 @@ void drop_straight_corners(const std::vector<Vec<2>>& points, std::vector<int>& 
     const std::size_t n = loop.size();
     const Vec<2> before = points[loop[k]] - points[loop[(k + n - 1) % n]];
     const Vec<2> after = points[loop[(k + 1) % n]] - points[loop[k]];
-    if (cross_product(before, after) <= kOneDirection * before.norm() * after.norm()) {
+    if (before.dot(after) >= 0.0 &&
+        cross_product(before, after) <= kOneDirection * before.norm() * after.norm()) {
       loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(k));
       k = k > 0 ? k - 1 : 0;
     } else {
@@ -179,6 +208,7 @@ ConvexHull<Dim> convex_hull(const std::vector<Vec<Dim>>& points, const std::stri
   }
   for (std::vector<int>& loop : hull.polytope.faces)
     for (int& i : loop) i = number[i];
+  require_whole(hull.polytope, points, place);
   return hull;
 }
 

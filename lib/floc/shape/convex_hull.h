@@ -23,8 +23,9 @@ struct ConvexHull {
 /// Points that lie on a face or an edge are not vertices.
 ///
 /// @param place  origin of the points in messages, such as a file
-/// @throws InputError if there are fewer than Dim + 1 points or more than kMostHullPoints, if a coordinate is
-/// not finite, or if all points lie in one plane (in 2D on one line)
+/// @throws InputError if there are fewer than Dim + 1 points or more than kMostHullPoints, if a coordinate is not a
+/// finite number or exceeds kLargestLength, if the largest extent is below kLeastLength, or if all points lie in one
+/// plane (in 2D on one line) or so close to one plane or line that their hull cannot be determined
 template <int Dim>
 ConvexHull<Dim> convex_hull(const std::vector<Vec<Dim>>& points, const std::string& place = "");
 

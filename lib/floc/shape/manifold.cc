@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "floc/shape/clipped_face.h"
 #include "floc/shape/closest_points.h"
@@ -72,7 +73,8 @@ class PairSearch {
         return of_edge_pair(exact);
       }
     }
-    return found.n > 0 ? found : of_nothing_over_the_face(axis);
+    if (const auto closest = closest_if_apart(axis)) return of_closest_points(*closest);
+    return found.n > 0 ? found : of_deepest_vertex(axis);
   }
 
  private:
@@ -123,7 +125,21 @@ class PairSearch {
           if (Manifold<Dim> found = of_capsules_side_by_side(closest); found.n > 0) return found;
       }
     }
+    return of_closest_points(closest);
+  }
+
+  /// Returns the closest points of the cores (the shapes without rounding) if the cores are separated along an axis.
+  std::optional<ClosestPoints<Dim>> closest_if_apart(const SeparatingAxis<Dim>& axis) const {
+    if (!(axis.separation > 0.0)) return std::nullopt;
+    const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
+    return closest.overlap ? std::nullopt : std::optional(closest);
+  }
+
+  /// Returns the contact with one point, midway between the closest points of the two shapes.
+  Manifold<Dim> of_closest_points(const ClosestPoints<Dim>& closest) const {
     Manifold<Dim> found;
+    const double gap = world(closest.distance) - roundings_;
+    if (!(gap < reach_)) return found;
     found.normal = first_.rotation * closest.normal;
     found.type = Dim == 3 && closest.n_first == 2 && closest.n_second == 2 ? ContactType::kEdgeEdge
                                                                            : ContactType::kVertexFace;
@@ -179,12 +195,16 @@ class PairSearch {
       const ShapeEdge &e = a_.edges[axis.features.first], &f = b_.edges[axis.features.second];
       const Vec<3> p = a_.vertices[e.from], u = a_.vertices[e.to] - p;
       const Vec<3> q = place_.point(b_.vertices[f.from]), v = place_.point(b_.vertices[f.to]) - q;
-      // The closest points of the lines through the two edges lie within the edges, because the arcs of the edges on
-      // the Gauss sphere cross. Points outside the edges result from rounding errors and are clamped to their ends.
       const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), pu = u.dot(q - p), pv = v.dot(q - p);
       const double determinant = uu * vv - uv * uv;
-      const double s = std::clamp((pu * vv - pv * uv) / determinant, 0.0, 1.0);
-      const double t = std::clamp((pu * uv - pv * uu) / determinant, 0.0, 1.0);
+      const double on_first = (pu * vv - pv * uv) / determinant, on_second = (pu * uv - pv * uu) / determinant;
+      const double s = std::clamp(on_first, 0.0, 1.0), t = std::clamp(on_second, 0.0, 1.0);
+      // If the cores overlap, the closest points of the lines through the two edges lie within the edges, because the
+      // arcs of the edges on the Gauss sphere cross; points outside the edges are rounding errors. If the cores are
+      // apart, a vertex may be closer than the points of the edges.
+      const double outside = std::abs(on_first - s) * std::sqrt(uu) + std::abs(on_second - t) * std::sqrt(vv);
+      if (outside > kBesideFace * size_)
+        if (const auto closest = closest_if_apart(axis)) return of_closest_points(*closest);
       const Vec<3> n = edge_pair_normal(a_, axis.features.first, b_, axis.features.second, place_);
       found.normal = first_.rotation * n;
       found.type = ContactType::kEdgeEdge;
@@ -194,21 +214,9 @@ class PairSearch {
     return found;
   }
 
-  /// Returns the contact of two shapes if the separating axis is the normal of a face but no corner of the other shape
-  /// lies over this face, as when two vertices pass each other.
-  Manifold<Dim> of_nothing_over_the_face(const SeparatingAxis<Dim>& axis) {
-    if (axis.separation > 0.0) {
-      const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
-      if (!closest.overlap) {
-        Manifold<Dim> found;
-        const double gap = world(closest.distance) - roundings_;
-        if (!(gap < reach_)) return found;
-        found.normal = first_.rotation * closest.normal;
-        add(found, midway(closest.on_first, closest.on_second, closest.normal), gap,
-            key_of(false, 0, 0, kClosest, false));
-        return found;
-      }
-    }
+  /// Returns the contact of two overlapping shapes if the separating axis is the normal of a face but no corner of the
+  /// other shape lies over this face because of rounding errors: the point at the vertex that is lowest above the face.
+  Manifold<Dim> of_deepest_vertex(const SeparatingAxis<Dim>& axis) {
     const bool of_second = axis.features.kind == AxisKind::kFaceOfSecond;
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
     Manifold<Dim> found;

@@ -50,18 +50,20 @@ struct Manifold {
 
 /// Computes the contact of two shapes: the points with a gap smaller than `reach`.
 ///
-/// There are three cases:
+/// There are four cases:
 ///   1. Polytopes without rounding touch along the axis of their largest separation (separating_axis.h). If this axis
 ///      is the normal of a face (the reference face), the contact points are the corners of the incident face of the
 ///      other shape, clipped by the sides of the reference face. In 3D, at most four of them are kept: the deepest, the
 ///      one furthest from it, and the two furthest to either side of the line through these two points.
 ///   2. If this axis is normal to a pair of edges, there is one contact point.
-///   3. Rounded shapes whose cores (the shapes without rounding) do not overlap touch at their closest points. If the
+///   3. If polytopes without rounding are apart and no axis of separating_axis.h joins their closest points, as for two
+///      vertices, there is one contact point, midway between the closest points.
+///   4. Rounded shapes whose cores (the shapes without rounding) do not overlap touch at their closest points. If the
 ///      line between these points is normal to a face to within 1e-3 radians, the contact is treated as a contact with
 ///      this face.
 ///
-/// Gaps are measured along the axis of largest separation, up to the margins of separating_axis(): 1e-4 of the
-/// smaller inner radius for edges, 1e-6 for faces. If the shapes are exchanged, the normal is reversed and gaps
+/// The smallest gap is the distance of shapes that are apart, and minus the smallest translation that separates shapes
+/// that overlap, up to the margins of separating_axis(): 1e-4 of the smaller inner radius for edges, 1e-6 for faces. If the shapes are exchanged, the normal is reversed and gaps
 /// and points stay the same, up to these margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0

@@ -14,6 +14,7 @@ namespace floc {
 namespace {
 
 constexpr WholeRange kVertexCount{.least = 1, .most = kMostHullPoints};
+constexpr NumberRange kRadius{.least = kLeastLength, .most = kLargestLength};
 /// Allowed number of faces: twice the number of triangles of a closed surface with kMostHullPoints vertices.
 constexpr WholeRange kFaceCount{.least = 0, .most = 4 * std::int64_t{kMostHullPoints}};
 
@@ -149,8 +150,9 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
       if (lines.n_words() > 1) shape.name = lines.word(1);
     } else if (key == "radius") {
       shape.rounding = lines.number(1);
-      if (!(shape.rounding > 0.0))
-        lines.refuse("the radius of a shape is not positive: expected a positive number");
+      if (!kRadius.holds(shape.rounding))
+        lines.refuse(
+            fmt::format("the radius of the shape is {:g}: expected {}", shape.rounding, kRadius.words()));
     } else if (key == "nv") {
       for (int n = lines.whole(1, kVertexCount), k = 0; k < n; ++k) {
         lines.require_next(fmt::format("vertex {} of {}", k + 1, n));

@@ -21,4 +21,9 @@ inline constexpr int kMostVertices = 200;
 /// face or edge, of which one value is left over.
 inline constexpr int kMostFaces = 1023;
 
+/// Least and largest length in a shape: the largest extent of its points, and their distance from the origin. The
+/// fifth powers of these lengths, of which moments of inertia are sums, are far from the least and the largest double.
+inline constexpr double kLeastLength = 1e-50;
+inline constexpr double kLargestLength = 1e50;
+
 }  // namespace floc

@@ -21,6 +21,9 @@ constexpr double kLargestAspect = 20.0;
 /// Smallest allowed volume of the core of a shape (the shape without rounding), as a fraction of the volume of its
 /// bounding box.
 constexpr double kLeastFilling = 1e-6;
+/// Largest allowed height of a vertex above the plane of a face, as a fraction of the distance of the furthest vertex
+/// from the centre. Where faces are merged, heights of 1e-6 occur.
+constexpr double kConvexTolerance = 1e-5;
 
 double power(double x, int n) {
   return n == 0 ? 1.0 : x * power(x, n - 1);
@@ -49,6 +52,19 @@ void set_faces(const Polytope<Dim>& polytope, Shape<Dim>& shape) {
     shape.corners.insert(shape.corners.end(), loop.begin(), loop.end());
     shape.first_corner.push_back(static_cast<int>(shape.corners.size()));
   }
+}
+
+/// Requires that no vertex lies above a face. Faces of points that lie nearly in one plane may be merged wrongly.
+template <int Dim>
+void require_convex(const Shape<Dim>& shape, const std::string& place) {
+  double size = 0.0;
+  for (const Vec<Dim>& v : shape.vertices) size = std::max(size, v.norm());
+  for (int f = 0; f < shape.n_faces(); ++f)
+    for (const Vec<Dim>& v : shape.vertices)
+      if (shape.normals[f].dot(v) - shape.offsets[f] > kConvexTolerance * size)
+        throw InputError(place,
+                         "the points are so close to one plane that their convex hull cannot be determined: "
+                         "expected a polyhedron");
 }
 
 template <int Dim>
@@ -195,6 +211,7 @@ Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std:
   shape.vertices = core.vertices;
   require_body(hull, shape, core_volume, place);
   set_faces(core, shape);
+  require_convex(shape, place);
   set_adjacency(shape);
   set_radii(shape);
   return shape;

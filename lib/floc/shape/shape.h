@@ -81,8 +81,8 @@ Shape<Dim> capsule_shape(double length, double rounding);
 /// @param hull  polytope with the faces of convex_hull()
 /// @param place  origin of the polytope in messages, such as a file
 /// @throws InputError if there are more than kMostVertices vertices or kMostFaces faces or edges, if the volume of the
-/// core is less than 1e-6 of the volume of its bounding box, or if the extents of the core along the principal axes
-/// differ by more than a factor of 20
+/// core is less than 1e-6 of the volume of its bounding box, if the core is not convex, or if the extents of the core
+/// along the principal axes differ by more than a factor of 20
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place = "");
 

@@ -8,46 +8,13 @@
 #include "floc/shape/closest_points.h"
 #include "floc/shape/generators.h"
 #include "unit/shape/pairs.h"
+#include "unit/shape/placed.h"
 #include "unit/shape/solids.h"
 
 namespace floc {
 namespace {
 
 using namespace test;
-
-// Vector 10 of the design, "to 1e-10"; what is met is rounding.
-constexpr double kExact = 1e-13;
-const Mat<3> kNoTurn = Mat<3>::Identity();
-
-Mat<3> turn_about(const Vec<3>& axis, double degrees) {
-  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis).toRotationMatrix();
-}
-Mat<2> turn_by(double degrees) {
-  return Eigen::Rotation2Dd(degrees * std::numbers::pi / 180.0).toRotationMatrix();
-}
-
-/// Points as given in space, whatever axes and centre the shape has.
-template <int Dim>
-PlacedShape<Dim> placed(const Shape<Dim>& shape, const Vec<Dim>& position, const Mat<Dim>& turn) {
-  return {&shape, 1.0, position + turn * shape.centre, turn * shape.axes};
-}
-
-template <int Dim>
-std::vector<Vec<Dim>> positions(const Manifold<Dim>& manifold, const PlacedShape<Dim>& first) {
-  std::vector<Vec<Dim>> found;
-  for (int k = 0; k < manifold.n; ++k) found.push_back(first.position + manifold.points[k].arm);
-  return found;
-}
-
-template <int Dim>
-void expect_points(const std::vector<Vec<Dim>>& found, const std::vector<Vec<Dim>>& expected) {
-  ASSERT_EQ(found.size(), expected.size());
-  for (const Vec<Dim>& e : expected) {
-    double nearest = 1e9;
-    for (const Vec<Dim>& f : found) nearest = std::min(nearest, (f - e).norm());
-    EXPECT_LT(nearest, kExact) << e.transpose();
-  }
-}
 
 TEST(Manifold, OfShiftedCubesHasTheCornersOfTheirOverlap) {
   const Shape<3> cube = shape_of<3>(box_points(1, 1, 1));

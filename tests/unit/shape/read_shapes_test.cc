@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -238,6 +239,31 @@ TEST(ShapeFiles, AreRefusedWithFileAndLine) {
               HasSubstr("51 times as long as it is thick"));
   EXPECT_THAT(message_of("t.shp", "<\nradius 0.1\nnv 4\n0 0 0\n1 0 0\n0 1 0\n1 1 0\nnf 1\n4 0 1 3 2\n>\n"),
               HasSubstr("in one plane"));
+}
+
+TEST(ShapeFiles, MayHaveLengthsFrom1eMinus50To1e50) {
+  const auto expect_volume = [](double unit) {
+    Polytope<3> large = stone();
+    for (Vec<3>& v : large.vertices) v *= unit;
+    const Shape<3> one = parse_shapes<3>("stone.off", off_text(stone()), {.rounding = 0.1})[0].shape;
+    const Shape<3> other = parse_shapes<3>("stone.off", off_text(large), {.rounding = 0.1})[0].shape;
+    EXPECT_NEAR(other.volume / std::pow(unit, 3), one.volume, 1e-12) << unit;
+    for (int a = 0; a < 3; ++a)
+      EXPECT_NEAR(other.inertia[a] / std::pow(unit, 5), one.inertia[a], 1e-12) << unit;
+  };
+  expect_volume(1e49);
+  expect_volume(1e-49);
+  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1,0\n0,1e51\n"),
+              HasSubstr("2.csv: point 3: expected coordinates that are finite numbers from -1e+50 to 1e+50"));
+  EXPECT_THAT(message_of("2.csv", "x,y\n0,0\n1e-60,0\n0,2e-60\n"),
+              HasSubstr("2.csv: the largest extent of the points is 2e-60: expected at least 1e-50"));
+  const std::string ball = "<\nname Ball\nradius RADIUS\nnv 1\n0 0 0\n>\n";
+  for (const std::string radius : {"0", "-1", "1e-60", "1e+51"}) {
+    std::string text = ball;
+    text.replace(text.find("RADIUS"), 6, radius);
+    EXPECT_THAT(message_of("b.shp", text), testing::StartsWith("b.shp:3: the radius of the shape is " + radius))
+        << radius;
+  }
 }
 
 /// Bytes changed, doubled, cut out, or numbers made huge.

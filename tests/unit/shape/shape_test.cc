@@ -293,11 +293,17 @@ TEST(Shape, RefusesBadPointsInWords) {
               HasSubstr("points 2 and 5 are the same"));
   EXPECT_THAT(message({{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}, {0, 0, 1}}),
               HasSubstr("point 3: expected coordinates"));
+  EXPECT_THAT(message({{0, 0, 4}, {2e8, 0, 0}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {0.5, 0.4, 1}}),
+              HasSubstr("nearly on one line or in one plane"));
   EXPECT_THAT(message(box_points(1, 1, 21)), HasSubstr("21 times as long as it is thick: expected at most 20"));
   EXPECT_THAT(test::message_of([] {
                 shape_of_points<2>({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, 0.0);
               }),
               HasSubstr("on one line"));
+  EXPECT_THAT(test::message_of([] {
+                shape_of_points<2>({{0, 0}, {2e8, 0}, {1, 1}, {0, 1}}, 0.0);
+              }),
+              HasSubstr("2e+08 times as long as it is thick"));
 }
 
 }  // namespace

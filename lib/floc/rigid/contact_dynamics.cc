@@ -76,7 +76,7 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
   for (int i = 0; i < g.size(); ++i) {
     Vec<Dim> v = at_rest ? Vec<Dim>(Vec<Dim>::Zero()) : g.velocity[i];
     RotationVector<Dim> w = at_rest ? RotationVector<Dim>(RotationVector<Dim>::Zero()) : g.angular_velocity[i];
-    if (!external_force.empty()) v += dt / g.mass[i] * external_force[i];
+    if (!external_force_.empty()) v += dt / g.mass[i] * external_force_[i];
     const Mat<kRotations<Dim>> inertia = g.inertia_tensor(i);
     const Mat<kRotations<Dim>> inverse = inertia.inverse();
     // The spin of a body without moments changes by Euler's equations if its axes have different moments of inertia.

@@ -60,8 +60,8 @@ class ContactDynamics {
   /// @throws NoResult if overlaps stay too deep although the time step was halved several times
   void step(bool at_rest);
 
-  /// Force (force) that acts on each grain in addition to the contacts, such as its weight; empty: none.
-  std::vector<Vec<Dim>> external_force;
+  /// Sets the force that acts on each grain in addition to its contacts, such as its weight (force); empty for none.
+  void set_external_force(std::vector<Vec<Dim>> force) { external_force_ = std::move(force); }
 
   const Packing<Dim>& packing() const { return packing_; }
   Packing<Dim> release_packing() { return std::move(packing_); }
@@ -90,7 +90,8 @@ class ContactDynamics {
   BoundaryLoad<Dim> load_;
   ContactDynamicsSettings settings_;
   double time_step_, last_step_ = 0.0;
-  double grain_mass_;  ///< mass of all grains
+  double grain_mass_;                     ///< mass of all grains
+  std::vector<Vec<Dim>> external_force_;  ///< force on each grain besides its contacts (force); empty for none
   ContactPoints<Dim> points_;
   StepCounts counts_;
 };

@@ -1,0 +1,304 @@
+#include "floc/rigid/contact_dynamics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "floc/contact/law_parameters.h"
+#include "floc/packing/balance.h"
+#include "floc/shape/generators.h"
+
+namespace floc {
+namespace {
+
+Law rigid_law(double friction) {
+  LawParameters law;
+  law.normal = RigidContact{};
+  if (friction > 0.0) law.friction = RigidFriction{friction};
+  return law;
+}
+
+/// Returns a packing without grains in a cell with sides of 40.
+template <int Dim>
+Packing<Dim> empty_packing(double friction) {
+  Packing<Dim> packing;
+  packing.cell.matrix = 40.0 * Mat<Dim>::Identity();
+  packing.law = packing.wall_law = rigid_law(friction);
+  return packing;
+}
+
+/// Adds walls across the last axis at 0 and 40 that nothing moves.
+template <int Dim>
+void add_floor(Packing<Dim>& packing) {
+  const double heavy = std::numeric_limits<double>::infinity();
+  packing.walls = {{.axis = Dim - 1, .side = -1, .position = 0.0, .mass = heavy},
+                   {.axis = Dim - 1, .side = 1, .position = 40.0, .mass = heavy}};
+}
+
+template <int Dim>
+void add_grain(Packing<Dim>& packing, const Vec<Dim>& position, double radius, double mass) {
+  Grains<Dim>& g = packing.grains;
+  g.position.push_back(position);
+  g.velocity.push_back(Vec<Dim>::Zero());
+  g.radius.push_back(radius);
+  g.mass.push_back(mass);
+  g.orientation.push_back(no_rotation<Dim>());
+  g.angular_velocity.push_back(RotationVector<Dim>::Zero());
+}
+
+/// Adds a grain with the shape of number `shape` in the table, at density 1.
+template <int Dim>
+void add_shaped(Packing<Dim>& packing, const Vec<Dim>& position, int shape, double diameter) {
+  Grains<Dim>& g = packing.grains;
+  const Shape<Dim>& own = (*g.shapes)[static_cast<std::size_t>(shape)];
+  add_grain(packing, position, 0.5 * diameter, std::pow(diameter / own.diameter(), Dim) * own.volume);
+  g.shape.push_back(shape);
+  g.scale.push_back(diameter / own.diameter());
+}
+
+/// Returns a block with the given sides that stands on the floor, with its centre at 20 on the other axes.
+template <int Dim>
+Packing<Dim> block_on_floor(const Vec<Dim>& sides, double friction) {
+  Packing<Dim> packing = empty_packing<Dim>(friction);
+  add_floor(packing);
+  packing.grains.shapes = std::make_shared<std::vector<Shape<Dim>>>(1, box<Dim>(sides, 0.0));
+  Vec<Dim> centre = Vec<Dim>::Constant(20.0);
+  centre[Dim - 1] = 0.5 * sides[Dim - 1];
+  add_shaped(packing, centre, 0, sides.norm());
+  return packing;
+}
+
+ContactDynamicsSettings exact(double step, double restitution = 0.0) {
+  return {.longest_step = step, .sweep_tolerance = 1e-13, .max_sweeps = 100'000, .restitution = restitution};
+}
+
+template <int Dim>
+ContactDynamics<Dim> dynamics(const Packing<Dim>& packing, const ContactDynamicsSettings& settings,
+                              const Vec<Dim>& gravity = Vec<Dim>::Zero()) {
+  ContactDynamics<Dim> out(packing, {}, settings, settings.longest_step);
+  std::vector<Vec<Dim>> weight;
+  for (const double mass : packing.grains.mass) weight.push_back(mass * gravity);
+  out.set_external_force(weight);
+  return out;
+}
+
+/// Returns gravity of size 1 on a plane that slopes by the angle with this tangent.
+template <int Dim>
+Vec<Dim> slope(double tangent) {
+  Vec<Dim> g = Vec<Dim>::Zero();
+  g[0] = std::sin(std::atan(tangent));
+  g[Dim - 1] = -std::cos(std::atan(tangent));
+  return g;
+}
+
+// Stack of disks: each contact carries the weight above it already in the first step, whatever the step.
+TEST(ContactDynamics, StackOfDisksCarriesItsWeightInOneStep) {
+  Packing<2> packing = empty_packing<2>(0.0);
+  add_floor(packing);
+  constexpr int kDisks = 20;
+  for (int k = 0; k < kDisks; ++k) add_grain<2>(packing, {20.0, 0.5 + k}, 0.5, 1.0);
+  for (const double step : {1e-3, 0.1}) {
+    ContactDynamics<2> motion = dynamics<2>(packing, exact(step), {0.0, -1.0});
+    motion.step(false);
+    ASSERT_EQ(motion.packing().contacts.size(), kDisks);
+    for (const Contact<2>& c : motion.packing().contacts)
+      EXPECT_NEAR(c.normal_force, motion.packing().is_wall(c.j) ? kDisks : kDisks - c.j, 1e-8);
+    EXPECT_EQ(motion.last_step(), step);
+  }
+}
+
+// A row of equal balls is hit by its first one [Newton's law of restitution between all of them at once].
+TEST(ContactDynamics, RowOfBallsSharesTheImpact) {
+  for (const double e : {0.0, 0.5, 1.0}) {
+    constexpr int kBalls = 3;
+    Packing<3> packing = empty_packing<3>(0.0);
+    for (int k = 0; k < kBalls; ++k) add_grain<3>(packing, {10.5 + k, 20.0, 20.0}, 0.5, 1.0);
+    packing.grains.velocity[0][0] = 1.0;
+    ContactDynamics<3> motion = dynamics<3>(packing, exact(1e-3, e));
+    motion.step(false);
+    const double last = (1.0 + e) / kBalls;
+    EXPECT_NEAR(motion.packing().grains.velocity[0][0], last - e, 1e-12);
+    EXPECT_NEAR(motion.packing().grains.velocity[1][0], last, 1e-12);
+    EXPECT_NEAR(motion.packing().grains.velocity[2][0], last, 1e-12);
+    for (const Contact<3>& c : motion.packing().contacts)
+      EXPECT_NEAR(1e-3 * c.normal_force, (kBalls - 1.0 - c.i) * last, 1e-12);
+  }
+}
+
+TEST(ContactDynamics, DroppedBallBouncesWithItsRestitution) {
+  Packing<2> packing = empty_packing<2>(0.0);
+  add_floor(packing);
+  add_grain<2>(packing, {20.0, 0.6}, 0.5, 1.0);
+  packing.grains.velocity[0][1] = -1.0;
+  ContactDynamics<2> motion = dynamics<2>(packing, exact(1e-3, 0.6));
+  while (motion.packing().grains.velocity[0][1] < 0.0) motion.step(false);
+  EXPECT_NEAR(motion.packing().grains.velocity[0][1], 0.6, 1e-12);
+}
+
+template <int Dim>
+void slides_to_rest() {
+  Vec<Dim> down = Vec<Dim>::Zero();
+  down[Dim - 1] = -1.0;
+  Packing<Dim> packing = block_on_floor<Dim>(Vec<Dim>::Ones(), 0.3);
+  packing.grains.velocity[0][0] = 0.6;
+  const double step = 0.01;
+  ContactDynamics<Dim> motion = dynamics<Dim>(packing, exact(step), down);
+  for (int k = 0; k < 300; ++k) motion.step(false);
+  const Grains<Dim>& g = motion.packing().grains;
+  // v0^2/(2 mu g) - v0 dt/2
+  EXPECT_NEAR(g.position[0][0] - 20.0, 0.6 - 0.5 * 0.6 * step, 1e-10);
+  EXPECT_LT(g.velocity[0].norm(), 1e-12);
+  EXPECT_LT(g.angular_velocity[0].norm(), 1e-12);
+}
+
+TEST(ContactDynamics, SlidingBlockStopsAfterItsPath) {
+  slides_to_rest<2>();
+  slides_to_rest<3>();
+}
+
+struct OnSlope {
+  double width, height, tangent, friction;
+  double acceleration;  // along the slope
+  double lower, upper;  // normal forces of the lower and the upper point in the first step
+};
+
+// A block slides if tan a > mu, tips if min(tan a, mu) > w/h, and rests otherwise.
+TEST(ContactDynamics, BlockOnASlopeRestsSlidesOrTips) {
+  const double step = 0.005;
+  for (const OnSlope& c : {OnSlope{1, 1, 0.45, 0.5, 0.0, 0.66114309, 0.25077841},
+                           OnSlope{1, 1, 0.55, 0.5, 0.04381080, 0.65716193, 0.21905398},
+                           OnSlope{1, 2, 0.45, 0.7, 0.0, 1.73265086, 0.09119215},
+                           OnSlope{1, 2, 0.45, 0.4, 0.04559608, -1.0, -1.0}}) {
+    ContactDynamics<2> motion =
+        dynamics<2>(block_on_floor<2>({c.width, c.height}, c.friction), exact(step), slope<2>(c.tangent));
+    motion.step(false);
+    EXPECT_NEAR(motion.packing().grains.velocity[0][0] / step, c.acceleration, 1e-8);
+    EXPECT_LT(motion.packing().grains.angular_velocity[0].norm(), 1e-10);
+    ASSERT_EQ(motion.packing().contacts.size(), 2u);
+    for (const Contact<2>& point : motion.packing().contacts)
+      if (c.lower > 0.0) EXPECT_NEAR(point.normal_force, point.arm_i[0] > 0.0 ? c.lower : c.upper, 1e-8);
+  }
+}
+
+TEST(ContactDynamics, TallBlockTipsOverItsLowerEdge) {
+  const double step = 0.005;
+  ContactDynamics<2> motion = dynamics<2>(block_on_floor<2>({1.0, 2.0}, 0.7), exact(step), slope<2>(0.55));
+  motion.step(false);
+  EXPECT_LT(motion.packing().grains.angular_velocity[0][0], -1e-4);
+  for (const Contact<2>& point : motion.packing().contacts)
+    EXPECT_NEAR(point.normal_force, point.arm_i[0] > 0.0 ? 1.778718 : 0.0, 1e-6);
+}
+
+template <int Dim>
+double acceleration_on_slope(double tangent, double friction) {
+  Packing<Dim> packing = empty_packing<Dim>(friction);
+  add_floor(packing);
+  Vec<Dim> centre = Vec<Dim>::Constant(20.0);
+  centre[Dim - 1] = 0.5;
+  add_grain<Dim>(packing, centre, 0.5, 1.0);
+  const double step = 0.01;
+  ContactDynamics<Dim> motion = dynamics<Dim>(packing, exact(step), slope<Dim>(tangent));
+  motion.step(false);
+  return motion.packing().grains.velocity[0][0] / step / slope<Dim>(tangent)[0];
+}
+
+// A disk rolls with 2/3 g sin a up to tan a = 3 mu, a sphere with 5/7 g sin a up to 7/2 mu.
+TEST(ContactDynamics, RoundGrainsRollOrSlideDownASlope) {
+  EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.2), 2.0 / 3.0, 1e-10);
+  EXPECT_NEAR(acceleration_on_slope<2>(0.5, 0.1), 0.8, 1e-10);
+  EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.2), 5.0 / 7.0, 1e-10);
+  EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-10);
+}
+
+// The friction of the four points has the moment mu m g sqrt(2)/2, and the moment of inertia is m/6.
+TEST(ContactDynamics, SpinningCubeStops) {
+  Packing<3> packing = block_on_floor<3>(Vec<3>::Ones(), 0.3);
+  packing.grains.angular_velocity[0][2] = 0.9;
+  ContactDynamics<3> motion = dynamics<3>(packing, exact(1e-3), {0.0, 0.0, -1.0});
+  double time = 0.0;
+  while (motion.packing().grains.angular_velocity[0][2] > 1e-9 && time < 1.0) {
+    motion.step(false);
+    time += motion.last_step();
+  }
+  EXPECT_NEAR(time, 0.9 * std::numbers::sqrt2 / (6.0 * 0.3), 2e-3);
+}
+
+// Column of ten cubes, each 0.04 further: the force under a cube is the weight above, and the centre of pressure is
+// below the centre of mass of the cubes above.
+TEST(ContactDynamics, LeaningColumnOfCubesStands) {
+  constexpr int kCubes = 10;
+  constexpr double kShift = 0.04;
+  Packing<3> packing = empty_packing<3>(0.5);
+  add_floor(packing);
+  packing.grains.shapes = std::make_shared<std::vector<Shape<3>>>(1, box<3>(Vec<3>::Ones(), 0.0));
+  for (int k = 0; k < kCubes; ++k)
+    add_shaped<3>(packing, {20.0 + kShift * k, 20.0, 0.5 + k}, 0, std::sqrt(3.0));
+  ContactDynamicsSettings settings = exact(0.01);
+  settings.sweep_tolerance = 1e-11;
+  settings.max_sweeps = 400'000;
+  ContactDynamics<3> motion = dynamics<3>(packing, settings, {0.0, 0.0, -1.0});
+  motion.step(false);
+  for (int k = 0; k < kCubes; ++k) {
+    double force = 0.0, moment = 0.0;
+    for (const Contact<3>& c : motion.packing().contacts) {
+      const bool below = motion.packing().is_wall(c.j) ? k == 0 : c.j == k && c.i == k - 1;
+      if (!below) continue;
+      const Vec<3> point = motion.packing().grains.position[c.i] + c.arm_i;
+      force += c.normal_force;
+      moment += c.normal_force * point[0];
+    }
+    EXPECT_NEAR(force, kCubes - k, 1e-8);
+    EXPECT_NEAR(moment / force, 20.0 + kShift * 0.5 * (k + kCubes - 1), 1e-6);
+  }
+}
+
+/// Returns a gas of pentagons and disks that fly about without a load.
+Packing<2> moving_mixture() {
+  Packing<2> packing = empty_packing<2>(0.3);
+  packing.cell.matrix = 10.0 * Mat<2>::Identity();
+  packing.grains.shapes = std::make_shared<std::vector<Shape<2>>>(
+      std::vector<Shape<2>>{regular_polygon(5, 0.0), round_shape<2>(0.5)});
+  for (int k = 0; k < 64; ++k) {
+    add_shaped<2>(packing, {0.7 + 1.25 * (k % 8), 0.7 + 1.25 * (k / 8)}, k % 2, 1.1);
+    packing.grains.velocity.back() = Vec<2>(std::sin(7.0 * k), std::cos(5.0 * k));
+    packing.grains.orientation.back() = k;
+  }
+  return packing;
+}
+
+double energy(const Packing<2>& packing) {
+  return mean_kinetic_energy(packing) * packing.grains.size();
+}
+
+TEST(ContactDynamics, CollisionsKeepMomentumAndNeverAddEnergy) {
+  for (const double e : {0.0, 0.7}) {
+    const Packing<2> start = moving_mixture();
+    ContactDynamicsSettings settings = exact(0.01, e);
+    settings.sweep_tolerance = 1e-10;
+    ContactDynamics<2> motion(start, {}, settings, 0.01);
+    Vec<2> before = Vec<2>::Zero();
+    double scale = 0.0;
+    for (int i = 0; i < start.grains.size(); ++i) {
+      before += start.grains.mass[i] * start.grains.velocity[i];
+      scale += start.grains.mass[i] * start.grains.velocity[i].norm();
+    }
+    double last = energy(start);
+    for (int k = 0; k < 300; ++k) {
+      motion.step(false);
+      // The stabilisation of overlaps may add a little energy, so overlaps are the measure of what it may add.
+      EXPECT_LE(energy(motion.packing()), last * (1.0 + 1e-3)) << k;
+      last = energy(motion.packing());
+    }
+    Vec<2> after = Vec<2>::Zero();
+    for (int i = 0; i < start.grains.size(); ++i)
+      after += start.grains.mass[i] * motion.packing().grains.velocity[i];
+    EXPECT_LT((after - before).norm(), 1e-12 * scale);
+    EXPECT_LT(last, 0.9 * energy(start));
+  }
+}
+
+}  // namespace
+}  // namespace floc

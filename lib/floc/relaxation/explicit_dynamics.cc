@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "floc/base/thread_team.h"
 #include "floc/neighbors/space_order.h"
 #include "floc/relaxation/contact_histories.h"
 #include "floc/relaxation/packing_from_motion.h"
-#include "floc/relaxation/thread_team.h"
 
 namespace floc {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "floc/base/thread_team.h"
 #include "floc/relaxation/cell_motion.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/force_sweep.h"
@@ -9,7 +10,6 @@
 #include "floc/relaxation/interactions.h"
 #include "floc/relaxation/liquid_bridges.h"
 #include "floc/relaxation/neighbor_lists.h"
-#include "floc/relaxation/thread_team.h"
 
 namespace floc {
 

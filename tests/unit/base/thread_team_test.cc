@@ -1,13 +1,9 @@
-#include "floc/relaxation/thread_team.h"
+#include "floc/base/thread_team.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <vector>
-
-#include "floc/base/error.h"
-#include "support/contact_laws.h"
-#include "support/dynamics.h"
 
 namespace floc {
 namespace {
@@ -49,28 +45,6 @@ TEST(ThreadTeam, CarriesOutWhatTheFirstOfItsThreadsThrew) {
         }
   std::cout << "teams: " << n_teams << ", of 1 to 4 threads, every set of which threw in every of " << kPhases
             << " phases\n";
-}
-
-/// Grains without much resistance in a cell that closes: in the end each has more neighbours than a list takes.
-template <int Dim>
-void close_upon(int n_threads) {
-  Law law;
-  law += test::linear(1e-6);
-  const Packing<Dim> gas = test::gas_of<Dim>(130, law, 0.4);
-  BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
-  control.target.template head<Dim>().setConstant(1.0);
-  const auto dynamics = make_dynamics(gas, control, {0.02, 0.05, n_threads});
-  dynamics->advance(300, Motion::free);
-}
-
-/// The one parallel region of the library throws where its lists of neighbours do.
-TEST(ThreadTeam, CarriesOutWhatListsOfNeighboursRefuseInMotion) {
-  const auto refused = testing::ThrowsMessage<InputError>(
-      testing::HasSubstr("the grains overlap so much, or attract each other across such wide gaps"));
-  for (const int n_threads : {1, 2}) {
-    EXPECT_THAT([&] { close_upon<2>(n_threads); }, refused) << n_threads;
-    EXPECT_THAT([&] { close_upon<3>(n_threads); }, refused) << n_threads;
-  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "floc/relaxation/thread_team.h"
+#include "floc/base/thread_team.h"
 
 #include <fmt/format.h>
 #include <omp.h>

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace floc {
+
+/// Short loops whose turns a team of threads shares. One thread of the team, the leader, runs a program, and the other
+/// threads, its helpers, take part in the loops of this program. Each thread has the same part of each loop, so that
+/// data stay in its cache, and then takes turns from the parts of others. Therefore the leader never waits for a helper
+/// that has not begun a turn, for example because other programs take its core: then the leader makes all turns alone.
+class SharedLoops {
+ public:
+  /// Runs `program` in this thread, with n_threads - 1 helpers.
+  /// @throws the exceptions of `program`
+  /// @throws InputError if OpenMP cannot start that many threads
+  static void run(int n_threads, const std::function<void(SharedLoops& loops)>& program);
+
+  /// Calls work(k) once for each k from 0 to n - 1, in any order, in the threads of the team. Only the leader calls this
+  /// function. What it wrote before is seen by all calls of `work`, and what they wrote is seen after this function.
+  /// @param n  at most kMostTurns
+  /// @pre `work` does not throw
+  void for_each(int n, const std::function<void(int)>& work);
+
+  /// Largest number of turns of a loop.
+  static constexpr int kMostTurns = (1 << 20) - 1;
+
+ private:
+  /// Turns of the part of one thread that nobody has begun: the number of the loop (24 bits), the first turn and the
+  /// one after the last (20 bits each). Each part has a cache line of its own.
+  struct alignas(64) Part {
+    std::atomic<std::uint64_t> turns{0};
+  };
+
+  explicit SharedLoops(int n_threads);
+  void help(int thread);
+  /// Makes turns of all parts until none is left, those of the thread's own part first.
+  void take_turns(int thread);
+  /// Takes the first turn of a part, or its last one if it is the part of another thread. @return -1 if there is none
+  static int take(Part& part, bool own);
+
+  int n_threads_;
+  std::unique_ptr<Part[]> parts_;
+  const std::function<void(int)>* work_ = nullptr;
+  std::atomic<std::uint64_t> loop_{0};  // number of the present loop
+  std::atomic<int> remaining_{0};       // turns of the present loop that have not ended
+  std::atomic<bool> ended_{false};
+};
+
+}  // namespace floc

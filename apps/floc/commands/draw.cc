@@ -149,8 +149,11 @@ Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const Dr
                       const std::optional<AnyState>& other) {
   if (Dim == 2 && (arguments.cut || !arguments.view.empty() || arguments.sheet.view.sphere_size))
     throw InputError(file,
-                     "this is a state of disks, but --view, --slab and --sphere-size apply only to states of "
-                     "spheres: leave them out");
+                     state.packing.grains.are_round()
+                         ? "this is a state of disks, but --view, --slab and --sphere-size apply only to "
+                           "states of spheres: leave them out"
+                         : "this is a state in 2D, but --view, --slab and --sphere-size apply only to states "
+                           "in 3D: leave them out");
   if (other && !std::holds_alternative<State<Dim>>(*other))
     throw InputError(
         arguments.compare,

@@ -1,36 +1,26 @@
 #include "floc/picture/change_picture.h"
 
 namespace floc {
-namespace {
-
-template <int Dim>
-ContactLine<Dim> line_of(const Packing<Dim>& packing, const Contact<Dim>& c, const Vec<Dim>& to_other,
-                         LineKind kind) {
-  const Vec<Dim>& from = packing.grains.position[c.i];
-  return {from, from + to_other, kind, 0.0, c.i, c.j};
-}
-
-}  // namespace
-
 template <int Dim>
 PackingPicture<Dim> contacts_changed(const Packing<Dim>& before, const Packing<Dim>& after,
                                      const ContactChanges<Dim>& changes) {
   PackingPicture<Dim> picture = grains_of(before);
   picture.background_name = "contact kept";
   const auto add_before = [&](int c, LineKind kind) {
-    const Contact<Dim>& contact = before.contacts[c];
-    picture.lines.push_back(line_of(before, contact, branch(before, contact), kind));
+    picture.lines.push_back(contact_line(before, before.contacts[c], kind, 0.0));
   };
   for (const KeptContact& kept : changes.kept) add_before(kept.before, LineKind::background);
   for (const int c : changes.lost) add_before(c, LineKind::lost);
   const Mat<Dim> back = changes.deformation.inverse();
   for (const int c : changes.gained) {
-    // A gained contact is drawn along the vector b that connected its two grains before the change. After the change,
-    // this vector is the deformed b plus the relative displacement of the grains, which is solved for b here.
+    // A gained contact is drawn along its branch vector before the change, b. After the change, the branch vector is
+    // the deformed b plus the relative displacement of the two grains; this is solved for b. The line is straight also
+    // between grains with corners, because they do not touch at the contact point before the change.
     const Contact<Dim>& contact = after.contacts[c];
     const Vec<Dim> apart = changes.displacement[contact.j] - changes.displacement[contact.i];
+    const Vec<Dim>& from = before.grains.position[contact.i];
     picture.lines.push_back(
-        line_of(before, contact, Vec<Dim>(back * (branch(after, contact) - apart)), LineKind::gained));
+        {from, from + back * (branch(after, contact) - apart), LineKind::gained, 0.0, contact.i, contact.j});
   }
   for (std::size_t i = 0; i < changes.displacement.size(); ++i)
     picture.arrows.push_back({before.grains.position[i], changes.displacement[i], static_cast<int>(i)});

@@ -40,12 +40,6 @@ LineKind kind_of(const Contact<Dim>& c, double zero_force) {
 }
 
 template <int Dim>
-ContactLine<Dim> line_of(const Packing<Dim>& packing, const Contact<Dim>& c, LineKind kind, double force) {
-  const Vec<Dim>& from = packing.grains.position[c.i];
-  return {from, from + branch(packing, c), kind, force, c.i, c.j};
-}
-
-template <int Dim>
 double size_of_force(const Contact<Dim>& c, const UnitForce& unit) {
   return std::hypot(c.normal_force, c.shear_force.norm()) / unit.size;
 }
@@ -81,7 +75,7 @@ PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& given, double zero_fo
   picture.rattler = find_rattlers(packing, zero_force);
   picture.force_unit = unit.name;
   for (const Contact<Dim>& c : packing.contacts)
-    picture.lines.push_back(line_of(packing, c, kind_of(c, zero_force), size_of_force(c, unit)));
+    picture.lines.push_back(contact_line(packing, c, kind_of(c, zero_force), size_of_force(c, unit)));
   return picture;
 }
 
@@ -105,7 +99,7 @@ PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_
     std::vector<bool> active;
     for (const Contact<Dim>& c : packing.contacts) {
       active.push_back(sign[c.i] == phase && sign[c.j] == phase);
-      if (active.back()) picture.lines.push_back(line_of(packing, c, kind, size_of_force(c, unit)));
+      if (active.back()) picture.lines.push_back(contact_line(packing, c, kind, size_of_force(c, unit)));
     }
     mark_largest(network, of, active, phase, picture.shade.value);
   }
@@ -130,8 +124,8 @@ PackingPicture<Dim> increment_forces(const Packing<Dim>& given, const ContactNet
     const LineKind kind = step.rank[k] >= step.n_holding ? LineKind::background
                           : f.normal >= 0.0              ? LineKind::compression
                                                          : LineKind::tension;
-    picture.lines.push_back(line_of(packing, packing.contacts[network.contacts[k].source], kind,
-                                    std::hypot(f.normal, f.shear.norm()) / unit));
+    picture.lines.push_back(contact_line(packing, packing.contacts[network.contacts[k].source], kind,
+                                         std::hypot(f.normal, f.shear.norm()) / unit));
   }
   return picture;
 }

@@ -11,4 +11,16 @@ namespace floc {
 /// wide, and a tile counts as covered only if one sphere alone covers it.
 std::vector<SeenSphere> without_hidden(std::vector<SeenSphere> spheres);
 
+/// Extent of a convex body in a picture.
+struct BodyExtent {
+  Vec<3> centre = Vec<3>::Zero();  ///< centre in the coordinates of a Camera (length)
+  double inner = 0.0;              ///< radius of a sphere about the centre inside the body
+  double outer = 0.0;              ///< radius of a sphere about the centre that contains the body
+};
+
+/// Returns for each of several bodies whether it is completely hidden behind others. No visible body counts as hidden.
+/// A hidden body may count as visible, because only the sphere inside each body is known to hide others, and because of
+/// the tiles described at without_hidden().
+std::vector<bool> hidden_bodies(const std::vector<BodyExtent>& bodies);
+
 }  // namespace floc

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "floc/picture/line_width.h"
+#include "floc/picture/outline.h"
 #include "floc/picture/periodic_copies.h"
 
 namespace floc {
@@ -59,12 +60,11 @@ class Drawing {
       const auto color = color_of_fill(fill);
       int n = 0;
       for (const int i : grains) {
-        copies_.of_disk(picture_.position[i], picture_.radius[i], [&](const Vec<2>& shift) {
-          trace_disk(picture_.position[i] + shift, picture_.radius[i]);
-          if (++n % kBatch == 0) paint_disks(color);
+        trace_copies(i, [&] {
+          if (++n % kBatch == 0) paint_grains(color);
         });
       }
-      paint_disks(color);
+      paint_grains(color);
     }
   }
 
@@ -74,12 +74,19 @@ class Drawing {
       const int level = static_cast<int>(std::lround(width_of(line) / kWidthStep));
       const double reach = 0.5 * width_of(line) / placement_.scale.points_per_length;
       const auto add = [&](const Vec<2>& shift) {
-        by_width[{line.kind, std::max(1, level)}].push_back(
-            {on_page(line.from + shift), on_page(line.to + shift)});
+        std::vector<Segment>& segments = by_width[{line.kind, std::max(1, level)}];
+        if (line.through) {
+          segments.push_back({on_page(line.from + shift), on_page(*line.through + shift)});
+          segments.push_back({on_page(*line.through + shift), on_page(line.to + shift)});
+        } else {
+          segments.push_back({on_page(line.from + shift), on_page(line.to + shift)});
+        }
       };
       // Contacts with walls have no periodic copies.
       if (line.j >= static_cast<int>(picture_.position.size()))
         add(Vec<2>::Zero());
+      else if (line.through)
+        copies_.of_points({line.from, *line.through, line.to}, reach, add);
       else
         copies_.of_segment(line.from, line.to, reach, add);
     }
@@ -118,6 +125,39 @@ class Drawing {
     return fill == 0 ? palette::kGrain : palette::kRattler;
   }
 
+  /// Adds the outlines of grain i and of its periodic copies to the path, and calls `traced()` after each outline.
+  template <class Traced>
+  void trace_copies(int i, Traced&& traced) const {
+    const Vec<2>& centre = picture_.position[i];
+    if (picture_.is_round(i)) {
+      return copies_.of_disk(centre, picture_.radius[i], [&](const Vec<2>& shift) {
+        trace_disk(centre + shift, picture_.radius[i]);
+        traced();
+      });
+    }
+    const Outline outline = outline_of(picture_.shape[i].at(centre));
+    std::vector<Vec<2>> centres;
+    for (const OutlineCorner& corner : outline.corners) centres.push_back(corner.centre);
+    copies_.of_points(centres, outline.radius, [&](const Vec<2>& shift) {
+      trace_outline(outline, shift);
+      traced();
+    });
+  }
+
+  void trace_outline(const Outline& outline, const Vec<2>& shift) const {
+    const double radius = outline.radius * placement_.scale.points_per_length;
+    cairo_new_sub_path(page_);
+    for (const OutlineCorner& corner : outline.corners) {
+      const Vec<2> p = on_page(corner.centre + shift);
+      // The y axis of the page points down, so that arcs turn the other way there.
+      if (radius > 0.0)
+        cairo_arc_negative(page_, p[0], p[1], radius, -corner.begin, -corner.end);
+      else
+        cairo_line_to(page_, p[0], p[1]);
+    }
+    cairo_close_path(page_);
+  }
+
   void trace_disk(const Vec<2>& centre, double radius) const {
     const Vec<2> p = on_page(centre);
     cairo_new_sub_path(page_);
@@ -125,7 +165,7 @@ class Drawing {
     cairo_close_path(page_);
   }
 
-  void paint_disks(const Color& fill) const {
+  void paint_grains(const Color& fill) const {
     set_color(page_, fill);
     if (diameter_ < kSmallestOutlined) return cairo_fill(page_);
     cairo_fill_preserve(page_);

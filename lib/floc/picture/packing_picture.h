@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ enum class LineKind {
   gained,
 };
 
-/// An interaction of two grains, or of a grain and a wall, drawn as a line from the centre of grain i to the centre of
-/// grain j or to the wall.
+/// An interaction of two grains (or of a grain and a wall), drawn as a line from the centre of grain i to that of grain
+/// j. At a contact of shapes with corners, the line bends at the contact point.
 template <int Dim>
 struct ContactLine {
   Vec<Dim> from = Vec<Dim>::Zero();
@@ -30,6 +31,8 @@ struct ContactLine {
   LineKind kind = LineKind::compression;
   double force = 0.0;  ///< force that the width of the line shows, in units of `PackingPicture::force_unit`
   int i = 0, j = 0;    ///< indices of the grains (or walls) at both ends
+  /// Contact point at which the line bends; absent if the line is straight, as it is between round grains.
+  std::optional<Vec<Dim>> through = std::nullopt;
 };
 
 /// Displacement of a grain, drawn as an arrow.
@@ -47,8 +50,20 @@ struct GrainShade {
   std::string name;           ///< name of the quantity in the legend
 };
 
-/// A layer of a cell between two planes that are parallel to two of the cell vectors. The positions of the planes are
-/// fractions of the third cell vector.
+/// Shape of a grain of a picture, with its size and orientation. Its centre is the position of the grain.
+template <int Dim>
+struct DrawnShape {
+  const Shape<Dim>* shape = nullptr;
+  double scale = 1.0;                        ///< factor by which the shape is magnified
+  Mat<Dim> rotation = Mat<Dim>::Identity();  ///< rotation from the axes of the shape to the axes of space
+
+  /// Returns the shape with its centre at `centre`, magnified by another factor `size`.
+  PlacedShape<Dim> at(const Vec<Dim>& centre, double size = 1.0) const {
+    return {shape, size * scale, centre, rotation};
+  }
+};
+
+/// A layer of a cell between two lattice planes, whose positions are fractions of a lattice vector.
 struct Slab {
   int axis = 2;  ///< index of the cell vector that crosses the layer, counted from 0
   double from = 0.0, to = 1.0;
@@ -65,6 +80,10 @@ struct PackingPicture {
   Cell<Dim> cell;
   std::vector<Vec<Dim>> position;
   std::vector<double> radius;
+  /// Shape of each grain; empty if all grains are disks or spheres.
+  std::vector<DrawnShape<Dim>> shape;
+  /// Table of shapes to which `shape` points, shared with the packing.
+  std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
   std::vector<bool> rattler;  ///< whether each grain is a rattler; empty: no rattlers are marked
   std::vector<ContactLine<Dim>> lines;
   std::string force_unit;  ///< symbol of the unit of the forces of lines, such as "F₀", for the legend
@@ -80,14 +99,25 @@ struct PackingPicture {
   /// wider than the line.
   std::vector<std::string> caption;
   std::string note;  ///< note in the legend; may be empty
+
+  /// Whether grain i is a disk or a sphere.
+  bool is_round(int i) const { return shape.empty() || shape[i].shape->is_round(); }
 };
 
 /// Returns a picture with only the cell and the grains of a packing, to which lines, arrows and colours can be added.
 template <int Dim>
 PackingPicture<Dim> grains_of(const Packing<Dim>& packing);
 
-/// Returns the part of a picture that lies in a slab of the cell: the grains whose centres lie in the slab, the arrows
-/// of these grains, and the lines between them. A centre on the border between two slabs is in the upper slab.
+/// Returns the line that shows a contact of a packing. Between round grains it is the branch vector. If the packing has
+/// grains with corners, the line leads from the centre of grain i through the contact point to the centre of grain j;
+/// at a wall it ends at the contact point.
+/// @param force  force in the unit of the picture
+template <int Dim>
+ContactLine<Dim> contact_line(const Packing<Dim>& packing, const Contact<Dim>& contact, LineKind kind,
+                              double force);
+
+/// Returns the part of a picture that lies in a slab of the cell: grains whose centres lie in the slab, their arrows,
+/// and lines between two such grains. A centre on the border between two slabs is in the upper slab.
 PackingPicture<3> part_in_slab(const PackingPicture<3>& picture, const Slab& slab);
 
 }  // namespace floc

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "floc/geometry/cell.h"
 
@@ -21,14 +23,21 @@ class PeriodicCopies {
   template <class Draw>
   void of_segment(const Vec<Dim>& from, const Vec<Dim>& to, double radius, Draw&& draw) const {
     const Vec<Dim> a = reciprocal_ * from, b = reciprocal_ * to;
-    const Vec<Dim> low = a.cwiseMin(b) - radius * reach_;
-    const Vec<Dim> high = a.cwiseMax(b) + radius * reach_;
-    for (int m = first(high[0]); m <= last(low[0]); ++m)
-      for (int n = first(high[1]); n <= last(low[1]); ++n)
-        if constexpr (Dim == 2)
-          draw(cell_.shift({m, n}));
-        else
-          for (int k = first(high[2]); k <= last(low[2]); ++k) draw(cell_.shift({m, n, k}));
+    of_extent(a.cwiseMin(b), a.cwiseMax(b), radius, draw);
+  }
+
+  /// Calls `draw(shift)` for each periodic copy of the convex hull of disks (3D: balls) of equal radius that reaches
+  /// into the cell. The disks have their centres at the given points.
+  /// @pre there is at least one point
+  template <class Draw>
+  void of_points(const std::vector<Vec<Dim>>& points, double radius, Draw&& draw) const {
+    Vec<Dim> low = reciprocal_ * points.front(), high = low;
+    for (const Vec<Dim>& x : points) {
+      const Vec<Dim> s = reciprocal_ * x;
+      low = low.cwiseMin(s).eval();
+      high = high.cwiseMax(s).eval();
+    }
+    of_extent(low, high, radius, draw);
   }
 
   template <class Draw>
@@ -37,6 +46,20 @@ class PeriodicCopies {
   }
 
  private:
+  /// Calls `draw(shift)` for each periodic copy of an object that reaches into the cell. The object extends beyond
+  /// centres with reduced coordinates from `low_centre` to `high_centre` by the length `radius`.
+  template <class Draw>
+  void of_extent(const Vec<Dim>& low_centre, const Vec<Dim>& high_centre, double radius, Draw& draw) const {
+    const Vec<Dim> low = low_centre - radius * reach_;
+    const Vec<Dim> high = high_centre + radius * reach_;
+    for (int m = first(high[0]); m <= last(low[0]); ++m)
+      for (int n = first(high[1]); n <= last(low[1]); ++n)
+        if constexpr (Dim == 2)
+          draw(cell_.shift({m, n}));
+        else
+          for (int k = first(high[2]); k <= last(low[2]); ++k) draw(cell_.shift({m, n, k}));
+  }
+
   static int first(double high) { return static_cast<int>(std::ceil(-high)); }
   static int last(double low) { return static_cast<int>(std::floor(1.0 - low)); }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
+#include "floc/picture/drawing_order.h"
 #include "floc/picture/hidden_spheres.h"
 #include "floc/picture/line_width.h"
 #include "floc/picture/periodic_copies.h"
@@ -47,7 +49,13 @@ std::optional<Interval> part_in_cell(const Vec<3>& from, const Vec<3>& to) {
   return part.first < part.second ? std::optional(part) : std::nullopt;
 }
 
-/// Collects the visible parts of a picture of spheres.
+/// Radius of a sphere about the centre of a grain inside the facets that stand for the surface of the grain. The bevels
+/// of a rounded polyhedron lie closer to the centre than its surface, but outside of the core.
+double radius_inside(const PlacedShape<3>& placed) {
+  return placed.shape->n_faces() == 0 ? placed.rounding() : placed.inner_radius() - placed.rounding();
+}
+
+/// Collects the visible parts of a picture in 3D.
 class Sight {
  public:
   Sight(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale)
@@ -57,13 +65,17 @@ class Sight {
         size_(sphere_size(picture, view)),
         diameter_(mean_diameter(picture) * scale.points_per_length) {
     for (const Vec<3>& x : picture.position) home_.push_back(picture.cell.wrapped(x));
+    seen_.far = std::numeric_limits<double>::infinity();
+    seen_.near = -seen_.far;
   }
 
   SeenPacking all() {
-    add_spheres();
+    if (picture_.shape.empty())
+      add_spheres();
+    else
+      add_shapes();
     add_tubes();
     add_arrows();
-    seen_.spheres = without_hidden(std::move(seen_.spheres));
     order();
     seen_.cell_edges = edges_of(picture_.cell, camera_, Vec<3>::Zero(), Vec<3>::Ones());
     if (const auto& slab = picture_.slab) {
@@ -78,53 +90,118 @@ class Sight {
   }
 
  private:
-  /// Adds all spheres, and sets `far` and `near`, the smallest and the largest coordinate of their centres towards the
-  /// eye. Spheres that are removed later, because other spheres hide them, count too.
+  using Part = SeenPacking::Part;
+
+  /// Adds all spheres that are not hidden, and sets `far` and `near`, the ends of the range of the depths (coordinates
+  /// towards the eye) of the centres of all spheres, hidden ones included.
   void add_spheres() {
-    seen_.far = std::numeric_limits<double>::infinity();
-    seen_.near = -seen_.far;
     for (int i = 0; i < static_cast<int>(home_.size()); ++i) {
       const Vec<3> centre = camera_.seen(home_[i]);
-      seen_.far = std::min(seen_.far, centre[2]);
-      seen_.near = std::max(seen_.near, centre[2]);
+      widen_range(centre[2]);
       if (size_ > 0.0) seen_.spheres.push_back({centre, size_ * picture_.radius[i], i});
+    }
+    seen_.spheres = without_hidden(std::move(seen_.spheres));
+    for (std::size_t k = 0; k < seen_.spheres.size(); ++k) mark(Part::sphere, k, seen_.spheres[k].centre[2]);
+  }
+
+  /// Adds all grains of a packing with corners, in the same way as add_spheres().
+  void add_shapes() {
+    std::vector<BodyExtent> extents;
+    std::vector<PlacedShape<3>> placed;
+    for (std::size_t i = 0; i < home_.size(); ++i) {
+      placed.push_back(picture_.shape[i].at(home_[i], size_));
+      extents.push_back({camera_.seen(home_[i]), radius_inside(placed.back()), placed.back().outer_radius()});
+      widen_range(extents.back().centre[2]);
+    }
+    if (size_ == 0.0) return;
+    const std::vector<bool> hidden = hidden_bodies(extents);
+    std::vector<int> grains;
+    std::vector<PlacedShape<3>> visible;
+    for (std::size_t i = 0; i < home_.size(); ++i)
+      if (!hidden[i]) grains.push_back(static_cast<int>(i)), visible.push_back(placed[i]);
+    std::map<const Shape<3>*, Facets> facets;
+    double depth = seen_.far;
+    for (const int k : drawing_order(visible, camera_)) {
+      const PlacedShape<3>& grain = visible[k];
+      const Vec<3> centre = camera_.seen(grain.position);
+      depth = std::max(depth, centre[2]);
+      if (grain.shape->is_round()) {
+        mark(Part::sphere, seen_.spheres.size(), depth);
+        seen_.spheres.push_back({centre, grain.outer_radius(), grains[k]});
+        continue;
+      }
+      const auto [found, is_new] = facets.try_emplace(grain.shape);
+      if (is_new && grain.shape->n_faces() > 0) found->second = facets_of(*grain.shape);
+      mark(Part::body, seen_.bodies.size(), depth);
+      seen_.bodies.push_back(seen_body(grain, found->second, camera_, grains[k]));
     }
   }
 
-  double drawn_radius(int body) const {
-    return body < static_cast<int>(home_.size()) ? size_ * picture_.radius[body] : 0.0;
+  void widen_range(double depth) {
+    seen_.far = std::min(seen_.far, depth);
+    seen_.near = std::max(seen_.near, depth);
+  }
+
+  void mark(Part part, std::size_t index, double depth) {
+    seen_.order.push_back({part, static_cast<int>(index), depth});
+  }
+
+  /// Returns the distance (length) from the centre of a body, a grain or a wall, to its drawn surface.
+  /// @param direction  unit vector in space
+  double drawn_reach(int body, const Vec<3>& direction) const {
+    if (body >= static_cast<int>(home_.size())) return 0.0;
+    if (picture_.is_round(body)) return size_ * picture_.radius[body];
+    return distance_to_surface(picture_.shape[body].at(home_[body], size_), direction);
   }
 
   void add_tubes() {
     const PeriodicCopies<3> copies(picture_.cell);
     for (const ContactLine<3>& line : picture_.lines) {
-      copies.of_segment(line.from, line.to, 0.0,
-                        [&](const Vec<3>& shift) { add_tube(line, line.from + shift, line.to + shift); });
+      if (!line.through) {
+        copies.of_segment(line.from, line.to, 0.0, [&](const Vec<3>& shift) {
+          add_tube(line, {line.from + shift, line.i}, {line.to + shift, line.j});
+        });
+        continue;
+      }
+      copies.of_points({line.from, *line.through, line.to}, 0.0, [&](const Vec<3>& shift) {
+        const End bend{*line.through + shift, std::nullopt};
+        add_tube(line, {line.from + shift, line.i}, bend);
+        add_tube(line, bend, {line.to + shift, line.j});
+      });
     }
   }
 
-  /// Adds the tube of a contact. A tube of width w begins where its surface meets the surface of the sphere, at the
-  /// distance sqrt(R^2 - (w/2)^2) from the centre of a sphere of radius R.
-  void add_tube(const ContactLine<3>& line, const Vec<3>& from, const Vec<3>& to) {
-    const auto in_cell = part_in_cell(picture_.cell.reduced(from), picture_.cell.reduced(to));
+  /// End of a tube: the centre of a grain, a point on a wall, or the point at which a line bends.
+  struct End {
+    Vec<3> x;
+    std::optional<int> body;  ///< grain or wall; absent at a bend
+  };
+
+  /// Adds the tube of a contact. A tube begins where its surface meets the grain, for a sphere of radius R at the
+  /// distance sqrt(R^2 - (width/2)^2) from its centre.
+  void add_tube(const ContactLine<3>& line, const End& from, const End& to) {
+    const auto in_cell = part_in_cell(picture_.cell.reduced(from.x), picture_.cell.reduced(to.x));
     if (!in_cell) return;
     const double width = drawn_width(line, scale_, diameter_) / scale_.points_per_length;
-    const double length = (to - from).norm();
-    const auto inside = [&](int body) {
-      return std::sqrt(std::max(0.0, std::pow(drawn_radius(body), 2) - 0.25 * width * width)) / length;
+    const double length = (to.x - from.x).norm();
+    if (length == 0.0) return;
+    const auto inside = [&](const End& end, const End& other) {
+      if (!end.body) return 0.0;
+      const double reach = drawn_reach(*end.body, (other.x - end.x) / length);
+      return std::sqrt(std::max(0.0, std::pow(reach, 2) - 0.25 * width * width)) / length;
     };
     SeenTube tube;
-    const double inside_i = inside(line.i), inside_j = inside(line.j);
-    const double begin = std::max(in_cell->first, inside_i);
-    const double end = std::min(in_cell->second, 1.0 - inside_j);
+    const double inside_from = inside(from, to), inside_to = inside(to, from);
+    const double begin = std::max(in_cell->first, inside_from);
+    const double end = std::min(in_cell->second, 1.0 - inside_to);
     if ((end - begin) * length <= kShortest * width) return;
-    tube.from = camera_.seen(from + begin * (to - from));
-    tube.to = camera_.seen(from + end * (to - from));
-    tube.from_end = begin > inside_i ? TubeEnd::cut : begin > 0.0 ? TubeEnd::at_sphere : TubeEnd::round;
-    const bool at_wall = line.j >= static_cast<int>(home_.size());
-    tube.to_end = at_wall || end < 1.0 - inside_j ? TubeEnd::cut
-                  : end < 1.0                     ? TubeEnd::at_sphere
-                                                  : TubeEnd::round;
+    tube.from = camera_.seen(from.x + begin * (to.x - from.x));
+    tube.to = camera_.seen(from.x + end * (to.x - from.x));
+    tube.from_end = begin > inside_from ? TubeEnd::cut : begin > 0.0 ? TubeEnd::at_sphere : TubeEnd::round;
+    const bool at_wall = to.body && *to.body >= static_cast<int>(home_.size());
+    tube.to_end = at_wall || end < 1.0 - inside_to ? TubeEnd::cut
+                  : end < 1.0                      ? TubeEnd::at_sphere
+                                                   : TubeEnd::round;
     tube.width = width;
     tube.kind = line.kind;
     seen_.tubes.push_back(tube);
@@ -138,16 +215,12 @@ class Sight {
     }
   }
 
+  /// Adds the tubes and arrows to the order of the grains.
   void order() {
-    using Part = SeenPacking::Part;
-    const auto add = [this](Part part, std::size_t index, double depth) {
-      seen_.order.push_back({part, static_cast<int>(index), depth});
-    };
-    for (std::size_t k = 0; k < seen_.spheres.size(); ++k) add(Part::sphere, k, seen_.spheres[k].centre[2]);
     for (std::size_t k = 0; k < seen_.tubes.size(); ++k)
-      add(Part::tube, k, 0.5 * (seen_.tubes[k].from[2] + seen_.tubes[k].to[2]));
+      mark(Part::tube, k, 0.5 * (seen_.tubes[k].from[2] + seen_.tubes[k].to[2]));
     for (std::size_t k = 0; k < seen_.arrows.size(); ++k)
-      add(Part::arrow, k, 0.5 * (seen_.arrows[k].from[2] + seen_.arrows[k].to[2]));
+      mark(Part::arrow, k, 0.5 * (seen_.arrows[k].from[2] + seen_.arrows[k].to[2]));
     std::stable_sort(seen_.order.begin(), seen_.order.end(),
                      [](const auto& a, const auto& b) { return a.depth < b.depth; });
   }
@@ -156,6 +229,7 @@ class Sight {
     std::vector<Interval> hidden;
     for (const SeenSphere& sphere : seen_.spheres)
       if (const auto part = hidden_part(edge.from, edge.to, sphere)) hidden.push_back(*part);
+    for (const SeenBody& body : seen_.bodies) add_hidden_parts(edge.from, edge.to, body, hidden);
     std::sort(hidden.begin(), hidden.end());
     double free = 0.0;
     for (const Interval& part : hidden) {

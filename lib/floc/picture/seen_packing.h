@@ -6,6 +6,7 @@
 
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/packing_picture.h"
+#include "floc/picture/seen_body.h"
 #include "floc/picture/view.h"
 
 namespace floc {
@@ -20,12 +21,13 @@ struct SeenSphere {
 };
 
 enum class TubeEnd {
-  round,      ///< a round end at the centre of a sphere, which is narrower than the tube
-  at_sphere,  ///< an end at the surface of a sphere
+  round,      ///< a round end at a bend, or at the centre of a grain that is narrower than the tube
+  at_sphere,  ///< an end at the surface of a grain
   cut,        ///< a flat end at a face of the cell or at a wall
 };
 
-/// A contact, drawn as a tube between the surfaces of its two spheres.
+/// A contact, drawn as a tube between the surfaces of its two grains, or a half of a contact whose line bends at the
+/// contact point.
 struct SeenTube {
   Vec<3> from = Vec<3>::Zero();
   Vec<3> to = Vec<3>::Zero();
@@ -44,29 +46,32 @@ struct SeenEdge {
   Vec<3> from = Vec<3>::Zero();
   Vec<3> to = Vec<3>::Zero();
   int axis = 0;
-  bool behind = false;   ///< whether both faces that meet at the edge face away from the eye
-  bool outline = false;  ///< whether exactly one of the two faces faces away from the eye
-  /// Parts of the edge that no sphere hides: beginning and end of each, as fractions of the length of the edge.
+  bool behind = false;   ///< whether both adjacent faces of the edge face away from the eye
+  bool outline = false;  ///< whether exactly one adjacent face faces away from the eye
+  /// Parts that no grain hides, as fractions of the length of the edge.
   std::vector<std::pair<double, double>> visible;
 };
 
-/// Visible parts of a packing of spheres, with the order in which they are drawn.
+/// Visible parts of a packing in 3D, with the order in which they are drawn.
 struct SeenPacking {
-  enum class Part { sphere, tube, arrow };
+  enum class Part { sphere, body, tube, arrow };
   struct Mark {
     Part part;
     int index;
-    /// Coordinate towards the eye (length), taken at the centre of a sphere or at the middle of a tube or arrow.
+    /// Coordinate towards the eye (length), of the centre of a grain or of the middle of a tube or arrow. A grain that
+    /// has to be drawn after another one has at least the depth of the other.
     double depth;
   };
 
   std::vector<SeenSphere> spheres;
+  std::vector<SeenBody> bodies;  ///< grains that are not spheres
   std::vector<SeenTube> tubes;
   std::vector<SeenArrow> arrows;
-  /// Spheres, tubes and arrows from the farthest to the nearest. Two spheres that do not overlap are drawn correctly in
-  /// the order of their centres: in parallel projection, the sphere with the farther centre hides no part of the other.
+  /// Parts in the order from the farthest to the nearest. For spheres that do not overlap, the order of their centres
+  /// is exact: a plane separates two such spheres, and in parallel projection the sphere with the nearer centre is in
+  /// front of it. Grains with corners are in the order of drawing_order().
   std::vector<Mark> order;
-  double far = 0.0, near = 0.0;  ///< smallest and largest coordinate of sphere centres towards the eye (length)
+  double far = 0.0, near = 0.0;  ///< smallest and largest coordinate towards the eye of the centres of grains
   std::vector<SeenEdge> cell_edges;  ///< the twelve edges of the cell
   std::vector<SeenEdge> slab_edges;  ///< the twelve edges of the slab; empty without a slab
 };
@@ -74,9 +79,9 @@ struct SeenPacking {
 /// Returns the ratio of the radius with which spheres are drawn to their true radius.
 double sphere_size(const PackingPicture<3>& picture, const View& view);
 
-/// Returns the visible parts of a packing: each sphere once, at the periodic copy whose centre is in the cell, and the
-/// contacts, cut at the faces of the cell. Spheres that are completely hidden are left out.
-/// @param scale  scales for the widths of tubes and the lengths of arrows
+/// Returns the visible parts of a packing: each grain once, at the periodic copy whose centre is in the cell, and the
+/// contacts, cut at the faces of the cell. Grains that are completely hidden are left out.
+/// @param scale  scale of the widths of tubes and the lengths of arrows
 SeenPacking seen_packing(const PackingPicture<3>& picture, const View& view, const DrawnScale& scale);
 
 /// Returns the part of a line segment that a sphere hides or contains, as fractions of the length of the segment in [0,

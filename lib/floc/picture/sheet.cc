@@ -23,8 +23,8 @@ template <int Dim>
 constexpr double kMinPixels = (Dim == 2 ? 200.0 : 300.0) / 72.0;
 constexpr double kMaxPixelsPerSide = 3000.0;
 constexpr double kPixelsPerDiameter = 6.0;
-/// Largest number of shapes that are drawn as vector graphics; more shapes are drawn as an image. The number is smaller
-/// in 3D, where each shape has its own colour gradient, which takes about 600 bytes of the file.
+/// Largest number of shapes that are drawn as vectors; more shapes are drawn as an image. In 3D each shape has its own
+/// colour gradient, which takes about 600 bytes of the file, or consists of facets, each of which counts as a shape.
 template <int Dim>
 constexpr std::size_t kMaxVectors = Dim == 2 ? 15000 : 6000;
 constexpr double kAxisRoom = 10.0;  ///< margin around a picture in 3D for the names of the axes (points)
@@ -201,7 +201,11 @@ class Placed<3> {
         bare_(options.bare),
         seen_(seen_packing(picture, options.view, at.scale)) {}
 
-  std::size_t n_marks() const { return seen_.order.size(); }
+  std::size_t n_marks() const {
+    std::size_t n = seen_.order.size();
+    for (const SeenBody& body : seen_.bodies) n += body.facets.size();
+    return n;
+  }
   void draw(cairo_t* page) const { draw_seen(page, seen_, picture_, box_, at_); }
   void draw_frame(cairo_t* page) const {
     draw_front_edges(page, seen_, box_, at_);

@@ -4,37 +4,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/picture/body_drawing.h"
 #include "floc/picture/legend.h"
+#include "floc/picture/shading.h"
 
 namespace floc {
 namespace {
 
-/// Fraction of white that is mixed into the colours of the spheres or tubes farthest from the eye. It is smaller in
-/// pictures without tubes, whose spheres hide each other, than in pictures of contact networks.
+/// Fraction of white in the colour of the parts farthest from the eye. It is smaller in pictures of full grains, which
+/// hide each other, than in pictures of contact networks.
 constexpr double kPaleSpheres = 0.25;
 constexpr double kPaleTubes = 0.65;
-/// Radius below which shading would be invisible (points). Smaller shapes are drawn in one colour, which keeps files
-/// small.
-constexpr double kSmallestShaded = 0.6;
 /// Width of arrows and length of their heads, in mean diameters. Arrows are thinner than in 2D, because more of them
 /// overlap.
 constexpr double kArrowWidth = 0.04;
 constexpr double kArrowHead = 0.2;
-/// Direction from which the light comes, as a unit vector on the page (x to the right, y down).
-const Vec<2> kLight = Vec<2>(-0.6, -0.8);
-
-Color mixed(const Color& a, const Color& b, double share) {
-  return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-          a.blue + share * (b.blue - a.blue)};
-}
-
-Color paler(const Color& color, double share) {
-  return mixed(color, {1.0, 1.0, 1.0}, share);
-}
-
-Color darker(const Color& color, double share) {
-  return mixed(color, {0.0, 0.0, 0.0}, share);
-}
 
 void add_stop(cairo_pattern_t* pattern, double at, const Color& color) {
   cairo_pattern_add_color_stop_rgb(pattern, at, color.red, color.green, color.blue);
@@ -46,7 +30,7 @@ void fill_with(cairo_t* page, cairo_pattern_t* pattern) {
   cairo_pattern_destroy(pattern);
 }
 
-/// Draws one picture of a packing of spheres.
+/// Draws one picture of a packing in 3D.
 class SeenDrawing {
  public:
   SeenDrawing(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement)
@@ -88,6 +72,13 @@ class SeenDrawing {
         case SeenPacking::Part::sphere: {
           const SeenSphere& s = seen_.spheres[mark.index];
           draw_ball(page_, on_page(s.centre), scale_ * s.radius, paler(color_of(picture, s.grain), pale(mark)));
+          break;
+        }
+        case SeenPacking::Part::body: {
+          const SeenBody& b = seen_.bodies[mark.index];
+          draw_body(
+              page_, b, [this](const Vec<3>& x) { return on_page(x); }, scale_,
+              paler(color_of(picture, b.grain), pale(mark)));
           break;
         }
         case SeenPacking::Part::tube:
@@ -181,19 +172,20 @@ class SeenDrawing {
     return best;
   }
 
-  /// Returns the distance (points) from a point of the outline of the cell, in the direction `out`, at which a label
-  /// overlaps no sphere.
-  /// @param along  direction of the outline at this point
+  /// Returns the distance (points) by which a label has to be moved from a point of the outline of the cell, in the
+  /// direction `out`, so that it overlaps no grain.
   /// @param length  length of the label along the outline (points)
-  double clear_of_spheres(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
+  double clear_of_grains(const Vec<2>& point, const Vec<2>& along, const Vec<2>& out, double length) const {
     constexpr double kClearance = 4.0;
     double away = 0.0;
-    for (const SeenSphere& s : seen_.spheres) {
-      const Vec<2> to = on_page(s.centre) - point;
-      const double radius = scale_ * s.radius;
+    const auto keep_clear_of = [&](const Vec<3>& centre, double radius_in_space) {
+      const Vec<2> to = on_page(centre) - point;
+      const double radius = scale_ * radius_in_space;
       const double beside = std::max(0.0, std::abs(to.dot(along)) - 0.5 * length);
       if (beside < radius) away = std::max(away, to.dot(out) + std::sqrt(radius * radius - beside * beside));
-    }
+    };
+    for (const SeenSphere& s : seen_.spheres) keep_clear_of(s.centre, s.radius);
+    for (const SeenBody& b : seen_.bodies) keep_clear_of(b.centre, b.radius);
     return away + kClearance;
   }
 
@@ -204,7 +196,7 @@ class SeenDrawing {
     const Vec<2> along = (to - from).normalized(), half_way = 0.5 * (from + to);
     Vec<2> out(-along[1], along[0]);
     if (out.dot(half_way - middle) < 0.0) out = -out;
-    const double away = std::max(kLeast, clear_of_spheres(half_way, along, out, kLength + 4.0 * kLetter));
+    const double away = std::max(kLeast, clear_of_grains(half_way, along, out, kLength + 4.0 * kLetter));
     const Vec<2> begin = half_way + away * out - 0.5 * kLength * along;
     const Vec<2> end = begin + kLength * along;
     set_color(page_, palette::kText);

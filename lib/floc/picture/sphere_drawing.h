@@ -8,8 +8,7 @@
 
 namespace floc {
 
-/// Returns the rectangle (length) around a cell and its spheres, as seen in the direction `view` and with the radii
-/// with which spheres are drawn.
+/// Returns the rectangle around a cell and its grains, as seen from the viewpoint and with the drawn radii (length).
 Box box_of(const PackingPicture<3>& picture, const View& view);
 
 /// Draws a sphere that is lit from the upper left. Centre and radius are in points.
@@ -26,14 +25,14 @@ struct Bar {
 };
 void draw_bar(cairo_t* page, const Bar& bar, const Color& color);
 
-/// Draws the edges at the back of the cell and, if only a slab of the cell is shown, at the back of the slab. Then
-/// draws spheres, tubes and arrows, from the farthest to the nearest; those farther from the eye are paler.
+/// Draws the edges of the cell that lie behind the grains, and those of the slab if only a slab of the cell is shown.
+/// Then it draws grains, tubes and arrows from the farthest to the nearest. Parts farther from the eye are paler.
 /// @param picture  picture from which `seen` was computed
 /// @param box  rectangle around the picture, from box_of()
 void draw_seen(cairo_t* page, const SeenPacking& seen, const PackingPicture<3>& picture, const Box& box,
                const Placement& placement);
 
-/// Draws the edges at the front and in the outline of the cell, except where spheres hide them.
+/// Draws the edges of the cell that are not at its back, except where grains hide them.
 void draw_front_edges(cairo_t* page, const SeenPacking& seen, const Box& box, const Placement& placement);
 
 /// Draws short arrows along the three cell vectors, outside the outline of the cell, with the letters x, y and z.

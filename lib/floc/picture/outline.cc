@@ -1,0 +1,28 @@
+#include "floc/picture/outline.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace floc {
+
+Outline outline_of(const PlacedShape<2>& placed) {
+  const Shape<2>& shape = *placed.shape;
+  const auto angle_of = [&](int side) {
+    const Vec<2> normal = placed.rotation * shape.normals[side];
+    return std::atan2(normal[1], normal[0]);
+  };
+  Outline outline;
+  outline.radius = placed.rounding();
+  const int n = shape.n_faces();
+  for (int side = 0; side < n; ++side) {
+    // The arc about the first vertex of a side turns from the normal of the side before to the normal of this side.
+    const Vec<2>& vertex = shape.vertices[shape.loop(side).front()];
+    const double begin = angle_of((side + n - 1) % n);
+    double end = angle_of(side);
+    if (end <= begin) end += 2.0 * std::numbers::pi;
+    outline.corners.push_back({placed.position + placed.scale * (placed.rotation * vertex), begin, end});
+  }
+  return outline;
+}
+
+}  // namespace floc

@@ -22,8 +22,9 @@ struct CapsuleOptions {
 };
 /// Shapes that are read from a file.
 struct FileShapeOptions {
-  std::string file;  ///< path of the file
-  int vertices = 0;  ///< number of vertices to which each shape is reduced; 0 keeps all
+  std::string file;    ///< path of the file
+  int vertices = 0;    ///< number of vertices to which each shape is reduced; 0 keeps all
+  std::string sha256;  ///< SHA-256 checksum that the file must have; empty if any content is accepted
 };
 
 /// Shapes of the grains of a scene (table grains.shape). All shapes have the diameter 1 and are magnified to the

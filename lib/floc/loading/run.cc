@@ -6,7 +6,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "floc/assembly/gas.h"
+#include "floc/assembly/random_streams.h"
+#include "floc/assembly/shaped_gas.h"
 #include "floc/base/error.h"
 #include "floc/base/range.h"
 #include "floc/base/version.h"
@@ -19,11 +20,6 @@
 
 namespace floc {
 namespace {
-
-/// Numbers of the independent random streams that are derived from the seed of a run (see RandomStream): one for the
-/// assembly, one for the vibration.
-constexpr std::uint64_t kAssemblyStream = 1;
-constexpr std::uint64_t kVibrationStream = 2;
 
 /// Gives the walls of a saved packing the masses and the contact law of the scene. The walls keep their positions.
 /// @throws InputError if the packing and the scene do not have walls along the same axes
@@ -68,6 +64,9 @@ Run<Dim>::Run(RunOptions options)
   } else if (assembly.box) {
     packing_ = make_boxed_gas<Dim>(options_.grains, plan_.front().law, *assembly.box, assembly.solid_fraction,
                                    random, assembly.gas);
+  } else if (options_.grains.shape) {
+    packing_ = make_shaped_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, options_.seed,
+                                    random, assembly.gas);
   } else {
     packing_ = make_gas<Dim>(options_.grains, plan_.front().law, assembly.solid_fraction, random, assembly.gas);
   }

@@ -20,12 +20,17 @@ inline constexpr double kStrainRateCap = 0.05;
 /// rate of change L', mass m of the largest grain, pressure P).
 inline constexpr double kLargestInertialNumber = 1e-3;
 
-/// Returns the default cap on the rate at which the cell deforms: kStrainRateCap if the grains adhere, otherwise
-/// kLargestInertialNumber.
-/// @param law  contact law, which determines whether the grains adhere
+/// Default cap on the inertial number of the cell for rigid grains, with or without adhesion. It is larger than that of
+/// elastic grains, because the number of time steps per strain is inversely proportional to it.
+inline constexpr double kInertialNumberOfRigidGrains = 0.02;
+
+/// Returns the default cap on the rate at which the cell deforms: kInertialNumberOfRigidGrains for rigid contacts, else
+/// kStrainRateCap if the grains adhere, otherwise kLargestInertialNumber.
 inline CellResponse default_cap(const Law& law) {
   CellResponse response;
-  if (law.adheres())
+  if (law.is_rigid())
+    response.inertial_number_cap = kInertialNumberOfRigidGrains;
+  else if (law.adheres())
     response.strain_rate_cap = kStrainRateCap;
   else
     response.inertial_number_cap = kLargestInertialNumber;
@@ -34,7 +39,6 @@ inline CellResponse default_cap(const Law& law) {
 
 /// Returns the default mass of the cell and the default cap on its strain rate on the load path. They apply to a stage
 /// if neither the stage nor the table [cell] of the scene gives these values.
-/// @param law  contact law, which determines whether the grains adhere
 inline CellResponse default_load_response(const Law& law) {
   CellResponse response = default_cap(law);
   response.cell_mass = kLoadCellMass;

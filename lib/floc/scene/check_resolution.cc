@@ -73,7 +73,7 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   const double F1 = std::max(pull_off_force(scene), scene.assembly.pressure * area);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
   TableReader contact = root.table("contact", "", Need::optional);
-  if (!contact || !(a > 0) || !(F1 > 0)) return;
+  if (!contact || scene.law.is_rigid() || !(a > 0) || !(F1 > 0)) return;
   const double stiffness = area * scene.law.contact_modulus(scene.dimension, a);
   const bool varies = scene.law.force_exponent() != 1.0;
   const double kappa = varies ? std::pow(stiffness / F1, 2.0 / 3.0) : stiffness / F1;

@@ -11,6 +11,7 @@
 #include "floc/contact/law_parameters.h"
 #include "floc/packing/liquid/liquid.h"
 #include "floc/relaxation/dynamics.h"
+#include "floc/scene/rigid_groups.h"
 #include "floc/scene/scene_scales.h"
 
 namespace floc {
@@ -76,12 +77,17 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
   }
 }
 
+/// Adds the pressures of a scene in units of the stress by the adhesion.
+void add_reduced_pressures(const Scene& scene, double a, Groups& groups) {
+  add_pressures(scene, pull_off_force(scene) / std::pow(a, scene.dimension - 1), "P_star",
+                scene.dimension == 2 ? "a P/F0" : "a^2 P/F0", groups);
+}
+
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
   const double F0 = pull_off_force(scene);
   const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
   groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact relative to its adhesion"});
-  add_pressures(scene, F0 / std::pow(a, scene.dimension - 1), "P_star",
-                scene.dimension == 2 ? "a P/F0" : "a^2 P/F0", groups);
+  add_reduced_pressures(scene, a, groups);
   groups.push_back({"h0/a", F0 / K_N, "overlap of two grains pulled together by their adhesion alone"});
 }
 
@@ -243,6 +249,18 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
+/// Adds the pressures and the unit of time of a scene of rigid grains. Rigid contacts have no stiffness to which
+/// pressures could be compared: without adhesion, only their ratios count.
+/// @param a  largest diameter
+void add_rigid_contacts(const Scene& scene, double a, Groups& groups) {
+  if (scene.law.adheres())
+    add_reduced_pressures(scene, a, groups);
+  else
+    add_pressures(scene, scene.assembly.pressure, "P/P_1", "pressure over the first pressure P_1", groups);
+  groups.push_back({"T", time_unit_of_rigid_grains(scene),
+                    "sqrt(m/(P_1 a^(d-2))), unit of time of the motion (time unit of the scene)"});
+}
+
 /// Returns the expected number of time steps of a compaction between walls under one pressure. It follows from the
 /// longest time that the scene allows (equilibrium.stop_time) or, if the scene gives none, from the usual time for
 /// dense packings.
@@ -269,6 +287,8 @@ double hertz_kappa(const Scene& scene, double pressure) {
 }
 
 double time_step_of_scene(const Scene& scene) {
+  if (scene.law.is_rigid())
+    return scene.relaxation.contact_dynamics.time_step * time_unit_of_rigid_grains(scene);
   return scene.dimension == 2 ? time_step<2>(scene) : time_step<3>(scene);
 }
 
@@ -276,6 +296,10 @@ double expected_cost(const Scene& scene) {
   // Processor time for one sphere and one time step (s), with about two contacts per sphere, on a core of the year
   // 2023.
   constexpr double kSecondsPerGrainStep = 4.3e-8;
+  if (scene.law.is_rigid()) {
+    const Steps stages = count_steps(scene);
+    return cost_of_rigid_grains(scene, stages.up + stages.down);
+  }
   if (scene.assembly.box) {
     const Steps stages = count_steps(scene);
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
@@ -302,7 +326,10 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   Groups groups;
   groups.push_back({"N", static_cast<double>(scene.grains.count), "number of grains"});
   groups.push_back({"d_min/a", scene.grains.diameter.min / a, "smallest diameter over the largest diameter a"});
-  if (scene.law.adheres()) {
+  if (scene.grains.shape) add_shape_groups(scene, groups);
+  if (scene.law.is_rigid()) {
+    add_rigid_contacts(scene, a, groups);
+  } else if (scene.law.adheres()) {
     add_cohesion(scene, a, groups);
     add_slot("adhesion", scene, a, groups);
     if (const CapillaryAdhesion* law = scene.law.liquid()) add_liquid(*law, a, groups);
@@ -318,8 +345,10 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
     add_box(scene, a, m, groups);
   else
     add_rates(scene, a, m, groups);
-  groups.push_back(
-      {"time_step", time_step_of_scene(scene), "time step of the motion (time unit of the scene)"});
+  groups.push_back({"time_step", time_step_of_scene(scene),
+                    scene.law.is_rigid()
+                        ? "longest time step of the motion at the first pressure (time unit of the scene)"
+                        : "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);
   // Most assemblies make one equilibrium. There are two if the grains are aggregated (first an equilibrium at zero
   // pressure), or if a packing made from a gas is vibrated (an equilibrium before and one after the vibration).

@@ -124,7 +124,8 @@ void write_choice(const AccuracyChoice& choice, toml::table& root) {
 
 bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
   TableReader t = root.table("accuracy", "a table [accuracy]", TableReader::Need::optional);
-  if (!t) return false;
+  // For rigid contacts, check_rigid() refuses the table.
+  if (!t || scene.law.is_rigid()) return false;
   WantedAccuracy wanted;
   for (const std::string& key : accuracy_keys())
     if (const auto error = t.number(key, kRelativeError, TableReader::Need::optional))

@@ -282,7 +282,8 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
                       t.path_of("control"), stage.control, a + 1));
 }
 
-/// Checks a stage that ends at zero stress on an axis: grains must adhere, and the cell must be able to move.
+/// Checks a stage that ends at zero stress on an axis: grains must adhere and must not be rigid, and the cell must be
+/// able to move.
 /// @param has_end  whether the stage has a valid pressure "to"
 /// @param cell_cap  whether the table [cell] caps the inertial number, which allows no motion at zero pressure
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
@@ -293,6 +294,13 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
                           });
   if (!zero) return;
   const char* key = t.has("axes") ? "axes" : "to";
+  if (law.is_rigid()) {
+    if (t.has(key))
+      t.fault(key, fmt::format("{} = 0: rigid grains need a positive pressure, because without one no force is "
+                               "determined; expected a positive pressure",
+                               t.path_of(key)));
+    return;
+  }
   if (stage.is_isotropic() && stage.cell.inertial_number_cap)
     t.fault("inertial_number_cap", fmt::format("{}: at zero pressure a cap on the inertial number allows no "
                                                "motion; expected cell.strain_rate_cap in its place",

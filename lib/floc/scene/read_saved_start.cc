@@ -56,6 +56,9 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (state.units != scene.units)
     return fmt::format("the units of the state are \"{}\": expected the units of the scene, \"{}\"",
                        state.units, scene.units);
+  if (!state.packing.grains.are_round() && !scene.law.is_rigid())
+    return "the grains of the state have shapes, which need rigid contacts in this version of floc: expected "
+           "contact.normal = {law = \"rigid\"}";
   const bool has_walls = !state.packing.walls.empty();
   if (has_walls != scene.assembly.box.has_value())
     return has_walls ? "the state has walls: expected a table [box] in the scene"
@@ -80,8 +83,9 @@ GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
   out.diameter.max = 2.0 * *largest;
   const auto heaviest = std::max_element(grains.mass.begin(), grains.mass.end()) - grains.mass.begin();
   const double radius = grains.radius[static_cast<std::size_t>(heaviest)];
-  const double volume =
+  const double ball =
       Dim == 2 ? std::numbers::pi * radius * radius : 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  const double volume = grains.are_round() ? ball : grains.volume(static_cast<int>(heaviest));
   out.density = grains.mass[static_cast<std::size_t>(heaviest)] / volume;
   return out;
 }

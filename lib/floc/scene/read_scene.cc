@@ -21,9 +21,11 @@
 #include "floc/scene/read_accuracy.h"
 #include "floc/scene/read_box.h"
 #include "floc/scene/read_diameters.h"
+#include "floc/scene/read_dynamics.h"
 #include "floc/scene/read_law.h"
 #include "floc/scene/read_load.h"
 #include "floc/scene/read_saved_start.h"
+#include "floc/scene/read_shape.h"
 #include "floc/scene/table_reader.h"
 
 namespace floc {
@@ -68,6 +70,7 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
   scene.grains.diameter =
       read_diameters(t.table("diameter", "a table, e.g. {distribution = \"uniform\", min = 0.5, max = 1.0}"),
                      source, directory);
+  scene.grains.shape = read_shape(t, source, directory);
   const std::size_t listed = scene.grains.diameter.values.size();
   if (listed > 0 && count && listed != static_cast<std::size_t>(*count))
     t.fault("count", fmt::format("grains.count = {}: expected {}, which is the number of diameters in the list",
@@ -109,9 +112,10 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   return unsaid;
 }
 
-/// Whether a scene has walls: it has either a table [box] (walls) or a table [cell] (periodic cell).
-bool has_box(const TableReader& root) {
-  return root.has("box");
+/// Whether a scene has walls: it has either a table [box] (walls) or a table [cell] (periodic cell). With rigid
+/// contacts, a table [box] is a fault (see check_rigid()), and the scene is read as one with a periodic cell.
+bool has_box(const TableReader& root, const Scene& scene) {
+  return root.has("box") && !scene.law.is_rigid();
 }
 
 /// Reads the table assembly.vibration, which describes the vibration of a packing before its compression.
@@ -137,13 +141,14 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   const auto protocol = t.choice("protocol", {"direct", "aggregation", "state"});
   scene.assembly.protocol =
       std::array{Protocol::direct, Protocol::aggregation, Protocol::state}[protocol.value_or(0)];
+  if (scene.law.is_rigid()) scene.assembly.gas = GasKind::sequential_addition;
   if (scene.starts_from_state())
     t.refuse("gas", "assembly.gas is not allowed here: the grains come from the file assembly.state");
   else if (const auto gas = t.choice("gas", {"equilibrated", "sequential_addition"}, Need::optional))
     scene.assembly.gas = std::array{GasKind::equilibrated, GasKind::sequential_addition}[*gas];
   // In a scene with walls, the pressure on the walls (box.pressure) acts from the start, and keys about a periodic cell
   // are not allowed.
-  const bool boxed = has_box(root);
+  const bool boxed = has_box(root, scene);
   if (boxed) {
     read_boxed_gas(t, scene);
   } else {
@@ -177,7 +182,9 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
              "rest; expected protocol = \"aggregation\", or remove the key");
   else
     scene.assembly.agitation =
-        t.number("agitation", agitation, aggregates || !protocol ? Need::required : Need::optional).value_or(0);
+        t.number("agitation", agitation,
+                 (aggregates && !scene.law.is_rigid()) || !protocol ? Need::required : Need::optional)
+            .value_or(0);
   if (scene.law.has_friction())
     scene.assembly.friction =
         t.number("friction", {not_negative, "the friction coefficient during the assembly, a number >= 0"},
@@ -280,7 +287,8 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
                fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires a pull-off "
                            "force F0, but the grains do not adhere; expected inertial_number_cap",
                            t->path_of("strain_rate_cap")));
-  if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation) return;
+  // For rigid grains, check_rigid() refuses this protocol with other words.
+  if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation || scene.law.is_rigid()) return;
   if (!cohesive || (scene.law.has_adhesion() && scene.law.range() == 0))
     assembly.fault(
         "protocol",
@@ -311,6 +319,14 @@ bool inline_list(toml::table& root, const std::vector<double>& values) {
   return true;
 }
 
+/// Writes the SHA-256 checksum of the file of shapes into the TOML tables of a scene.
+/// @param root  root table of the scene
+/// @return whether it was written; it is not if no such file is given or its checksum is there already
+bool name_shape_file(toml::table& root, const Scene& scene) {
+  const auto* file = scene.grains.shape ? std::get_if<FileShapeOptions>(&scene.grains.shape->kind) : nullptr;
+  return file && root["grains"]["shape"].as_table()->insert("sha256", file->sha256).second;
+}
+
 /// Writes the SHA-256 checksum of the state file from which the run starts into the TOML tables of a scene.
 /// @param root  root table of the scene
 /// @return whether it was written; it is not if no state file is given or its checksum is there already
@@ -338,7 +354,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   read_assembly(root, directory, scene);
   read_grains(root, source, directory, scene);
   CellResponse unsaid;
-  if (has_box(root)) {
+  if (has_box(root, scene)) {
     read_box(root, scene);
     root.refuse(
         "cell",
@@ -349,14 +365,20 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   read_load(root, unsaid, scene);
   read_equilibrium(root, scene);
   read_run(root, scene);
+  read_dynamics(root, source, scene);
   check_consistency(root, source, scene);
+  check_rigid(root, source, scene);
   const bool has_chosen = read_accuracy(root, source, scene);
   check_resolution(root, scene);
+  check_shapes(root, source, scene);
   root.refuse_other_keys();
   source.throw_faults();
   const bool has_list = inline_list(source.root(), scene.grains.diameter.values);
   const bool has_state = name_state(source.root(), scene);
-  scene.text = has_list || has_state || has_chosen || !overrides.empty() ? as_text(source.root()) : text;
+  const bool has_shape_file = name_shape_file(source.root(), scene);
+  scene.text = has_list || has_state || has_shape_file || has_chosen || !overrides.empty()
+                   ? as_text(source.root())
+                   : text;
   return scene;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "floc/loading/run_options.h"
 
@@ -18,6 +19,8 @@ struct Scene : RunOptions {
   double checkpoint_every = 60.0;  ///< wall time between two checkpoints (s)
   /// description of the saved packing from which the run starts; empty if it does not start from a saved packing
   std::string start;
+  /// remarks in words about the file of shapes, such as points that are not vertices of the shape
+  std::vector<std::string> remarks;
   /// numerical settings that the table [accuracy] chose, with the reason, in words; empty without this table
   std::string accuracy;
 

@@ -2,6 +2,7 @@
 
 #include <toml++/toml.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,9 @@ class SceneSource {
 
   /// Whether a fault has been recorded for a key. Faults of keys in its table, if it has one, do not count.
   bool is_faulty(const std::string& key) const;
+
+  /// Returns the number of faults recorded so far.
+  std::size_t n_faults() const { return faults_.size(); }
 
   /// Throws the recorded faults of the scene, if there are any.
   /// @throws InputError with all faults in one message, in the order of the lines of the scene file

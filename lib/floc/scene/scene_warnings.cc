@@ -35,7 +35,7 @@ void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
           "equilibrium.{} = {}: this tolerance cannot be reached in double precision, because rounding errors "
           "leave a residual of about {}; each step would continue until it is given up at equilibrium.max_time",
           key, value, kRounding));
-    else if (value < newton && !scene.assembly.box)
+    else if (value < newton && !scene.assembly.box && !scene.law.is_rigid())
       warnings.push_back(fmt::format(
           "equilibrium.{} = {}: the Newton iteration stops at a residual of {}, which is larger than this "
           "tolerance; unless the residual falls further by chance, a step is given up at equilibrium.max_time",
@@ -205,7 +205,8 @@ double lightest(const Scene& scene) {
 /// Warns if the cell is so light that it makes the time step much smaller: a cell that weighs less than a few grains
 /// vibrates faster than the grains (see cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
-  if (scene.assembly.box) return;
+  // The implicit time steps of rigid grains are stable with cells of any mass.
+  if (scene.assembly.box || scene.law.is_rigid()) return;
   // smallest time step without a warning, over the time step that the grains allow
   constexpr double kSlow = 0.1;
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
@@ -300,7 +301,7 @@ void warn_of_cost(const Scene& scene, Warnings& warnings) {
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene) {
-  Warnings warnings;
+  Warnings warnings = scene.remarks;
   warn_of_tolerances(scene, warnings);
   warn_of_overlaps(scene, warnings);
   warn_of_largest_grain(scene, warnings);

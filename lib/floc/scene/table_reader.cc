@@ -147,6 +147,23 @@ std::vector<double> TableReader::numbers(const std::string& key, NumberRule rule
   return values;
 }
 
+std::optional<std::pair<int, int>> TableReader::whole_interval(const std::string& key,
+                                                               const char* expectation) {
+  const toml::node* node = find(key, expectation, Need::optional);
+  if (!node) return std::nullopt;
+  const auto whole = [](const toml::node& n) {
+    const auto value = n.is_integer() ? std::optional(n.as_integer()->get()) : std::nullopt;
+    return value && std::in_range<int>(*value) ? std::optional(static_cast<int>(*value)) : std::nullopt;
+  };
+  const toml::array* array = node->as_array();
+  const bool is_pair = array && array->size() == 2;
+  const std::optional<int> least = is_pair ? whole(*array->get(0)) : whole(*node);
+  const std::optional<int> most = is_pair ? whole(*array->get(1)) : least;
+  if (least && most) return std::pair(*least, *most);
+  refuse_value(key, *node, expectation);
+  return std::nullopt;
+}
+
 std::vector<std::string> TableReader::texts(const std::string& key, const char* expectation) {
   std::vector<std::string> values;
   const toml::node* node = find(key, expectation, Need::optional);

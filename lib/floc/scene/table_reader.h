@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "floc/scene/scene_source.h"
@@ -62,6 +63,10 @@ class TableReader {
   /// Returns the numbers in the array that a key has as its value: at least one, each of which satisfies the rule. The
   /// result is empty if the key is missing or its value is invalid.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
+
+  /// Returns the smallest and the largest whole number of an interval. The value of the key is an array of these two,
+  /// or one whole number that is both.
+  std::optional<std::pair<int, int>> whole_interval(const std::string& key, const char* expectation);
 
   /// Returns the texts in the array that a key has as its value. The result is empty if the key is missing or its value
   /// is invalid.

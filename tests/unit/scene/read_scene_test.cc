@@ -512,8 +512,8 @@ TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
     ++n_cycles;
   }
-  EXPECT_EQ(n, 27);
-  EXPECT_EQ(n_cycles, 17);
+  EXPECT_EQ(n, 30);
+  EXPECT_EQ(n_cycles, 18);
 }
 
 }  // namespace

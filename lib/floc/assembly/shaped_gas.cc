@@ -1,0 +1,120 @@
+#include "floc/assembly/shaped_gas.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <numbers>
+#include <numeric>
+
+#include "floc/assembly/draw_shapes.h"
+#include "floc/assembly/random_streams.h"
+#include "floc/base/error.h"
+
+namespace floc {
+namespace {
+
+template <int Dim>
+constexpr double kDensestGas = Dim == 2 ? kDensestGasOfDisks : kDensestGasOfSpheres;
+
+/// Returns a uniformly distributed random orientation.
+template <int Dim>
+Orientation<Dim> random_orientation(RandomStream& random) {
+  if constexpr (Dim == 2) {
+    return random.uniform(-std::numbers::pi, std::numbers::pi);
+  } else {
+    // Four normally distributed numbers form a vector of random direction in four dimensions, and unit vectors there
+    // are rotations.
+    Vec<4> q;
+    do {
+      for (int a = 0; a < 4; ++a) q[a] = random.normal();
+    } while (q.isZero(0.0));
+    q.normalize();
+    return {q[0], q[1], q[2], q[3]};
+  }
+}
+
+/// Returns the numbers of the n grains in random order.
+std::vector<int> random_order(int n, RandomStream& random) {
+  std::vector<int> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  for (int i = n - 1; i > 0; --i) std::swap(order[i], order[random.below(i + 1)]);
+  return order;
+}
+
+template <int Dim>
+double volume_of_grains(const Grains<Dim>& grains) {
+  double volume = 0.0;
+  for (int i = 0; i < grains.size(); ++i) volume += grains.volume(i);
+  return volume;
+}
+
+}  // namespace
+
+template <int Dim>
+Grains<Dim> shaped_grains(const GrainOptions& options, const std::vector<double>& diameter,
+                          std::uint64_t seed) {
+  assert(options.shape.has_value());
+  const int n = static_cast<int>(diameter.size());
+  Grains<Dim> grains = Grains<Dim>::with_size(n);
+  auto shapes = std::make_shared<std::vector<Shape<Dim>>>(draw_shapes<Dim>(*options.shape, seed).shapes);
+  RandomStream random(seed, kShapeStream);
+  const std::vector<int> order = random_order(n, random);
+  const int n_shapes = static_cast<int>(shapes->size());
+  grains.shape.assign(n, 0);
+  for (int k = 0; k < n; ++k) grains.shape[order[k]] = k % n_shapes;
+  grains.scale.assign(n, 1.0);
+  for (int i = 0; i < n; ++i) {
+    grains.radius[i] = 0.5 * diameter[i];
+    grains.scale[i] = grains.radius[i] / (*shapes)[grains.shape[i]].outer_radius;
+    grains.orientation[i] = random_orientation<Dim>(random);
+  }
+  grains.shapes = std::move(shapes);
+  const double density = options.density.value_or(1.0 / Ball<Dim>{0.5}.volume());
+  for (int i = 0; i < n; ++i) grains.mass[i] = density * grains.volume(i);
+  return grains;
+}
+
+template <int Dim>
+double share_of_bounding_balls(const Grains<Dim>& grains) {
+  double balls = 0.0;
+  for (const double radius : grains.radius) balls += Ball<Dim>{radius}.volume();
+  return volume_of_grains(grains) / balls;
+}
+
+template <int Dim>
+double densest_gas(const Grains<Dim>& grains) {
+  return kDensestGas<Dim> * share_of_bounding_balls(grains);
+}
+
+template <int Dim>
+Packing<Dim> make_shaped_gas(const GrainOptions& options, const Law& law, double solid_fraction,
+                             std::uint64_t seed, RandomStream& random, GasKind kind) {
+  // The diameters are drawn here, and make_gas() takes them as a list, which it does not draw from.
+  GrainOptions balls = options;
+  balls.diameter.values = draw_diameters(options, random);
+  balls.diameter.kind = DiameterDistribution::Kind::list;
+  Grains<Dim> grains = shaped_grains<Dim>(options, balls.diameter.values, seed);
+  if (solid_fraction > densest_gas(grains))
+    throw InputError(
+        "cell.solid_fraction",
+        fmt::format("{:g}: the circumscribed {} of the grains can be placed without overlap only up "
+                    "to a solid fraction of the grains of {:.4g}; expected at most this number",
+                    solid_fraction, Dim == 2 ? "circles" : "spheres", densest_gas(grains)));
+  Packing<Dim> gas = make_gas<Dim>(balls, law, solid_fraction / share_of_bounding_balls(grains), random, kind);
+  grains.position = std::move(gas.grains.position);
+  gas.grains = std::move(grains);
+  return gas;
+}
+
+template Grains<2> shaped_grains(const GrainOptions&, const std::vector<double>&, std::uint64_t);
+template Grains<3> shaped_grains(const GrainOptions&, const std::vector<double>&, std::uint64_t);
+template double share_of_bounding_balls(const Grains<2>&);
+template double share_of_bounding_balls(const Grains<3>&);
+template double densest_gas(const Grains<2>&);
+template double densest_gas(const Grains<3>&);
+template Packing<2> make_shaped_gas(const GrainOptions&, const Law&, double, std::uint64_t, RandomStream&,
+                                    GasKind);
+template Packing<3> make_shaped_gas(const GrainOptions&, const Law&, double, std::uint64_t, RandomStream&,
+                                    GasKind);
+
+}  // namespace floc

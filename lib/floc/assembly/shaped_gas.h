@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "floc/assembly/gas.h"
+
+namespace floc {
+
+/// Returns grains with the shapes of a scene, at the origin and at rest, with random orientations. The shapes are dealt
+/// out to the grains in random order, each to as many grains as the others up to one. The radius of a grain, that of
+/// its circumscribed circle or sphere, is half its diameter. Its mass is its volume times the density of the scene;
+/// without a density, a disk or sphere of diameter 1 would have mass 1.
+/// @param options  grains of a scene that gives their shapes
+/// @param diameter  diameter of each grain (length)
+/// @param seed  seed of the run, which determines the shapes and the orientations
+/// @throws InputError if draw_shapes() throws it
+template <int Dim>
+Grains<Dim> shaped_grains(const GrainOptions& options, const std::vector<double>& diameter, std::uint64_t seed);
+
+/// Returns the volume of all grains divided by the volume of their circumscribed circles or spheres.
+template <int Dim>
+double share_of_bounding_balls(const Grains<Dim>& grains);
+
+/// Returns the largest solid fraction of a gas of these grains: at a higher one, their circumscribed circles or spheres
+/// cannot be placed at random without overlap.
+template <int Dim>
+double densest_gas(const Grains<Dim>& grains);
+
+/// Makes a gas of grains with shapes in a square (in 3D cubic) cell. Their circumscribed circles or spheres are placed
+/// by make_gas(), so that the grains do not overlap in any orientation.
+/// @param options  grains of a scene that gives their shapes
+/// @param solid_fraction  volume of the grains over the volume of the cell
+/// @param seed  seed of the run, which determines the shapes and the orientations
+/// @param random  random stream for the diameters and the positions
+/// @throws InputError if the solid fraction is above densest_gas(), or if shaped_grains() or make_gas() throws it
+template <int Dim>
+Packing<Dim> make_shaped_gas(const GrainOptions& options, const Law& law, double solid_fraction,
+                             std::uint64_t seed, RandomStream& random, GasKind kind);
+
+}  // namespace floc

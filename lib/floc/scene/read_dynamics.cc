@@ -1,0 +1,175 @@
+#include "floc/scene/read_dynamics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace floc {
+namespace {
+
+using Need = TableReader::Need;
+
+/// Whether the normal law of the scene could be read. If not, the contact law of the scene is a placeholder.
+bool knows_normal_law(TableReader& root, const SceneSource& source) {
+  return root.table("contact", "", Need::optional).has("normal") && !source.is_faulty("contact.normal") &&
+         !source.is_faulty("contact.normal.law");
+}
+
+/// Reads the settings of contact dynamics.
+void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
+  options.time_step =
+      t.number("time_step",
+               {[](double x) { return x > 0 && x <= 1; },
+                "a number in (0, 1] (longest time step in units of T = sqrt(m/(P a^(d-2))), with "
+                "the mass m and the diameter a of the largest grain, the pressure P and the "
+                "dimension d)"},
+               Need::optional)
+          .value_or(options.time_step);
+  options.sweep_tolerance =
+      t.number("sweep_tolerance",
+               {[](double x) { return x > 0 && x <= 0.1; },
+                "a number in (0, 0.1] (error of the impulses of a time step over the mean "
+                "normal impulse)"},
+               Need::optional)
+          .value_or(options.sweep_tolerance);
+  options.max_sweeps = static_cast<int>(
+      t.integer("max_sweeps",
+                {1, 1'000'000, "the largest number of sweeps in a time step, a whole number from 1 to 1000000"},
+                Need::optional)
+          .value_or(options.max_sweeps));
+  options.restitution = t.number("restitution",
+                                 {[](double x) { return x >= 0 && x <= 1; },
+                                  "a number from 0 to 1 (coefficient of restitution of normal impacts)"},
+                                 Need::optional)
+                            .value_or(options.restitution);
+  constexpr std::array kForces = {RigidForces::closest, RigidForces::canonical, RigidForces::stepped};
+  if (const auto finish = t.choice("finish", {"closest", "canonical", "none"}, Need::optional))
+    options.forces = kForces[*finish];
+  options.gap_tolerance = t.number("gap_tolerance",
+                                   {[](double x) { return x > 0 && x <= 0.1; },
+                                    "a number in (0, 0.1] (largest gap or overlap of a contact that carries a "
+                                    "force, over the diameter of its smaller grain)"},
+                                   Need::optional);
+}
+
+/// Key of a scene that has no meaning for one of the two methods, and the words for what is expected in its place.
+struct KeyInPlace {
+  const char* key;
+  const char* expectation;
+};
+
+/// Records a fault for each setting of contact dynamics, in a scene of elastic contacts.
+void refuse_contact_dynamics(TableReader& t) {
+  constexpr const char* kNone = "no key";
+  constexpr KeyInPlace kRefusedKeys[] = {{"time_step", "run.time_step"},
+                                         {"finish", "equilibrium.finish"},
+                                         {"restitution", "contact.damping"},
+                                         {"sweep_tolerance", kNone},
+                                         {"max_sweeps", kNone},
+                                         {"gap_tolerance", kNone}};
+  for (const auto& [key, expectation] : kRefusedKeys)
+    t.refuse(key, fmt::format(
+                      "{} is not allowed here: it is a setting of contact dynamics, which moves rigid grains, "
+                      "but the contacts are elastic; expected {}{}",
+                      t.path_of(key), expectation,
+                      expectation == kNone ? fmt::format(" {}", key) : std::string(" in its place")));
+}
+
+/// Records a fault for each key of smooth dynamics, the motion of elastic grains, in a scene of rigid contacts.
+void refuse_smooth_dynamics(TableReader& root) {
+  constexpr KeyInPlace kRefusedInRun[] = {
+      {"time_step", "the time step of rigid grains is given by dynamics.time_step"},
+      {"skin", "the lists of neighbours follow dynamics.time_step; remove the key"}};
+  constexpr KeyInPlace kRefusedInEquilibrium[] = {
+      {"finish", "the forces in which rigid grains end are chosen by dynamics.finish"},
+      {"patience",
+       "motion ends by criteria of its own, and dynamics.finish chooses the forces; remove the key"}};
+  TableReader run = root.table("run", "", Need::optional);
+  TableReader equilibrium = root.table("equilibrium", "", Need::optional);
+  const auto refuse = [](TableReader& t, const KeyInPlace& k) {
+    t.refuse(k.key, fmt::format("{} is not allowed with rigid contacts: {}", t.path_of(k.key), k.expectation));
+  };
+  for (const KeyInPlace& k : kRefusedInRun) refuse(run, k);
+  for (const KeyInPlace& k : kRefusedInEquilibrium) refuse(equilibrium, k);
+}
+
+/// Records a fault for each stage of the load path that does not impose a pressure on all axes.
+void check_stages(TableReader& root, const Scene& scene) {
+  if (scene.load.empty()) return;
+  std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
+  for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k) {
+    TableReader& t = stages[k];
+    const LoadStage& stage = scene.load[k];
+    if (!stage.is_isotropic())
+      t.fault(
+          "control",
+          fmt::format("{} = \"{}\": rigid grains are loaded by a pressure on all axes only in this version of "
+                      "floc; expected control = \"isotropic\"",
+                      t.path_of("control"), stage.control));
+  }
+}
+
+/// Records a fault for each way to assemble a packing that is not possible with rigid contacts.
+void check_assembly(TableReader& root, const Scene& scene) {
+  TableReader t = root.table("assembly", "", Need::optional);
+  if (scene.assembly.protocol == AssemblyOptions::Protocol::aggregation)
+    t.fault(
+        "protocol",
+        "assembly.protocol = \"aggregation\": rigid grains are not aggregated in this version of floc, because "
+        "they do not attract each other across gaps; expected protocol = \"direct\" or \"state\"");
+  t.refuse(
+      "vibration",
+      "assembly.vibration is not allowed with rigid contacts: only packings of elastic grains can be vibrated "
+      "in this version of floc; remove the key");
+}
+
+}  // namespace
+
+void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
+  TableReader t = root.table("dynamics", "a table [dynamics]", Need::optional);
+  const bool knows_law = knows_normal_law(root, source);
+  const auto method = t.choice("method", {"smooth", "contact_dynamics"}, Need::optional);
+  const bool rigid = knows_law ? scene.law.is_rigid() : method != std::optional<std::size_t>(0);
+  if (knows_law && method && rigid && *method == 0)
+    t.fault("method",
+            "dynamics.method = \"smooth\": rigid contacts have no stiffness, so that only contact dynamics can "
+            "move the grains; expected method = \"contact_dynamics\", or no key method");
+  if (knows_law && method && !rigid && *method == 1)
+    t.fault(
+        "method",
+        fmt::format("dynamics.method = \"contact_dynamics\": contact dynamics moves rigid grains only, but "
+                    "contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}, or method = "
+                    "\"smooth\"",
+                    scene.law.normal_keyword()));
+  if (rigid || (method && *method == 1))
+    read_contact_dynamics(t, scene.relaxation.contact_dynamics);
+  else
+    refuse_contact_dynamics(t);
+  t.refuse_other_keys();
+}
+
+void check_rigid(TableReader& root, const SceneSource& source, const Scene& scene) {
+  if (!knows_normal_law(root, source)) return;
+  TableReader grains = root.table("grains", "", Need::optional);
+  if (grains.has("shape") && !scene.law.is_rigid())
+    grains.fault(
+        "shape",
+        fmt::format("grains.shape: grains with shapes need rigid contacts in this version of floc, but "
+                    "contact.normal.law is \"{}\"; expected contact.normal = {{law = \"rigid\"}}",
+                    scene.law.normal_keyword()));
+  if (!scene.law.is_rigid()) return;
+  root.refuse(
+      "box",
+      "[box] is not allowed with rigid contacts: rigid grains are packed in a periodic cell only in this "
+      "version of floc; expected a table [cell]");
+  root.refuse(
+      "accuracy",
+      "[accuracy] is not allowed with rigid contacts: the errors in the table shipped with floc were "
+      "measured on elastic grains; expected the numerical settings themselves ([equilibrium], [dynamics])");
+  check_assembly(root, scene);
+  check_stages(root, scene);
+  refuse_smooth_dynamics(root);
+}
+
+}  // namespace floc

@@ -1,0 +1,82 @@
+#include "floc/scene/rigid_groups.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/assembly/random_streams.h"
+#include "floc/assembly/shaped_gas.h"
+#include "floc/scene/read_shape.h"
+#include "floc/scene/scene_scales.h"
+
+namespace floc {
+namespace {
+
+/// Returns the grains of a scene with shapes, as a run of it makes them, but without their positions.
+template <int Dim>
+Grains<Dim> unplaced_grains(const Scene& scene) {
+  RandomStream random(scene.seed, kAssemblyStream);
+  return shaped_grains<Dim>(scene.grains, draw_diameters(scene.grains, random), scene.seed);
+}
+
+/// Returns the largest over the smallest extent of a shape along its principal axes.
+template <int Dim>
+double aspect_of(const Shape<Dim>& shape) {
+  if (shape.is_round()) return 1.0;
+  Vec<Dim> low = shape.vertices.front(), high = low;
+  for (const Vec<Dim>& vertex : shape.vertices) low = low.cwiseMin(vertex), high = high.cwiseMax(vertex);
+  const Vec<Dim> extent = high - low + Vec<Dim>::Constant(2.0 * shape.rounding);
+  return extent.maxCoeff() / extent.minCoeff();
+}
+
+template <int Dim>
+void add_shape_groups_of(const Scene& scene, std::vector<DerivedGroup>& groups) {
+  const Grains<Dim> grains = unplaced_grains<Dim>(scene);
+  double aspect = 0.0;
+  for (const int s : grains.shape) aspect += aspect_of((*grains.shapes)[s]) / grains.size();
+  groups.push_back(
+      {"n_shapes", static_cast<double>(grains.shapes->size()),
+       fmt::format("number of different shapes of kind \"{}\"", shape_kind_name(*scene.grains.shape))});
+  groups.push_back({"V/V_ball", share_of_bounding_balls(grains),
+                    fmt::format("volume of the grains over that of their circumscribed {}",
+                                Dim == 2 ? "circles" : "spheres")});
+  groups.push_back(
+      {"aspect", aspect, "largest over smallest extent along the principal axes, mean over the grains"});
+}
+
+template <int Dim>
+double largest_mass_of(const Scene& scene) {
+  const Grains<Dim> grains = unplaced_grains<Dim>(scene);
+  return *std::max_element(grains.mass.begin(), grains.mass.end());
+}
+
+}  // namespace
+
+void add_shape_groups(const Scene& scene, std::vector<DerivedGroup>& groups) {
+  if (scene.dimension == 2)
+    add_shape_groups_of<2>(scene, groups);
+  else
+    add_shape_groups_of<3>(scene, groups);
+}
+
+double time_unit_of_rigid_grains(const Scene& scene) {
+  const double a = scene.grains.diameter.max;
+  const double m = !scene.grains.shape    ? mass_of(scene, a)
+                   : scene.dimension == 2 ? largest_mass_of<2>(scene)
+                                          : largest_mass_of<3>(scene);
+  return std::sqrt(m / (scene.assembly.pressure * std::pow(a, scene.dimension - 2)));
+}
+
+double cost_of_rigid_grains(const Scene& scene, int n_loaded) {
+  // Processor time of one time step per grain (s).
+  const double per_grain_step =
+      scene.grains.shape ? (scene.dimension == 2 ? 1e-4 : 5e-4) : (scene.dimension == 2 ? 2e-5 : 6e-5);
+  // Number of time steps of the assembly and of each later equilibrium, with the default time step.
+  constexpr double kAssembling = 1200.0, kLoading = 300.0;
+  const double first = scene.starts_from_state() ? kLoading : kAssembling;
+  const double shorter = ContactDynamicsOptions{}.time_step / scene.relaxation.contact_dynamics.time_step;
+  return per_grain_step * scene.grains.count * (first + kLoading * n_loaded) * shorter;
+}
+
+}  // namespace floc

@@ -75,7 +75,9 @@ def columns(s, before):
             "compiler": Same(p["compiler"]), "seed": Same(str(p["seed"])), "source": Same(p["source"] or None),
             "parent_sha256": Same(hashlib.sha256(before).hexdigest() if before else None),
             "scene_sha256": Same(hashlib.sha256(s.scene.encode()).hexdigest()),
-            "sha256": Same(hashlib.sha256(content).hexdigest()), "p_wall": Close(s.p_wall)}
+            "sha256": Same(hashlib.sha256(content).hexdigest()), "p_wall": Close(s.p_wall),
+            # All samples are disks and spheres.
+            "n_shapes": Same(None), "least_faces": Same(None), "most_faces": Same(None), "rounding": Same(None)}
 
 
 def check(program, states, tally):

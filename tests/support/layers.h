@@ -38,7 +38,7 @@ inline const LayerOrder& layer_order() {
       {"lattice", {"elasticity", "structure"}},
       {"io", {"packing", "contact"}},
       {"scene", {"contact", "assembly", "loading", "io"}},
-      {"verification", {"scene", "io", "elasticity", "neighbors"}},
+      {"verification", {"scene", "io", "elasticity", "neighbors", "rigid"}},
       {"imports", {"io", "neighbors", "verification"}},
       {"run_directory", {"scene", "loading", "io", "structure", "elasticity", "neighbors"}},
       {"picture", {"structure", "elasticity", "packing", "lattice"}},

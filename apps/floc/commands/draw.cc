@@ -11,6 +11,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/io/atomic_file.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/sheet.h"
 #include "floc/structure/coordination.h"
@@ -208,6 +209,7 @@ class Drawer {
 
   template <int Dim>
   void add(const std::string& file, const State<Dim>& state) {
+    require_round(state.packing, "pictures are drawn", file);
     Drawn<Dim> drawn = drawn_from(file, state, arguments_, other_);
     auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
     auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);

@@ -11,6 +11,7 @@
 #include "floc/base/shell_word.h"
 #include "floc/io/law_text.h"
 #include "floc/packing/liquid/liquid.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/tables/column.h"
 #include "process/output.h"
 
@@ -61,7 +62,8 @@ Table contact_table(const Packing<Dim>& packing) {
   if (rolls && Dim == 2) table.columns.emplace_back("rolling_moment");
   if (rolls && Dim == 3) numbered("rolling_moment", Dim);
   if (twists) table.columns.emplace_back("twisting_moment");
-  table.columns.insert(table.columns.end(), {"kn", "kt"});
+  const bool stiff = !packing.law.is_rigid();
+  if (stiff) table.columns.insert(table.columns.end(), {"kn", "kt"});
   if (rolls) table.columns.emplace_back("kr");
   if (holds_liquid(packing)) table.columns.emplace_back("bridge_volume");
   for (const Contact<Dim>& c : packing.contacts) {
@@ -72,8 +74,7 @@ Table contact_table(const Packing<Dim>& packing) {
     for (int a = 0; a < Dim; ++a) row.emplace_back(c.shear_force[a]);
     for (int a = 0; a < kRotations<Dim> && rolls; ++a) row.emplace_back(c.rolling_moment[a]);
     if (twists) row.emplace_back(c.twisting_moment);
-    row.emplace_back(c.kn);
-    row.emplace_back(c.kt);
+    if (stiff) row.emplace_back(c.kn), row.emplace_back(c.kt);
     if (rolls) row.emplace_back(c.kr);
     if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
   }
@@ -115,7 +116,12 @@ int run_export(const ExportArguments& arguments) {
   if (arguments.grains.empty() && arguments.contacts.empty())
     throw InputError("floc export", "no output file is named: give --grains FILE, --contacts FILE or both");
   return for_each_file({arguments.state}, [&](const std::string& file) {
-    std::visit([&](const auto& state) { export_state(arguments, state); }, read_state(file));
+    std::visit(
+        [&](const auto& state) {
+          require_round(state.packing, "tables of grains and contacts are written", file);
+          export_state(arguments, state);
+        },
+        read_state(file));
     return int{kDone};
   });
 }

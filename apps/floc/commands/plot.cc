@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/elasticity/moduli.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/picture/drawn_scale.h"
 #include "plots/path_plots.h"
 #include "plots/state_plots.h"
@@ -64,9 +65,10 @@ Made consolidation(const PlotArguments& arguments) {
   return made;
 }
 
-ModuliPoint moduli_of_state(const AnyState& any) {
+ModuliPoint moduli_of_state(const std::string& file, const AnyState& any) {
   return std::visit(
-      [](const auto& state) {
+      [&](const auto& state) {
+        require_elastic(state.packing, "moduli are plotted", file);
         ModuliOptions options;
         options.unloaded = state.target_stress.isZero(0.0);
         return moduli_point(reduced_pressure(state.packing, state.target_stress.mean()),
@@ -125,14 +127,14 @@ Made moduli(const PlotArguments& arguments) {
     }
     if (table.n_rows() > 0) unit = unit_of_table(table);
   } else {
-    made.code = for_each_state(
-        states_of_inputs(arguments.inputs), [&](const std::string&, const AnyState& state, const Remarks&) {
-          points.push_back(moduli_of_state(state));
-          unit = std::visit(
-              []<int Dim>(const State<Dim>& s) { return stress_unit(s.units, Dim, s.packing.law.adheres()); },
-              state);
-          return int{kDone};
-        });
+    made.code = for_each_state(states_of_inputs(arguments.inputs), [&](const std::string& file,
+                                                                       const AnyState& state, const Remarks&) {
+      points.push_back(moduli_of_state(file, state));
+      unit = std::visit(
+          []<int Dim>(const State<Dim>& s) { return stress_unit(s.units, Dim, s.packing.law.adheres()); },
+          state);
+      return int{kDone};
+    });
   }
   if (!points.empty()) made.plot = moduli_plot(points, unit);
   return made;
@@ -251,7 +253,11 @@ Made scattering_of_states(const PlotArguments& arguments) {
   made.code =
       for_each_state(states_of(arguments), [&](const std::string& file, const AnyState& any, const Remarks&) {
         ScatteringSample sample = std::visit(
-            [&](const auto& state) { return scattering_sample(name_of_state(any), state.packing); }, any);
+            [&](const auto& state) {
+              require_round(state.packing, "the scattered intensity is plotted", file);
+              return scattering_sample(name_of_state(any), state.packing);
+            },
+            any);
         if (!samples.empty() && samples.front().dimension != sample.dimension)
           throw InputError(file, fmt::format("this is a state in {}D, but the states before it are not: all "
                                              "states in a plot of I(k) must have the same dimension",

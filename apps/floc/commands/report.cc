@@ -12,6 +12,7 @@
 #include "floc/io/law_text.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/equilibrium_check.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/picture/sheet.h"
@@ -122,6 +123,8 @@ ReportedRun<Dim> read_run(const std::string& directory) {
               run.files.front()));
     const State<Dim>& state = *found;
     require_periodic(state.packing, "a report is made", run.files[k]);
+    require_elastic(state.packing, "a report is made", run.files[k]);
+    require_round(state.packing, "a report is made", run.files[k]);
     add_state(state, run);
     if (k == 0) run.first = state;
     if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);

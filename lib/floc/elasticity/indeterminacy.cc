@@ -1,10 +1,21 @@
 #include "floc/elasticity/indeterminacy.h"
 
 #include <algorithm>
+#include <limits>
+#include <vector>
 
 #include "floc/elasticity/mechanisms.h"
+#include "floc/linalg/least_squares_factor.h"
+#include "floc/network/rigidity_matrix.h"
 
 namespace floc {
+namespace {
+
+/// A column whose entries are of order 1 counts as dependent on others if its component orthogonal to them is shorter
+/// than this.
+constexpr double kDependent = 1e-9;
+
+}  // namespace
 
 template <int Dim>
 Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const ElasticResponse& response,
@@ -28,6 +39,41 @@ Indeterminacy force_indeterminacy(const ContactNetwork<Dim>& network, const Elas
   return out;
 }
 
+template <int Dim>
+Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_force) {
+  ContactNetwork<Dim> network = contact_network(packing);
+  std::erase_if(network.contacts, [&](const NetworkContact<Dim>& c) {
+    return !(packing.contacts[c.source].elastic_force > smallest_force);
+  });
+  // One unit spring for each component selects its row of the rigidity matrix, the transpose of the balance.
+  const bool sticks = packing.law.resists_sliding();
+  Indeterminacy out;
+  std::vector<bool> connected(network.n_grains, false);
+  for (NetworkContact<Dim>& c : network.contacts) {
+    c.kn = 1.0;
+    c.kt = sticks && !packing.contacts[c.source].sliding ? 1.0 : 0.0;
+    out.n_components += c.kt > 0.0 ? Dim : 1;
+    connected[c.i] = connected[c.j] = true;
+  }
+  Eigen::SparseMatrix<double> matrix = scaled_rigidity_matrix(network, StrainSet::diagonal);
+  // Rotations and strains become lengths: a column of rounding errors, as of a rotation that nothing resists, then stays
+  // far below the others.
+  for (int u = 0; u < matrix.cols(); ++u) {
+    const int grain = u / kDofs<Dim>;
+    if (grain >= network.n_grains)
+      matrix.col(u) /= std::max(std::numeric_limits<double>::min(), matrix.col(u).norm());
+    else if (u % kDofs<Dim> >= Dim)
+      matrix.col(u) /= network.grain_size[grain];
+  }
+  const int rank = LeastSquaresFactor(matrix, kDependent).rank();
+  out.n_unknowns = kDofs<Dim> * static_cast<int>(std::count(connected.begin(), connected.end(), true)) + Dim;
+  out.n_null_modes = out.n_unknowns - rank;
+  out.degree = out.n_components - rank;
+  return out;
+}
+
+template Indeterminacy rigid_indeterminacy(const Packing<2>&, double);
+template Indeterminacy rigid_indeterminacy(const Packing<3>&, double);
 template Indeterminacy force_indeterminacy(const ContactNetwork<2>&, const ElasticResponse&, StrainSet);
 template Indeterminacy force_indeterminacy(const ContactNetwork<3>&, const ElasticResponse&, StrainSet);
 

@@ -14,6 +14,7 @@
 #include "floc/elasticity/parallel/parallel_response.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -196,6 +197,7 @@ NetworkLoad<Dim> network_load(const Packing<Dim>& packing, bool unloaded) {
 
 template <int Dim>
 ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) const {
+  require_elastic(packing, "moduli are computed");
   return loaded(packing, *this, load_stress(packing));
 }
 

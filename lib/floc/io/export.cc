@@ -9,6 +9,7 @@
 #include "floc/io/extended_xyz.h"
 #include "floc/io/lammps_data.h"
 #include "floc/io/vtu.h"
+#include "floc/packing/require_elastic.h"
 
 namespace floc {
 namespace {
@@ -18,9 +19,10 @@ void write_own_state(const std::string& path, const AnyState& any) {
 }
 
 /// Writes a state to the file `path` as text. The template parameter `text` is the function that converts the state to
-/// this text.
+/// this text. Formats of other programs have no place for shapes.
 template <std::string (*text)(const AnyState&)>
 void write_text(const std::string& path, const AnyState& state) {
+  std::visit([&](const auto& s) { require_round(s.packing, "files of this format are written", path); }, state);
   write_bytes_atomically(path, text(state));
 }
 

@@ -44,7 +44,8 @@ std::vector<std::string> all_keys() {
 /// Returns the model of a slot (a component of the contact law, such as friction) that has all of the keys `given` for
 /// this slot. If several models have all of them, a model that is compatible with the models chosen for the previous
 /// slots (`before`) is preferred, then a model whose numbers are all given. If no model has all of the keys, the first
-/// model of the slot is returned, so that the caller can report the wrong key.
+/// model of the slot is returned, so that the caller can report the wrong key. Models without parameters, such as rigid
+/// contacts, have to be named.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
                                      const LawParameters& before) {
   const auto has_all = [&](const DeclaredModel& m) {
@@ -56,7 +57,8 @@ const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector
     });
   };
   const auto closeness = [&](const DeclaredModel& m) {
-    return has_all(m) ? 1 + 2 * fits(m, before) + lacks_none(m) : 0;
+    const bool has_parameters = !m.numbers.empty() || !m.choices.empty();
+    return has_parameters && has_all(m) ? 1 + 2 * fits(m, before) + lacks_none(m) : 0;
   };
   return *std::max_element(
       slot.models.begin(), slot.models.end(),

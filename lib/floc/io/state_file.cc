@@ -18,7 +18,9 @@
 #include "floc/io/law_attributes.h"
 #include "floc/io/sealed_file.h"
 #include "floc/io/state_archive.h"
+#include "floc/io/state_equilibrium.h"
 #include "floc/io/state_layout.h"
+#include "floc/io/state_shapes.h"
 #include "floc/io/state_walls.h"
 #include "floc/packing/locate.h"
 #include "floc/packing/overlaps.h"
@@ -29,111 +31,17 @@ namespace {
 const std::string kFormat = "floc-state";
 const std::string kSignConvention = "compression_positive";
 
-constexpr Field kStress = {"equilibrium/stress", Quantity::stress, "static stress, positive in compression"};
-constexpr Field kTarget = {"equilibrium/target", Quantity::stress,
-                           "stress on each axis: imposed or, if a length is imposed on the axis, carried"};
-constexpr Field kSides = {"equilibrium/target_side", Quantity::length,
-                          "length of the cell imposed on each axis; 0: a stress is imposed"};
-constexpr Field kOffset = {
-    "equilibrium/target_offset", Quantity::length,
-    "in simple shear, imposed first component of the lattice vector of the sheared axis"};
-constexpr Field kTurnShear = {"path/turn_shear", Quantity::ratio,
-                              "in simple shear, shear strain since the start of the stage"};
-constexpr Field kTurnSides = {"path/turn_sides", Quantity::length,
-                              "sides of the cell at the start of the stage"};
-constexpr Field kTurnStress = {"path/turn_stress", Quantity::stress,
-                               "stress on each axis at the start of the stage"};
-constexpr Field kResiduals = {"equilibrium/residuals", Quantity::ratio,
-                              "residual force, moment, stress and kinetic energy per grain, in units of F1, "
-                              "F1 a, F1/a^(D-1) and F1 a, where F1 = max(F0, P a^(D-1)), F0 is the adhesive "
-                              "force, P the pressure, a the largest diameter and D the dimension"};
-constexpr Field kTolerances = {"equilibrium/tolerances", Quantity::ratio,
-                               "limits of the residuals in equilibrium"};
-constexpr Field kNegative = {"equilibrium/n_negative", Quantity::count,
-                             "number of negative eigenvalues of the stiffness matrix; -1: not determined"};
-constexpr Field kUnsettled = {
-    "equilibrium/n_bridges_unsettled", Quantity::count,
-    "number of liquid bridges that would form or break if the liquid were distributed once more; "
-    "-1: not determined"};
 constexpr Field kId = {"grains/id", Quantity::count, "index of the grain in all arrays"};
 
-template <int Dim>
-void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
-  const Residuals& r = s.residuals;
-  const EquilibriumTolerance& t = s.tolerance;
-  archive.matrix(kStress, s.stress);
-  archive.put(kTarget, {Dim}, std::vector<double>(s.target_stress.begin(), s.target_stress.end()));
-  archive.put(kResiduals, {4}, std::vector<double>{r.force, r.moment, r.stress, r.energy});
-  archive.put(kTolerances, {4}, std::vector<double>{t.force, t.moment, t.stress, t.energy});
-  archive.put(kNegative, {}, std::vector<std::int32_t>{s.n_negative});
-  if (s.packing.law.liquid()) archive.put(kUnsettled, {}, std::vector<std::int32_t>{s.n_bridges_unsettled});
-}
-
-/// Writes the imposed load if the current stage of the load path loads the axes differently. Writes nothing if the load
-/// is an isotropic pressure.
-template <int Dim>
-void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s) {
-  if (!s.target_side.isZero(0.0))
-    archive.put(kSides, {Dim}, std::vector<double>(s.target_side.begin(), s.target_side.end()));
-  const StageReference& turn = s.path.turn;
-  if (turn.empty()) return;
-  file.attribute("path", "control", turn.control);
-  file.attribute("path", "axis", std::int64_t{turn.axis + 1});
-  archive.put(kTurnSides, {Dim}, turn.sides);
-  archive.put(kTurnStress, {Dim}, turn.stress);
-  if (!s.target_offset) return;
-  archive.put(kOffset, {1}, std::vector<double>{s.target_offset->offset});
-  archive.put(kTurnShear, {1}, std::vector<double>{turn.shear});
-}
-
-template <int Dim>
-void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) {
-  if (file.has(kSides.path)) {
-    const auto side = archive.take<double>(kSides, {Dim});
-    for (int a = 0; a < Dim; ++a) s.target_side[a] = side[a];
-  }
-  if (!file.has_attribute("path", "control")) return;
-  StageReference& turn = s.path.turn;
-  std::int64_t axis = 0;
-  file.attribute("path", "control", turn.control);
-  file.attribute("path", "axis", axis);
-  if (axis < 1 || axis > Dim)
-    throw InputError(file.place("path"), fmt::format("axis = {}, expected 1 to {}", axis, Dim));
-  turn.axis = static_cast<int>(axis) - 1;
-  turn.sides = archive.take<double>(kTurnSides, {Dim});
-  turn.stress = archive.take<double>(kTurnStress, {Dim});
-  if (!file.has(kOffset.path)) return;
-  if (turn.axis == 0)
-    throw InputError(file.place("path"),
-                     "axis = 1, but a simple shear moves the lattice vector of another axis along the first "
-                     "axis: expected this other axis");
-  s.target_offset = ImposedOffset{turn.axis, archive.take<double>(kOffset, {1})[0]};
-  turn.shear = archive.take<double>(kTurnShear, {1})[0];
-}
-
-template <int Dim>
-void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) {
-  const auto target = archive.take<double>(kTarget, {Dim});
-  for (int a = 0; a < Dim; ++a) s.target_stress[a] = target[a];
-  archive.matrix(kStress, s.stress);
-  // Unlike other numbers, residuals may be infinite, because their unit is zero for a packing without pressure and
-  // adhesion. They are therefore read without the check that all numbers are finite.
-  std::vector<double> r;
-  file.array(kResiduals.path, {4}, r);
-  s.residuals.force = r[0], s.residuals.moment = r[1], s.residuals.stress = r[2], s.residuals.energy = r[3];
-  const auto t = archive.take<double>(kTolerances, {4});
-  s.tolerance = {t[0], t[1], t[2], t[3]};
-  s.n_negative = archive.take<std::int32_t>(kNegative, {})[0];
-  if (file.has(kUnsettled.path)) s.n_bridges_unsettled = archive.take<std::int32_t>(kUnsettled, {})[0];
-}
-
-/// Names of the optional groups of a state file. Its root attribute `features` lists the optional groups that it has,
-/// and a reader rejects a file with a group that the reader does not support. A new physical feature therefore needs no
-/// new version of the file format.
+/// Names of the optional groups of a state file, and `rigid` if its contacts are rigid. Its root attribute `features`
+/// lists those that it has, and a reader rejects a file with a feature that the reader does not support. A new physical
+/// feature therefore needs no new version of the file format.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
-const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls};
+const std::string kShapes = "shapes";
+const std::string kRigid = "rigid";
+const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls, kShapes, kRigid};
 
 Quantity quantity_of(Unit unit) {
   switch (unit) {
@@ -262,13 +170,16 @@ void check_features(const Hdf5Reader& file) {
               features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
-/// Returns the names of the optional groups (features) in the state file of a packing, separated by blanks.
+/// Returns the names of the features of the state file of a packing, separated by blanks.
 /// @param remembers  whether the contacts have a history
 template <int Dim>
 std::string features_of(const Packing<Dim>& packing, bool remembers) {
-  std::string features = remembers ? kContactMemory : "";
-  if (!packing.walls.empty()) features += (features.empty() ? "" : " ") + kWalls;
-  return features.empty() ? kNoFeatures : features;
+  std::vector<std::string> features;
+  if (remembers) features.push_back(kContactMemory);
+  if (!packing.walls.empty()) features.push_back(kWalls);
+  if (!packing.grains.are_round()) features.push_back(kShapes);
+  if (packing.law.is_rigid()) features.push_back(kRigid);
+  return features.empty() ? kNoFeatures : fmt::format("{}", fmt::join(features, " "));
 }
 
 /// Returns one word for the boundary along each axis, "periodic" or "walls", for example "walls periodic". For a
@@ -296,6 +207,7 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
     file.group(group);
   if (remembers) file.group(kContactMemory);
   if (!s.packing.walls.empty()) file.group(kWalls);
+  if (!s.packing.grains.are_round()) file.group(kShapes);
   file.attribute("cell", "boundary", boundary_of(s.packing));
 
   WritingArchive archive(file, s.units, Dim);
@@ -308,6 +220,7 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   describe_grains<Dim>(archive, s.packing.grains);
   describe_contacts<Dim>(archive, s.packing.contacts);
   if (s.packing.law.has_twisting()) describe_twisting(archive, s.packing.contacts);
+  write_shapes(archive, s.packing);
   write_memory(archive, s.packing);
   write_version_1_names(file, archive, s.packing);
   write_law(file, s.packing.law);
@@ -407,6 +320,15 @@ void check_descriptions(const Hdf5Reader& file, std::int64_t version, const Stat
   require("cell", "boundary", boundary_of(s.packing));
 }
 
+/// Checks that the contacts with walls are rigid where those between grains are, and only there.
+template <int Dim>
+void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing) {
+  if (packing.walls.empty() || packing.wall_law.is_rigid() == packing.law.is_rigid()) return;
+  throw InputError(file.place("wall_law"),
+                   fmt::format("normal = \"{}\", expected a law that is {}rigid, as that between grains is",
+                               packing.wall_law.normal_keyword(), packing.law.is_rigid() ? "" : "not "));
+}
+
 template <int Dim>
 State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   State<Dim> s;
@@ -420,12 +342,17 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   describe_grains<Dim>(archive, packing.grains);
   check_grains(file, packing, id);
   check_names(file, packing.grains);
+  read_shapes_of_state(file, archive, packing.grains);
   packing.contacts.resize(counted_rows(file, "contacts/id1"));
   describe_contacts<Dim>(archive, packing.contacts);
   read_walls(file, archive, s);
   check_contacts(file, packing);
-  set_arms(packing);
+  if (packing.grains.are_round())
+    set_arms(packing);
+  else
+    read_contact_points(file, archive, packing);
   packing.law = read_law(file, Dim);
+  require_one_kind_of_law(file, packing);
   if (packing.law.has_twisting()) describe_twisting(archive, packing.contacts);
   // The overlaps in a checkpoint are not checked: a packing in motion may have larger overlaps for a short time.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);

@@ -10,6 +10,7 @@
 #include "floc/lattice/node_grid.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/packing/require_periodic.h"
 
 namespace floc {
@@ -201,6 +202,7 @@ template <int Dim>
 CementedSample<Dim> cement(const Packing<Dim>& packing, Lattice<Dim> lattice, const CementOptions& options) {
   refuse_faults(options.validate());
   require_periodic(packing, "grains are cemented");
+  require_round(packing, "grains are cemented");
   Cementing<Dim> cementing(packing, std::move(lattice));
   cementing.lay_grains();
   cementing.lay_matrix(options);

@@ -2,6 +2,7 @@
 
 #include "floc/packing/ball.h"
 #include "floc/shape/manifold.h"
+#include "floc/shape/plane_manifold.h"
 
 namespace floc {
 
@@ -19,11 +20,18 @@ ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double rad
 
 namespace {
 
-/// Returns the gap up to which the manifold of two shapes is computed: all points of two shapes that are closer than
-/// their sizes.
+/// Returns all contact points of the two bodies of a contact, up to gaps as wide as the grains.
 template <int Dim>
-double widest_gap(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  return packing.grains.radius[c.i] + packing.grains.radius[c.j];
+Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch) {
+  const PlacedShape<Dim> first = packing.grains.placed(contact.i);
+  const double reach = packing.grains.radius[contact.i] + packing.surface_radius(contact.j);
+  if (packing.is_wall(contact.j)) {
+    const Wall<Dim>& wall = packing.wall(contact.j);
+    return plane_manifold<Dim>(first, wall.normal(), wall.side * wall.position, reach);
+  }
+  PlacedShape<Dim> second = packing.grains.placed(contact.j);
+  second.position = first.position + branch;
+  return contact_manifold(first, second, reach);
 }
 
 /// Returns the geometry of a contact of two shapes: of the contact point that has the key of the contact. If no point
@@ -32,10 +40,7 @@ template <int Dim>
 ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   ContactGeometry<Dim> at;
   at.branch = branch(packing, contact);
-  const PlacedShape<Dim> first = packing.grains.placed(contact.i);
-  PlacedShape<Dim> second = packing.grains.placed(contact.j);
-  second.position = first.position + at.branch;
-  const Manifold<Dim> manifold = contact_manifold(first, second, widest_gap(packing, contact));
+  const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch);
   at.normal = manifold.normal;
   const ManifoldPoint<Dim>* found = &manifold.points[0];
   for (int p = 0; p < manifold.n; ++p) {

@@ -25,7 +25,7 @@ std::string small_overlaps_rule(const Law& law) {
 template <int Dim>
 std::string density_fault(const Packing<Dim>& packing) {
   const auto& radius = packing.grains.radius;
-  if (radius.empty()) return {};
+  if (radius.empty() || !packing.grains.are_round()) return {};
   const auto [least, largest] = std::minmax_element(radius.begin(), radius.end());
   const double phi = solid_fraction(packing);
   if (*largest > (1.0 + kEqual) * *least || phi <= kCompressedCrystal * densest_of_equal(Dim)) return {};

@@ -1,33 +1,44 @@
 #include "floc/rigid/near_contacts.h"
 
 #include <algorithm>
-#include <vector>
+#include <limits>
 
-#include "floc/neighbors/pairs.h"
 #include "floc/packing/contact_order.h"
-#include "floc/packing/locate.h"
+#include "floc/rigid/contact_points.h"
 
 namespace floc {
+namespace {
+
+/// Points of two shapes closer than this, over the smaller radius, are one contact point. The features that meet there
+/// may have been recorded with another key, where others are as near.
+constexpr double kOnePoint = 1e-3;
+
+/// Returns whether a sorted list has a contact point. A pair of round grains has one point per key.
+/// @param last  end of the list
+template <int Dim, class Iterator>
+bool has_point(const Packing<Dim>& packing, Iterator first, Iterator last, const Contact<Dim>& point) {
+  const auto same = std::lower_bound(first, last, point, precedes<Contact<Dim>>);
+  if (same != last && !precedes(point, *same)) return true;
+  if (packing.grains.are_round()) return false;
+  Contact<Dim> lowest = point;
+  lowest.key = std::numeric_limits<int>::min();
+  const double radius = packing.is_wall(point.j)
+                            ? packing.grains.radius[point.i]
+                            : std::min(packing.grains.radius[point.i], packing.grains.radius[point.j]);
+  for (auto c = std::lower_bound(first, last, lowest, precedes<Contact<Dim>>);
+       c != last && c->i == point.i && c->j == point.j && c->image == point.image; ++c)
+    if ((c->arm_i - point.arm_i).norm() < kOnePoint * radius) return true;
+  return false;
+}
+
+}  // namespace
 
 template <int Dim>
 int add_near_contacts(Packing<Dim>& packing, double gap) {
-  std::vector<NeighborPair<Dim>> pairs =
-      find_pairs(search_cell(packing.cell, packing.walls, gap), packing.grains, gap);
-  for (NeighborPair<Dim> pair : find_wall_pairs(packing.walls, packing.grains, gap)) {
-    pair.j += packing.grains.size();
-    pairs.push_back(pair);
-  }
   const std::size_t before = packing.contacts.size();
-  for (const NeighborPair<Dim>& pair : pairs) {
-    Contact<Dim> contact;
-    contact.i = pair.i;
-    contact.j = pair.j;
-    contact.image = pair.image;
+  for (const Contact<Dim>& contact : ContactPoints<Dim>().find(packing, gap)) {
     const auto known = packing.contacts.begin() + static_cast<std::ptrdiff_t>(before);
-    const auto same = std::lower_bound(packing.contacts.begin(), known, contact, precedes<Contact<Dim>>);
-    if (same != known && !precedes(contact, *same)) continue;
-    place(locate(packing, contact), contact);
-    packing.contacts.push_back(contact);
+    if (!has_point(packing, packing.contacts.begin(), known, contact)) packing.contacts.push_back(contact);
   }
   std::ranges::sort(packing.contacts, precedes<Contact<Dim>>);
   return static_cast<int>(packing.contacts.size() - before);

@@ -12,6 +12,7 @@
 #include "floc/base/error.h"
 #include "floc/shape/moments.h"
 #include "floc/shape/principal_axes.h"
+#include "floc/shape/shape_adjacency.h"
 
 namespace floc {
 namespace {
@@ -68,28 +69,6 @@ void require_convex(const Shape<Dim>& shape, const std::string& place) {
 }
 
 template <int Dim>
-void set_adjacency(Shape<Dim>& shape) {
-  std::vector<std::vector<int>> meeting(shape.vertices.size());
-  for (int f = 0; f < shape.n_faces(); ++f)
-    for (const int v : shape.loop(f)) meeting[v].push_back(f);
-  shape.first_of_vertex = {0};
-  for (const std::vector<int>& faces : meeting) {
-    shape.vertex_faces.insert(shape.vertex_faces.end(), faces.begin(), faces.end());
-    shape.first_of_vertex.push_back(static_cast<int>(shape.vertex_faces.size()));
-  }
-  if constexpr (Dim == 3) {
-    std::map<std::pair<int, int>, int> face_left_of;
-    for (int f = 0; f < shape.n_faces(); ++f) {
-      const std::span<const int> loop = shape.loop(f);
-      for (std::size_t k = 0; k < loop.size(); ++k) face_left_of[{loop[k], loop[(k + 1) % loop.size()]}] = f;
-    }
-    for (const auto& [ends, left] : face_left_of)
-      if (ends.first < ends.second)
-        shape.edges.push_back({ends.first, ends.second, left, face_left_of.at({ends.second, ends.first})});
-  }
-}
-
-template <int Dim>
 void set_radii(Shape<Dim>& shape) {
   double outer = 0.0;
   for (const Vec<Dim>& v : shape.vertices) outer = std::max(outer, v.norm());
@@ -136,6 +115,28 @@ void require_body(const Polytope<Dim>& hull, const Shape<Dim>& shape, double cor
 }
 
 }  // namespace
+
+template <int Dim>
+void set_adjacency(Shape<Dim>& shape) {
+  std::vector<std::vector<int>> meeting(shape.vertices.size());
+  for (int f = 0; f < shape.n_faces(); ++f)
+    for (const int v : shape.loop(f)) meeting[v].push_back(f);
+  shape.first_of_vertex = {0};
+  for (const std::vector<int>& faces : meeting) {
+    shape.vertex_faces.insert(shape.vertex_faces.end(), faces.begin(), faces.end());
+    shape.first_of_vertex.push_back(static_cast<int>(shape.vertex_faces.size()));
+  }
+  if constexpr (Dim == 3) {
+    std::map<std::pair<int, int>, int> face_left_of;
+    for (int f = 0; f < shape.n_faces(); ++f) {
+      const std::span<const int> loop = shape.loop(f);
+      for (std::size_t k = 0; k < loop.size(); ++k) face_left_of[{loop[k], loop[(k + 1) % loop.size()]}] = f;
+    }
+    for (const auto& [ends, left] : face_left_of)
+      if (ends.first < ends.second)
+        shape.edges.push_back({ends.first, ends.second, left, face_left_of.at({ends.second, ends.first})});
+  }
+}
 
 template <int Dim>
 double Shape<Dim>::equal_volume_diameter() const {
@@ -290,6 +291,8 @@ template struct Shape<2>;
 template struct Shape<3>;
 template Shape<2> round_shape(double);
 template Shape<3> round_shape(double);
+template void set_adjacency(Shape<2>&);
+template void set_adjacency(Shape<3>&);
 template Shape<2> polytope_shape(const Polytope<2>&, double, const std::string&);
 template Shape<3> polytope_shape(const Polytope<3>&, double, const std::string&);
 template ShapeOfPoints<2> shape_of_points(const std::vector<Vec<2>>&, double, const std::string&);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -73,6 +75,25 @@ void add_history(const State<Dim>& state, std::vector<Entry>& entries) {
   entries.push_back({"scene_sha256", state.scene.empty() ? TableValue{} : TableValue{sha256(state.scene)}});
 }
 
+/// Adds the number of shapes, the numbers of their faces (in 2D sides), and their rounding; empty for round grains.
+template <int Dim>
+void add_shapes(const Grains<Dim>& grains, std::vector<Entry>& entries) {
+  std::optional<std::int64_t> n_shapes, least, most;
+  std::optional<double> rounding;
+  if (!grains.are_round()) {
+    n_shapes = static_cast<std::int64_t>(grains.shapes->size());
+    const auto [fewest, largest] = std::ranges::minmax(*grains.shapes, {}, &Shape<Dim>::n_faces);
+    least = fewest.n_faces(), most = largest.n_faces();
+    rounding = 0.0;
+    for (const Shape<Dim>& s : *grains.shapes) rounding = std::max(*rounding, s.rounding / s.diameter());
+  }
+  const auto counted = [](const std::optional<std::int64_t>& n) { return n ? TableValue{*n} : TableValue{}; };
+  entries.push_back({"n_shapes", counted(n_shapes)});
+  entries.push_back({"least_faces", counted(least)});
+  entries.push_back({"most_faces", counted(most)});
+  entries.push_back({"rounding", or_undefined(rounding)});
+}
+
 }  // namespace
 
 void add_info_row(const std::string& file, const AnyState& any, Table& table) {
@@ -87,6 +108,7 @@ void add_info_row(const std::string& file, const AnyState& any, Table& table) {
   entries.push_back(
       {"p_wall",
        std::visit([](const auto& state) { return or_undefined(mean_wall_pressure(state.packing)); }, any)});
+  std::visit([&](const auto& state) { add_shapes(state.packing.grains, entries); }, any);
   if (table.columns.empty())
     for (const Entry& entry : entries) table.columns.emplace_back(entry.name);
   auto& row = table.rows.emplace_back();

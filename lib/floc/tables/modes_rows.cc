@@ -11,6 +11,7 @@
 #include "floc/elasticity/mechanisms.h"
 #include "floc/elasticity/modes.h"
 #include "floc/elasticity/moduli.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/tables/equilibrium_warning.h"
 
@@ -109,6 +110,7 @@ std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim
                                         const Remarks& remarks) {
   const Packing<Dim>& packing = state.packing;
   require_periodic(packing, "modes are computed", file);
+  require_elastic(packing, "modes are computed", file);
   warn_unless_in_equilibrium(file, state, remarks);
   ModuliOptions options;
   options.prestress = true;

@@ -14,6 +14,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/law/stiffness_check.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/coordination.h"
 #include "floc/tables/equilibrium_warning.h"
@@ -201,6 +202,7 @@ std::vector<Moduli> ModuliRows::compute(const std::string& file, const State<Dim
 template <int Dim>
 std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>& state, Table* increments,
                                       const Remarks& remarks) {
+  require_elastic(state.packing, "moduli are computed", file);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state, remarks);
   warn_of_stiffnesses(file, state, remarks);
@@ -231,6 +233,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
                                             const ModuliTableOptions& asked, ParallelSolver& solver,
                                             const Remarks& remarks) {
   const double began = processor_seconds();
+  require_elastic(state.packing, "moduli are computed", file);
   ModuliOptions options = asked.moduli;
   options.unloaded = state.target_stress.isZero(0.0);
   const bool speaks = solver.rank() == 0;

@@ -98,7 +98,10 @@ std::vector<Column<NetworkRow>> mechanics_columns() {
   using Row = NetworkRow;
   using Mechanics = NetworkMechanics;
   return {{"indeterminacy",
-           [](const Row& r) { return r.mechanics ? count(r.mechanics->indeterminacy.degree) : TableValue{}; }},
+           [](const Row& r) {
+             if (r.rigid_indeterminacy) return count(r.rigid_indeterminacy->degree);
+             return r.mechanics ? count(r.mechanics->indeterminacy.degree) : TableValue{};
+           }},
           {"n_dead_ends", count_of(&Row::mechanics, &Mechanics::n_dead_ends)},
           {"n_components", count_of(&Row::mechanics, &Mechanics::n_components)},
           {"n_percolating", count_of(&Row::mechanics, &Mechanics::n_percolating)},

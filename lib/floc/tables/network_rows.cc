@@ -68,8 +68,11 @@ CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure 
 
 template <int Dim>
 void add_contacts_and_stress(const Packing<Dim>& packing, NetworkRow& row) {
-  row.energy = elastic_energy_per_grain(packing);
-  if constexpr (Dim == 3) row.contact_pressure = largest_contact_pressure(packing);
+  // Rigid contacts store no energy, and their surfaces have no area of contact.
+  if (!packing.law.is_rigid()) {
+    row.energy = elastic_energy_per_grain(packing);
+    if constexpr (Dim == 3) row.contact_pressure = largest_contact_pressure(packing);
+  }
   const Vec<Dim> stress = static_stress(packing).diagonal();
   row.stress_spread = stress.maxCoeff() - stress.minCoeff();
 }
@@ -177,7 +180,12 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   const CarryingStructure held =
       carrying_structure(packing, zero_force, options.least_contacts.value_or(least_contacts(packing)));
   row.carrying = carrying_forces(packing, between_grains(packing, held));
-  if (options.mechanics && packing.walls.empty()) add_mechanics(state, held, tolerance, row, remarks);
+  if (options.mechanics && packing.walls.empty()) {
+    if (packing.law.is_rigid())
+      row.rigid_indeterminacy = rigid_indeterminacy(packing, zero_force);
+    else
+      add_mechanics(state, held, tolerance, row, remarks);
+  }
   add_contacts_and_stress(packing, row);
   row.bonds = bond_row(file, packing, pressure, {zero_force, least_pressure_force(state)}, options.bonds,
                        side.bonds, remarks);

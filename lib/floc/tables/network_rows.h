@@ -51,14 +51,16 @@ struct NetworkRow {
   Coordination coordination;
   ForceMoments moments;
   PressurePhases phases;
-  /// Mechanics of the contact network; absent if NetworkTableOptions::mechanics is false.
+  /// Mechanics of the contact network; absent if NetworkTableOptions::mechanics is false, or if the contacts are rigid.
   std::optional<NetworkMechanics> mechanics;
+  /// Indeterminacy of the forces of rigid contacts; absent for elastic contacts.
+  std::optional<Indeterminacy> rigid_indeterminacy;
   /// Correlation of the contact forces of the state with their increments under isotropic stress; computed only if
   /// `mechanics` is present.
   ForceCorrelation correlation;
   std::optional<Indeterminacy> hyperstaticity;
   CarryingForces carrying;
-  double energy;
+  double energy = 0.0;  ///< elastic energy of the contacts per grain
   std::optional<double> contact_pressure;
   double stress_spread;
   BondRow bonds;

@@ -7,6 +7,7 @@
 #include "floc/base/error.h"
 #include "floc/elasticity/moduli.h"
 #include "floc/io/state_file.h"
+#include "floc/packing/require_elastic.h"
 
 namespace floc {
 
@@ -14,6 +15,7 @@ StateModuli moduli_of(const std::string& file, int axis) {
   const AnyState any = read_state(file);
   return std::visit(
       [&]<int Dim>(const State<Dim>& state) {
+        require_elastic(state.packing, "moduli are computed", file);
         const Moduli m = elastic_moduli(state.packing, ModuliOptions{});
         const char* unit = state.units != "SI" ? "" : Dim == 2 ? "N/m" : "Pa";
         StateModuli moduli{file, unit, m.B, m.B_S, state.target_stress.mean(), solid_fraction(state.packing)};

@@ -12,6 +12,7 @@
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/require_elastic.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/structure/axis_profile.h"
 #include "floc/structure/coordination.h"
@@ -329,6 +330,7 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state,
                            const StructureTableOptions& options, Series& series, const Remarks& remarks) {
   const double start = processor_seconds();
   const Packing<Dim>& packing = state.packing;
+  require_round(packing, "the structure is described", file);
   if (series.dimension == 0) series.dimension = Dim;
   if (options.average && series.dimension != Dim)
     throw InputError(file,

@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Compares the masses of the grains with the masses that follow from their radii and the density of the scene. The
-/// value of the criterion is the largest relative difference of the two.
+/// Compares the masses of the grains with the masses that follow from their sizes and the density of the scene. The value
+/// of the criterion is the largest relative difference of the two.
 template <int Dim>
 Criterion check_mass(const std::string& file, const State<Dim>& state) {
   constexpr double kRelative = 1e-12;
@@ -27,7 +27,8 @@ Criterion check_mass(const std::string& file, const State<Dim>& state) {
   if (!per_cube) return result;
   const Grains<Dim>& g = state.packing.grains;
   for (int i = 0; i < g.size(); ++i) {
-    const double expected = *per_cube * std::pow(2.0 * g.radius[i], Dim);
+    double expected = *per_cube * std::pow(2.0 * g.radius[i], Dim);
+    if (!g.are_round()) expected *= g.volume(i) / Ball<Dim>{g.radius[i]}.volume();
     const double error = std::abs(g.mass[i] - expected) / expected;
     if (error <= result.value) continue;
     result.value = error;
@@ -185,6 +186,15 @@ std::vector<Criterion> check_against_scene(const std::string& file, const State<
           scene ? check_scene(state, *scene) : Criterion{"scene", std::nullopt, 0.0, true, why_not}};
 }
 
+template <int Dim>
+std::optional<double> scene_gap_tolerance(const std::string& file, const State<Dim>& state) {
+  std::string why_not;
+  const std::optional<Scene> scene = scene_of(file, state.scene, why_not);
+  return scene ? scene->relaxation.contact_dynamics.gap_tolerance : std::nullopt;
+}
+
+template std::optional<double> scene_gap_tolerance(const std::string&, const State<2>&);
+template std::optional<double> scene_gap_tolerance(const std::string&, const State<3>&);
 template std::vector<Criterion> check_against_scene(const std::string&, const State<2>&);
 template std::vector<Criterion> check_against_scene(const std::string&, const State<3>&);
 

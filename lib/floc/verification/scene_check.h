@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,11 @@ namespace floc {
 /// the directory of the file
 template <int Dim>
 std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state);
+
+/// Returns the gap up to which rigid contacts carry forces by the scene of a state, over the diameter of the smaller
+/// grain; absent if the state has no scene, if its scene cannot be read, or if the scene does not give it.
+/// @param file  as in check_against_scene()
+template <int Dim>
+std::optional<double> scene_gap_tolerance(const std::string& file, const State<Dim>& state);
 
 }  // namespace floc

@@ -9,7 +9,8 @@
 namespace floc {
 
 /// One condition that a state in equilibrium must satisfy. It is tested on the positions of the grains, the elongations
-/// of the springs and the contact law, not on the forces stored in the state.
+/// of the springs and the contact law, not on the forces stored in the state. Only forces of rigid contacts, which do
+/// not follow from these, are those stored.
 struct Criterion {
   const char* name;
   std::optional<double> value;  ///< value found in the state; absent if not tested

@@ -1,0 +1,249 @@
+#include "floc/verification/verify_rigid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "floc/geometry/frame.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/liquid/liquid.h"
+#include "floc/verification/common_criteria.h"
+#include "floc/verification/contact_check.h"
+#include "floc/verification/rigid_geometry.h"
+#include "floc/verification/violations.h"
+
+namespace floc {
+namespace {
+
+/// Largest accepted violation of the law of contacts, over the mean normal force. Forces are computed to a few digits
+/// more.
+constexpr double kForceError = 1e-9;
+/// Repulsive forces below this share of the mean are rounding errors of a contact that does not carry a force.
+constexpr double kCarries = 1e-9;
+
+/// Returns the mean of the repulsive forces of the contacts that carry one (force); 1 if none does.
+template <int Dim>
+double mean_force(const Packing<Dim>& packing) {
+  double sum = 0.0;
+  int n = 0;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (c.elastic_force > 0.0) sum += c.elastic_force, ++n;
+  return n == 0 ? 1.0 : sum / n;
+}
+
+template <int Dim>
+Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
+  Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
+  Violations violations;
+  for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
+    const Contact<Dim>&c = stored.contacts[k], &r = recomputed.contacts[k];
+    if (std::isinf(r.gap)) {
+      violations.add(r.gap, name_of(stored, c) + ", which have no contact point there");
+      continue;
+    }
+    const double error =
+        std::max({std::abs(c.gap - r.gap), (c.normal - r.normal).norm() * branch(stored, c).norm(),
+                  (c.arm_i - r.arm_i).norm()});
+    result.value = std::max(*result.value, error);
+    if (!(error <= result.limit))
+      violations.add(error, fmt::format("{} by {:.2g}", name_of(stored, c), error));
+    else if (c.type != r.type)
+      violations.add(0.0,
+                     fmt::format("{}, recorded as a contact of the type {} instead of {}", name_of(stored, c),
+                                 contact_type_name(c.type), contact_type_name(r.type)));
+  }
+  result.where = violations.worst_first();
+  result.holds = result.where.empty();
+  result.by_value = !(result.value <= result.limit);
+  return result;
+}
+
+/// Returns whether a list, sorted as the contacts of a packing, has a contact of this pair of bodies.
+template <int Dim>
+bool has_pair(const std::vector<Contact<Dim>>& sorted, Contact<Dim> c) {
+  c.key = std::numeric_limits<int>::min();
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), c, precedes<Contact<Dim>>);
+  return at != sorted.end() && at->i == c.i && at->j == c.j && at->image == c.image;
+}
+
+template <int Dim>
+Criterion check_list(const Packing<Dim>& packing, const RigidGeometry<Dim>& geometry) {
+  Violations violations;
+  int n_wrong = 0;
+  const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
+  const std::vector<Contact<Dim>>& contacts = packing.contacts;
+  for (std::size_t k = 1; k < contacts.size(); ++k)
+    if (!precedes(contacts[k - 1], contacts[k]))
+      wrong(name_of(packing, contacts[k]) + " are in the contact list twice or out of order");
+  std::vector<Contact<Dim>> sorted = contacts;
+  std::ranges::sort(sorted, precedes<Contact<Dim>>);
+  for (const Contact<Dim>& c : geometry.overlapping)
+    if (!has_pair(sorted, c))
+      wrong(fmt::format("{} are missing in the contact list although they overlap by {:.2g}",
+                        name_of(packing, c), -c.gap));
+  return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
+}
+
+/// Returns a property of a contact that a rigid contact cannot have, in words; empty if there is none.
+template <int Dim>
+std::string elastic_property(const Contact<Dim>& c) {
+  if (c.kn != 0.0 || c.kt != 0.0 || c.kr != 0.0 || c.ktw != 0.0)
+    return fmt::format("the stiffness {:.3g}", std::max({c.kn, c.kt, c.kr, c.ktw}));
+  if (!c.rolling_moment.isZero(0.0) || c.twisting_moment != 0.0) return "a moment";
+  if (c.distant) return "an attraction across a gap";
+  return "";
+}
+
+template <int Dim>
+Criterion check_law(const Packing<Dim>& packing) {
+  Criterion result{"law", 0.0, kForceError, true, ""};
+  Violations violations;
+  const double mean = mean_force(packing);
+  for (const Contact<Dim>& c : packing.contacts) {
+    // Surfaces that do not press on each other may be apart, so that no adhesion acts.
+    const double adhesion = pull_off_force(packing, c);
+    double error = std::abs(c.elastic_force - c.normal_force - adhesion);
+    if (c.elastic_force == 0.0) error = std::min(error, std::abs(c.normal_force));
+    error = std::max(error, std::abs(c.shear_force.dot(c.normal))) / mean;
+    result.value = std::max(*result.value, error);
+    if (!(error <= result.limit))
+      violations.add(error, fmt::format("{} by {:.2g}", name_of(packing, c), error));
+    else if (const std::string property = elastic_property(c); !property.empty())
+      violations.add(
+          0.0, fmt::format("{} have {}, which rigid contacts do not have", name_of(packing, c), property));
+  }
+  result.where = violations.worst_first();
+  result.holds = result.where.empty();
+  result.by_value = !(result.value <= result.limit);
+  return result;
+}
+
+template <int Dim>
+Criterion check_cone(const Packing<Dim>& packing) {
+  Criterion result{"cone", 0.0, kForceError, true, ""};
+  Violations violations;
+  const double mean = mean_force(packing);
+  for (const Contact<Dim>& c : packing.contacts) {
+    const double mu = packing.law_of(c).friction_coefficient();
+    const double beyond = (c.shear_force.norm() - mu * std::max(0.0, c.elastic_force)) / mean;
+    const double pull = -c.elastic_force / mean;
+    result.value = std::max({*result.value, beyond, pull});
+    if (!(pull <= result.limit))
+      violations.add(pull, fmt::format("{} pull with the force {:.3g} beyond their adhesion",
+                                       name_of(packing, c), -c.elastic_force));
+    else if (!(beyond <= result.limit))
+      violations.add(beyond, fmt::format("{} with the tangential force {:.3g} at a limit of {:.3g}",
+                                         name_of(packing, c), c.shear_force.norm(), mu * c.elastic_force));
+  }
+  result.where = violations.worst_first();
+  result.holds = result.where.empty();
+  return result;
+}
+
+/// Checks that rigid grains touch where they press on each other (complementarity), and overlap nowhere.
+template <int Dim>
+Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& geometry, double tolerance) {
+  Criterion result{"gap", geometry.deepest, tolerance, true, ""};
+  Violations violations;
+  const double least = kCarries * mean_force(recomputed);
+  for (const Contact<Dim>& c : recomputed.contacts) {
+    if (!(c.elastic_force > least || c.shear_force.norm() > least)) continue;
+    const double share = std::abs(c.gap) / smaller_diameter(recomputed, c);
+    result.value = std::max(*result.value, share);
+    if (c.gap > 0.0 && !(share < tolerance))
+      violations.add(share,
+                     fmt::format("{} carry a force across the gap {:.2g}", name_of(recomputed, c), c.gap));
+  }
+  for (const Contact<Dim>& c : geometry.overlapping)
+    violations.add(-c.gap / smaller_diameter(recomputed, c),
+                   fmt::format("{} overlap by {:.2g}", name_of(recomputed, c), -c.gap));
+  result.where = violations.worst_first();
+  result.holds = result.where.empty() && *result.value < tolerance;
+  return result;
+}
+
+/// Returns the power that the contact forces feed into the motion of grains, cell and walls (energy/time).
+template <int Dim>
+double contact_power(const Packing<Dim>& packing) {
+  const Grains<Dim>& g = packing.grains;
+  // Along axes with walls, the velocities of the grains are relative to space.
+  Mat<Dim> rate = packing.cell.rate();
+  for (int a = 0; a < Dim; ++a)
+    if (between_walls(packing.walls, a)) rate(a, a) = 0.0;
+  double power = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) {
+    Vec<Dim> u = -g.velocity[c.i] - cross<double>(g.angular_velocity[c.i], c.arm_i);
+    if (packing.is_wall(c.j))
+      u[packing.wall(c.j).axis] += packing.wall(c.j).velocity;
+    else
+      u += g.velocity[c.j] + cross<double>(g.angular_velocity[c.j], c.arm_j) + rate * (c.arm_i - c.arm_j);
+    power += (c.normal_force * c.normal - c.shear_force).dot(u);
+  }
+  return power;
+}
+
+template <int Dim>
+Criterion check_power(const State<Dim>& state, const Packing<Dim>& recomputed) {
+  Criterion result{"power", 0.0, state.tolerance.energy, true, ""};
+  const double power = contact_power(recomputed);
+  if (!(power > 0.0)) return result;
+  const ForceScale scale = force_scale(recomputed, state.target_stress);
+  const double time = std::sqrt(largest_mass(recomputed.grains) * scale.length / scale.force);
+  result.value = power * time / (recomputed.grains.size() * scale.force * scale.length);
+  result.holds = *result.value < result.limit;
+  if (!result.holds)
+    result.where = fmt::format(
+        "the contact forces feed the power {:.3g} into the motion of the grains, but rigid "
+        "contacts only dissipate energy",
+        power);
+  return result;
+}
+
+/// Names the grain with the largest kinetic energy, in words.
+template <int Dim>
+std::string fastest_grain(const Grains<Dim>& grains) {
+  int fastest = 0;
+  for (int i = 1; i < grains.size(); ++i)
+    if (twice_kinetic_energy(grains, i) > twice_kinetic_energy(grains, fastest)) fastest = i;
+  return fmt::format("the grains are still moving, most of all grain {} at the velocity {:.3g}",
+                     grains.name(fastest), grains.velocity[fastest].norm());
+}
+
+}  // namespace
+
+template <int Dim>
+double default_gap_tolerance(const Packing<Dim>& packing) {
+  return packing.grains.are_round() ? 1e-4 : 1e-3;
+}
+
+template <int Dim>
+std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_tolerance) {
+  const RigidGeometry<Dim> geometry = rigid_geometry(state.packing, gap_tolerance);
+  Packing<Dim> recomputed = state.packing;
+  recomputed.contacts = geometry.recorded;
+  std::vector<Criterion> criteria = {
+      check_geometry(state.packing, recomputed), check_list(state.packing, geometry), check_law(state.packing),
+      check_cone(state.packing), check_gaps(recomputed, geometry, gap_tolerance)};
+  const Mat<Dim> stress = static_stress(recomputed);
+  add_residuals(state, recomputed, stress, fastest_grain(state.packing.grains), criteria);
+  add_lengths(state, criteria);
+  criteria.push_back(check_recorded_stress(state, recomputed, stress));
+  criteria.push_back(check_power(state, recomputed));
+  criteria.push_back(check_boundary(state, recomputed, stress));
+  criteria.push_back(check_record(state, recomputed, stress, std::nullopt));
+  return criteria;
+}
+
+#define FLOC_INSTANTIATE(Dim)                                 \
+  template double default_gap_tolerance(const Packing<Dim>&); \
+  template std::vector<Criterion> verify_rigid(const State<Dim>&, double);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

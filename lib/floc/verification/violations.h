@@ -1,0 +1,43 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+inline constexpr std::size_t kMaxListed = 5;  ///< largest number of violations that a message lists
+
+/// Grains or contacts that violate a criterion, each with the size of its violation.
+class Violations {
+ public:
+  void add(double how_bad, std::string name) { found_.emplace_back(how_bad, std::move(name)); }
+
+  std::string worst_first() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text;
+    for (std::size_t k = 0; k < std::min(kMaxListed, found_.size()); ++k)
+      text += fmt::format("{}{}", k == 0 ? "" : ", ", found_[k].second);
+    if (found_.size() > kMaxListed) text += fmt::format(" and {} more", found_.size() - kMaxListed);
+    return text;
+  }
+
+ private:
+  std::vector<std::pair<double, std::string>> found_;
+};
+
+/// Returns the two bodies of a contact in words.
+template <int Dim>
+std::string name_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const Grains<Dim>& g = packing.grains;
+  if (packing.is_wall(c.j)) return fmt::format("grain {} and wall {}", g.name(c.i), c.j - g.size());
+  return fmt::format("grains {}-{}", g.name(c.i), g.name(c.j));
+}
+
+}  // namespace floc

@@ -41,6 +41,13 @@ ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Di
   ContactGeometry<Dim> at;
   at.branch = branch(packing, contact);
   const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch);
+  if (manifold.n == 0) {  // the bodies are further apart than their sizes
+    at.normal = at.branch.normalized();
+    at.gap = packing.grains.radius[contact.i] + packing.surface_radius(contact.j);
+    at.arm_i = 0.5 * at.branch;
+    at.arm_j = -at.arm_i;
+    return at;
+  }
   at.normal = manifold.normal;
   const ManifoldPoint<Dim>* found = &manifold.points[0];
   for (int p = 0; p < manifold.n; ++p) {

@@ -264,6 +264,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   stop(rested);
   std::erase_if(rested.contacts,
                 [&](const Contact<Dim>& c) { return c.gap > tolerance * smaller_diameter(rested, c); });
+  renew_types(rested.contacts);
   try {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {

@@ -124,6 +124,22 @@ void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& 
   }
 }
 
+template <int Dim>
+void renew_types(std::vector<Contact<Dim>>& contacts) {
+  for (std::size_t first = 0, last; first < contacts.size(); first = last) {
+    last = first;
+    while (last < contacts.size() && same_pair(contacts[first], contacts[last])) ++last;
+    const std::size_t n = last - first;
+    for (std::size_t k = first; k < last; ++k) {
+      ContactType& type = contacts[k].type;
+      if (n == 1 && type != ContactType::kEdgeEdge) type = ContactType::kVertexFace;
+      if (n == 2) type = Dim == 2 ? ContactType::kFaceFace : ContactType::kDouble;
+    }
+  }
+}
+
+template void renew_types(std::vector<Contact<2>>&);
+template void renew_types(std::vector<Contact<3>>&);
 template class ContactPoints<2>;
 template class ContactPoints<3>;
 template void carry_forces(const Packing<2>&, const std::vector<Contact<2>>&, std::vector<Contact<2>>&);

@@ -27,6 +27,11 @@ class ContactPoints {
   std::vector<KnownPair> known_;  ///< pairs of the last search, in its order
 };
 
+/// Sets the types of contacts of shapes from the number of points of each pair, after points have been removed.
+/// @param contacts  contacts sorted as those of a packing
+template <int Dim>
+void renew_types(std::vector<Contact<Dim>>& contacts);
+
 /// Gives contact points the forces of the points of an earlier time. A point takes the forces of the earlier point with
 /// the same key. Remaining points of a pair of shapes take those of the nearest earlier point of the pair
 /// (matched_points()). Tangential forces are projected onto the new tangent planes.

@@ -68,15 +68,18 @@ const ManifoldPoint<Dim>* nearest_point(const Manifold<Dim>& manifold, const Vec
 }
 
 /// Gives a recorded contact the geometry that follows from positions and shapes.
-/// @param reach  gap up to which contact points are found first
+/// @param tolerance  gap up to which contact points count, over the diameter of the smaller grain
 template <int Dim>
-Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double reach) {
+Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double tolerance) {
   if (packing.grains.are_round()) {
     place(locate(packing, c), c);
     return c;
   }
   const Vec<Dim> r = branch(packing, c);
-  Manifold<Dim> manifold = manifold_of(packing, c, r, reach);
+  // Recorded gaps may be wrong, but no contact that could count is further apart than the tolerance.
+  const double counted = tolerance * smaller_diameter(packing, c);
+  Manifold<Dim> manifold = manifold_of(packing, c, r, std::max(std::abs(c.gap), counted) * 1.01);
+  const ContactType type = manifold_of(packing, c, r, counted).type;
   const ManifoldPoint<Dim>* found = point_with_key(manifold, c.key);
   // A manifold keeps four of the points with a gap below its reach: with a larger reach they may be others.
   if (!found) {
@@ -87,7 +90,7 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double reach
   c.gap = found ? found->gap : std::numeric_limits<double>::infinity();
   if (!found) return c;
   c.normal = manifold.normal;
-  c.type = manifold.type;
+  c.type = type;
   c.arm_i = found->arm;
   c.arm_j = found->arm - r;
   return c;
@@ -105,10 +108,7 @@ double smaller_diameter(const Packing<Dim>& packing, const Contact<Dim>& contact
 template <int Dim>
 RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double tolerance) {
   RigidGeometry<Dim> out;
-  // Recorded gaps may be wrong, but no contact that could count is further apart than the tolerance.
-  for (const Contact<Dim>& c : packing.contacts)
-    out.recorded.push_back(
-        relocated(packing, c, std::max(std::abs(c.gap), tolerance * smaller_diameter(packing, c)) * 1.01));
+  for (const Contact<Dim>& c : packing.contacts) out.recorded.push_back(relocated(packing, c, tolerance));
   for (const Contact<Dim>& c : ContactPoints<Dim>().find(packing, 0.0)) {
     const double overlap = -c.gap / smaller_diameter(packing, c);
     out.deepest = std::max(out.deepest, overlap);

@@ -38,6 +38,11 @@ bool has_stopped(const std::string& table) {
   return false;
 }
 
+/// Returns whether a table path.csv belongs to a run of rigid grains, whose states have no elastic moduli.
+bool is_rigid(const std::string& table) {
+  return CsvTable::read(table).has("force_freedom");
+}
+
 /// Returns a text as one word of a shell command, in quotation marks and with escapes if it needs them.
 std::string one_word(const std::string& text) {
   constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-=:,@%";
@@ -53,7 +58,9 @@ std::string next_steps(const std::string& directory, const std::string& files) {
   const std::vector<std::string> tables = tables_of(directory);
   const std::string word = one_word(directory);
   const bool balanced = std::none_of(tables.begin(), tables.end(), has_stopped);
-  std::string text = fmt::format("  floc {} {}/{}\n", balanced ? "moduli" : "network", word, files);
+  const bool rigid = std::any_of(tables.begin(), tables.end(), is_rigid);
+  const char* first = !balanced ? "network" : rigid ? "forces" : "moduli";
+  std::string text = fmt::format("  floc {} {}/{}\n", first, word, files);
   if (can_be_fitted(tables)) text += fmt::format("  floc fit consolidation {}\n", word);
   if (balanced) text += fmt::format("  floc verify {}/{}\n", word, files);
   return text;

@@ -163,6 +163,11 @@ void describe_attributes(Archive& archive, State& s) {
   archive.value("path", "time", s.path.time);
   archive.value("path", "n_steps", s.path.n_steps);
   archive.value_if_there("path", "ending", s.path.ending);
+  if (s.packing.law.is_rigid()) {
+    archive.value("path", "n_sweeps", s.path.sweeps.n_sweeps);
+    archive.value("path", "n_unfinished", s.path.sweeps.n_unfinished);
+    archive.value("path", "deepest_overlap", s.path.sweeps.deepest_overlap);
+  }
   archive.value("provenance", "program", s.provenance.program);
   archive.value("provenance", "commit", s.provenance.commit);
   archive.value("provenance", "compiler", s.provenance.compiler);

@@ -114,6 +114,15 @@ double longest_step(const Point<Dim>& from, const Point<Dim>& direction) {
   return step;
 }
 
+/// Returns the largest error of the condition Q x + c - A' y = z of the solution that a point of the embedding stands
+/// for.
+template <int Dim>
+double stationarity_error(const ConeProgram<Dim>& program, const Point<Dim>& at) {
+  double error = 0.0;
+  for (const Vec<Dim>& r : residuals(program, at).dual) error = std::max(error, r.cwiseAbs().maxCoeff());
+  return error / at.tau;
+}
+
 /// Returns the solution that a point of the embedding stands for.
 template <int Dim>
 ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>& at) {
@@ -297,7 +306,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     // A load that rounding leaves out of balance is made up by the softness: its residual counts at the end only.
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + kSoftness * now.motion - program.load));
-    const double error = std::max(residual / size_of_load, now.gap / (1.0 + std::abs(now.objective)));
+    const double error = std::max(
+        {residual / size_of_load, now.gap / (1.0 + std::abs(now.objective)), stationarity_error(program, at)});
     // Towards a proof that there is no solution, mu falls while the error does not.
     ++idle;
     if (at.mu() < 0.9 * least_mu) {

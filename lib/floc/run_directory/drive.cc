@@ -41,10 +41,11 @@ class Driver {
   RunEvent advance() {
     try {
       return run_.advance();
+    } catch (const NoResult& error) {
+      throw NoResult(present_step() + ": " + error.what());
     } catch (const InputError& error) {
       throw InputError(
-          fmt::format("step {} (branch {}, P = {:.4g})", run_.point().step, run_.target().branch,
-                      run_.pressure()),
+          present_step(),
           fmt::format(
               "the motion of the packing cannot continue: {}. A packing collapses in this way if its contacts "
               "are too soft for its pressure or for its adhesion: expected stiffer contacts, a lower pressure "
@@ -53,6 +54,12 @@ class Driver {
               "with the pressure or the adhesion",
               error.what()));
     }
+  }
+
+  /// Names the present step of the run, its branch and its pressure, for messages.
+  std::string present_step() const {
+    return fmt::format("step {} (branch {}, P = {:.4g})", run_.point().step, run_.target().branch,
+                       run_.pressure());
   }
 
   void save() {

@@ -76,6 +76,11 @@ void require_energy_account(const RunOptions& options) {
     throw InputError(
         "--track-energy",
         "the scene has walls (table [box]), but the energy balance can be recorded only in periodic cells");
+  if (options.law.is_rigid())
+    throw InputError(
+        "--track-energy",
+        "the contacts of the scene are rigid and store no elastic energy, so the energy balance cannot be "
+        "recorded; expected a scene with elastic contacts");
   if (options.relaxation.finish != Finish::dynamic)
     throw InputError(
         "--track-energy",

@@ -6,11 +6,13 @@
 #include <array>
 #include <sstream>
 
+#include "floc/base/error.h"
 #include "floc/io/table.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/law/contact_energy.h"
 #include "floc/packing/least_mechanisms.h"
 #include "floc/packing/wall_forces.h"
+#include "floc/rigid/static_forces.h"
 #include "floc/structure/axial_test.h"
 #include "floc/structure/coordination.h"
 
@@ -43,7 +45,7 @@ const std::vector<std::string> kColumns = {"step",
                                            "state",
                                            "ending"};
 
-std::vector<std::string> columns_of(int dimension, bool boxed) {
+std::vector<std::string> columns_of(int dimension, bool boxed, bool rigid) {
   std::vector<std::string> columns = kColumns;
   if (dimension == 3) columns.emplace_back("L3");
   for (const char* quantity : {"stress", "strain"})
@@ -51,11 +53,15 @@ std::vector<std::string> columns_of(int dimension, bool boxed) {
   for (const char* name : {"p", "q", "K0", "volumetric_strain", "mobilised_friction", "dilatancy", "control",
                            "axis", "shear_strain", "shear_stress"})
     columns.emplace_back(name);
-  if (!boxed) return columns;
-  for (const char* name : {"n_wall_contacts", "z_wall", "kinetic_over_elastic", "n_mechanisms"})
-    columns.emplace_back(name);
-  for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("p_wall_{}", a));
-  for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("p_friction_{}", a));
+  if (boxed) {
+    for (const char* name : {"n_wall_contacts", "z_wall", "kinetic_over_elastic", "n_mechanisms"})
+      columns.emplace_back(name);
+    for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("p_wall_{}", a));
+    for (int a = 1; a <= dimension; ++a) columns.push_back(fmt::format("p_friction_{}", a));
+  }
+  if (rigid)
+    for (const char* name : {"z_pairs", "n_sweeps", "n_unfinished", "deepest_overlap", "force_freedom"})
+      columns.emplace_back(name);
   return columns;
 }
 
@@ -110,10 +116,50 @@ void add_walls(const State<Dim>& state, const Coordination& c, std::vector<Table
     }
 }
 
+/// Returns the number of pairs of grains in contact; the points of two faces count as one pair.
+template <int Dim>
+std::int64_t n_pairs(const Packing<Dim>& packing) {
+  std::int64_t n = 0;
+  const Contact<Dim>* last = nullptr;
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (packing.is_wall(c.j)) continue;
+    n += !last || last->i != c.i || last->j != c.j || last->image != c.image;
+    last = &c;
+  }
+  return n;
+}
+
+/// Returns the relative distance of the forces of a state from the forces of least elastic energy on its geometry, as
+/// floc forces prints it; undefined if no forces balance the state.
+template <int Dim>
+TableValue force_freedom(const State<Dim>& state) {
+  ForceBalanceOptions<Dim> options;
+  options.axis_stress = state.stress.diagonal();
+  try {
+    StaticForces<Dim> forces("the state", state.packing, options);
+    return force_distance(forces.present(), forces.canonical());
+  } catch (const NoResult&) {
+    return {};
+  } catch (const InputError&) {  // no contact carries a force
+    return {};
+  }
+}
+
+/// Adds to a row of path.csv the values that describe contact dynamics and the forces of rigid grains.
+template <int Dim>
+void add_rigid(const State<Dim>& state, std::vector<TableValue>& row) {
+  const SweepCounts& sweeps = state.path.sweeps;
+  row.emplace_back(2.0 * static_cast<double>(n_pairs(state.packing)) / state.packing.grains.size());
+  row.emplace_back(sweeps.n_sweeps);
+  row.emplace_back(sweeps.n_unfinished);
+  row.emplace_back(sweeps.deepest_overlap);
+  row.push_back(force_freedom(state));
+}
+
 }  // namespace
 
-std::string path_header(int dimension, bool boxed) {
-  return fmt::format("{}", fmt::join(columns_of(dimension, boxed), ","));
+std::string path_header(int dimension, bool boxed, bool rigid) {
+  return fmt::format("{}", fmt::join(columns_of(dimension, boxed, rigid), ","));
 }
 
 template <int Dim>
@@ -125,7 +171,8 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   const Coordination c = coordination(state.packing, zero_force);
   Table table;
   const bool boxed = !state.packing.walls.empty();
-  table.columns = columns_of(Dim, boxed);
+  const bool rigid = state.packing.law.is_rigid();
+  table.columns = columns_of(Dim, boxed, rigid);
   table.rows = {{std::int64_t{state.path.step},
                  state.path.branch,
                  reduced_pressure(state.packing, pressure),
@@ -154,6 +201,7 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   if constexpr (Dim == 3) table.rows[0].emplace_back(state.packing.cell.matrix(2, 2));
   add_axes(state, reference, table.rows[0]);
   if (boxed) add_walls(state, c, table.rows[0]);
+  if (rigid) add_rigid(state, table.rows[0]);
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;

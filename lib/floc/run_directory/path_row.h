@@ -8,8 +8,9 @@
 namespace floc {
 
 /// Returns the first line of path.csv (the table with one row for each equilibrium of a run): the names of its columns.
-/// @param boxed  whether the packing has walls; the last columns then describe the walls
-std::string path_header(int dimension, bool boxed);
+/// @param boxed  whether the packing has walls; columns that describe the walls then follow the columns of all runs
+/// @param rigid  whether the grains are rigid; columns that describe contact dynamics then come last
+std::string path_header(int dimension, bool boxed, bool rigid);
 
 /// Sides of the cell earlier in a run. The strains in a row of path.csv are expressed with respect to these sides.
 template <int Dim>

@@ -43,7 +43,8 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
     : path_(path),
       claim_(path, existing, "run"),
       dimension_(options.dimension),
-      boxed_(options.assembly.box.has_value()) {
+      boxed_(options.assembly.box.has_value()),
+      rigid_(options.law.is_rigid()) {
   std::error_code failed;
   fs::create_directories(fs::path(path) / "checkpoint", failed);
   if (failed) throw IoError(path, "the directory cannot be created: " + failed.message());
@@ -173,7 +174,7 @@ void RunDirectory::read_rows() {
   std::string line;
   if (!std::getline(in, line)) return;
   if (in.eof()) return;  // the first line, with the names of the columns, is incomplete: there are no rows
-  if (line != path_header(dimension_, boxed_))
+  if (line != path_header(dimension_, boxed_, rigid_))
     throw InputError(path_table() + ":1",
                      "the columns of this table differ from those that this version of floc writes: " + line);
   const int n_columns = n_cells(line);
@@ -188,7 +189,7 @@ void RunDirectory::read_rows() {
 }
 
 void RunDirectory::write_rows() const {
-  std::string text = path_header(dimension_, boxed_) + "\n";
+  std::string text = path_header(dimension_, boxed_, rigid_) + "\n";
   for (const auto& [step, line] : rows_) text += line + "\n";
   write_bytes_atomically(path_table(), text);
 }

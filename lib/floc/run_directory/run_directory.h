@@ -76,6 +76,7 @@ class RunDirectory {
   ClaimedDirectory claim_;
   int dimension_;
   bool boxed_;
+  bool rigid_;
   std::map<int, std::string> rows_;  ///< rows of path.csv, by the number of their equilibrium
   /// sides of the cell (length) in the states that were read or saved so far, by the number of the state
   std::map<int, std::vector<double>> sides_;

@@ -268,6 +268,10 @@ Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
         "assembly.protocol = \"state\"",
         "the study makes samples with different numbers of grains, which requires a gas in place of a saved "
         "state: expected \"direct\" or \"aggregation\"");
+  if (scene.law.is_rigid())
+    throw InputError(
+        "contact.normal.law = \"rigid\"",
+        "the study varies the settings of the dynamics of elastic grains: expected elastic contacts");
   return Study(std::move(scene), options).run();
 }
 

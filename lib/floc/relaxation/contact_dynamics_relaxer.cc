@@ -356,6 +356,7 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   report.phase = resting ? "finishing" : "moving";
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
+  report.counts = {progress_.n_steps, progress_.n_sweeps, progress_.n_unfinished, progress_.deepest_overlap};
   if (!ending_.empty()) return report;
   if (resting)
     report.blocking =

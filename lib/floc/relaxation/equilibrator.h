@@ -10,6 +10,7 @@
 #include "floc/packing/load_target.h"
 #include "floc/relaxation/motion_observer.h"
 #include "floc/relaxation/relaxation_options.h"
+#include "floc/rigid/step_counts.h"
 
 namespace floc {
 
@@ -38,6 +39,8 @@ struct RelaxationReport {
   std::string phase;         ///< present phase: "moving" or "finishing"
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
+  StepCounts
+      counts;  ///< time steps of contact dynamics of this relaxation so far; all zero for elastic contacts
 };
 
 /// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, the packing and progress()

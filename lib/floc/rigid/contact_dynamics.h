@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "floc/packing/packing.h"
 #include "floc/rigid/contact_points.h"
 #include "floc/rigid/gauss_seidel.h"
+#include "floc/rigid/step_counts.h"
 
 namespace floc {
 
@@ -30,14 +30,6 @@ struct ContactDynamicsSettings {
   int max_sweeps;       ///< number of sweeps after which the sweeps of a step end in any case
   double restitution = 0.0;
   int threads = 1;
-};
-
-/// Counts of the time steps that contact dynamics has made.
-struct StepCounts {
-  std::int64_t n_steps = 0;
-  std::int64_t n_sweeps = 0;
-  std::int64_t n_unfinished = 0;  ///< steps that ended at the largest number of sweeps
-  double deepest_overlap = 0.0;   ///< deepest overlap of all steps, over the diameter of the smaller grain
 };
 
 /// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). The impulses of all

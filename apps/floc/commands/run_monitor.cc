@@ -68,6 +68,24 @@ void RunMonitor::chunk(const Run<Dim>& run) {
   std::fflush(stderr);
 }
 
+namespace {
+
+/// Returns a warning if many time steps of contact dynamics ended before their impulses were within tolerance; empty if
+/// few did.
+std::string unfinished_warning(const StepCounts& counts) {
+  constexpr double kMany = 0.05;
+  const double share = counts.n_steps == 0 ? 0.0 : static_cast<double>(counts.n_unfinished) / counts.n_steps;
+  if (share <= kMany) return {};
+  return fmt::format(
+      "{:.0f} % of the time steps ended at dynamics.max_sweeps before their impulses were within "
+      "dynamics.sweep_tolerance: the forces at rest are balanced, but the motion to them is less accurate than "
+      "asked for; "
+      "give a larger dynamics.max_sweeps or a larger tolerance",
+      100.0 * share);
+}
+
+}  // namespace
+
 template <int Dim>
 void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& report, double seconds) {
   // The assembly takes longer than a step of the load path, so it is left out of the mean time of a step.
@@ -82,6 +100,8 @@ void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& re
              state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
              state.residuals.force, ending_of(report), seconds);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
+    fmt::print(stderr, "  warning: {}\n", warning);
+  if (const std::string warning = unfinished_warning(report.counts); !warning.empty())
     fmt::print(stderr, "  warning: {}\n", warning);
   if (!report.stability.note.empty()) fmt::print(stderr, "  test of stability: {}\n", report.stability.note);
 }

@@ -164,9 +164,10 @@ void describe_attributes(Archive& archive, State& s) {
   archive.value("path", "n_steps", s.path.n_steps);
   archive.value_if_there("path", "ending", s.path.ending);
   if (s.packing.law.is_rigid()) {
-    archive.value("path", "n_sweeps", s.path.sweeps.n_sweeps);
-    archive.value("path", "n_unfinished", s.path.sweeps.n_unfinished);
-    archive.value("path", "deepest_overlap", s.path.sweeps.deepest_overlap);
+    archive.value("path", "n_steps_of_state", s.path.counts.n_steps);
+    archive.value("path", "n_sweeps", s.path.counts.n_sweeps);
+    archive.value("path", "n_unfinished", s.path.counts.n_unfinished);
+    archive.value("path", "deepest_overlap", s.path.counts.deepest_overlap);
   }
   archive.value("provenance", "program", s.provenance.program);
   archive.value("provenance", "commit", s.provenance.commit);

@@ -261,12 +261,14 @@ RunEvent Run<Dim>::advance() {
 
 template <int Dim>
 PathPosition Run<Dim>::path() const {
+  const RelaxationReport reached = equilibrator_ ? equilibrator_->report() : RelaxationReport{};
   return {point_.step,
           target().branch,
           point_.time + point_.equilibration_time,
           point_.n_steps + point_.equilibration_steps,
-          equilibrator_ ? equilibrator_->report().ending : "",
-          point_.turn};
+          reached.ending,
+          point_.turn,
+          reached.counts};
 }
 
 template <int Dim>

@@ -8,6 +8,7 @@
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/load_target.h"
 #include "floc/packing/packing.h"
+#include "floc/packing/step_counts.h"
 
 namespace floc {
 
@@ -26,14 +27,6 @@ struct StageReference {
   bool operator==(const StageReference&) const = default;
 };
 
-/// Diagnosis of the time steps of contact dynamics by which a state of rigid grains was reached.
-struct SweepCounts {
-  std::int64_t n_sweeps = 0;  ///< number of sweeps over all contacts
-  std::int64_t n_unfinished =
-      0;  ///< number of time steps that ended before their impulses were within tolerance
-  double deepest_overlap = 0.0;  ///< deepest overlap in a time step, over the diameter of the smaller grain
-};
-
 /// Position of a state on its load path.
 struct PathPosition {
   int step = 0;              ///< number of the equilibrium on the load path, 0 for the first
@@ -42,7 +35,8 @@ struct PathPosition {
   std::int64_t n_steps = 0;  ///< number of time steps since the start of the run
   std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
-  SweepCounts sweeps = {};  ///< sweeps of the step that led to the state; zero for elastic grains
+  StepCounts counts =
+      {};  ///< time steps of contact dynamics that led to the state; all zero for elastic contacts
 };
 
 /// Origin of a state: the program, the seed and the state file from which the run continued. It contains no date or

@@ -187,7 +187,8 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   }
   progress_.n_steps += motion.counts().n_steps;
   progress_.n_sweeps += motion.counts().n_sweeps;
-  progress_.n_unfinished += motion.counts().n_unfinished;
+  // Steps at rest are limited to few sweeps on purpose, since the next step goes on from their impulses.
+  if (!at_rest) progress_.n_unfinished += motion.counts().n_unfinished;
   progress_.deepest_overlap = std::max(progress_.deepest_overlap, motion.counts().deepest_overlap);
   progress_.time_step = motion.time_step();
   packing_ = motion.release_packing();

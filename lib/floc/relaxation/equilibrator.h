@@ -8,9 +8,9 @@
 #include "floc/elasticity/stability.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/load_target.h"
+#include "floc/packing/step_counts.h"
 #include "floc/relaxation/motion_observer.h"
 #include "floc/relaxation/relaxation_options.h"
-#include "floc/rigid/step_counts.h"
 
 namespace floc {
 

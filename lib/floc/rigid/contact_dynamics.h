@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "floc/packing/packing.h"
+#include "floc/packing/step_counts.h"
 #include "floc/rigid/contact_points.h"
 #include "floc/rigid/gauss_seidel.h"
-#include "floc/rigid/step_counts.h"
 
 namespace floc {
 

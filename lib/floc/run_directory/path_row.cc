@@ -148,11 +148,11 @@ TableValue force_freedom(const State<Dim>& state) {
 /// Adds to a row of path.csv the values that describe contact dynamics and the forces of rigid grains.
 template <int Dim>
 void add_rigid(const State<Dim>& state, std::vector<TableValue>& row) {
-  const SweepCounts& sweeps = state.path.sweeps;
+  const StepCounts& counts = state.path.counts;
   row.emplace_back(2.0 * static_cast<double>(n_pairs(state.packing)) / state.packing.grains.size());
-  row.emplace_back(sweeps.n_sweeps);
-  row.emplace_back(sweeps.n_unfinished);
-  row.emplace_back(sweeps.deepest_overlap);
+  row.emplace_back(counts.n_sweeps);
+  row.emplace_back(counts.n_unfinished);
+  row.emplace_back(counts.deepest_overlap);
   row.push_back(force_freedom(state));
 }
 

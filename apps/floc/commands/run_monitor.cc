@@ -74,7 +74,9 @@ namespace {
 /// few did.
 std::string unfinished_warning(const StepCounts& counts) {
   constexpr double kMany = 0.05;
-  const double share = counts.n_steps == 0 ? 0.0 : static_cast<double>(counts.n_unfinished) / counts.n_steps;
+  const double share = counts.n_steps == 0
+                           ? 0.0
+                           : static_cast<double>(counts.n_unfinished) / static_cast<double>(counts.n_steps);
   if (share <= kMany) return {};
   return fmt::format(
       "{:.0f} % of the time steps ended at dynamics.max_sweeps before their impulses were within "

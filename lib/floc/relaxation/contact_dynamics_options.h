@@ -19,7 +19,7 @@ struct ContactDynamicsOptions {
   /// Error of the impulses of a time step, over the mean normal impulse, at which the sweeps over the contacts end.
   double sweep_tolerance = 1e-3;
   /// Largest number of sweeps over the contacts in a time step. A step that needs more counts as unfinished.
-  int max_sweeps = 400;
+  int max_sweeps = 2000;
   double restitution = 0.0;  ///< coefficient of restitution of normal impacts, from 0 to 1
   RigidForces forces = RigidForces::closest;
   /// Largest gap or overlap of a contact that carries a force, over the diameter of its smaller grain; absent: 1e-4 for

@@ -18,14 +18,12 @@ namespace {
 
 /// Number of time steps by which a relaxation advances at once.
 constexpr int kSteps = 20;
-/// Number of calm steps after which the motion counts as ended, largest relative error of the stress in them, and
-/// largest root mean square velocity, in units of d/T.
+/// Number of calm steps after which the motion counts as ended. In a calm step the root mean square velocity is at most
+/// kCalmVelocity, in units of d/T, and the strain rate of the cell at most kCalmRate, over its cap. The relative error of
+/// the stress is then kCalmRate, too.
 constexpr int kCalmSteps = 40;
-constexpr double kStressError = 0.03;
+constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
-/// Weight of the stress of the last step in the mean stress. The error of the impulses makes the stress of one step vary
-/// by several percent, although it is small in each contact.
-constexpr double kStressMemory = 0.1;
 /// Factor by which the tolerance of the sweeps is larger while a gas is compressed, and stress over the imposed stress up
 /// to which a packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
@@ -72,7 +70,6 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("next_trial", p.next_trial);
   visit("rest_length", p.rest_length);
   visit("rest_sweeps", p.rest_sweeps);
-  visit("mean_stress", p.mean_stress);
   visit("obstacle", p.obstacle);
 };
 
@@ -124,8 +121,6 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
                                                    kMembers);
   time_unit_ = inertial_time(packing_, target_);
   measure();
-  if (progress_.mean_stress.empty())
-    progress_.mean_stress.assign(stress_.diagonal().begin(), stress_.diagonal().end());
 }
 
 template <int Dim>
@@ -157,17 +152,14 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
                                                                                       : kGapToleranceAngular);
 }
 
-/// Adds the stress after a step to the mean stress, and returns whether the motion of the packing has nearly ended.
+/// Returns whether the motion of the packing has nearly ended. The rate of the cell shows whether the stress is balanced:
+/// it is proportional to the difference from the imposed stress, and the errors of single impulses cancel in it.
 template <int Dim>
-bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) {
-  const Vec<Dim> stress = static_stress(packing).diagonal();
-  double error = 0.0;
-  for (int a = 0; a < Dim; ++a) {
-    progress_.mean_stress[a] += kStressMemory * (stress[a] - progress_.mean_stress[a]);
-    error = std::max(error, std::abs(progress_.mean_stress[a] - target_[a]));
-  }
+bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double velocity = kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
-  return error < kStressError * target_.mean() && rms_velocity(packing.grains) < velocity;
+  const double cap = std::min(strain_rate_cap(options_, packing, target_), 1.0 / time_unit_);
+  return rms_velocity(packing.grains) < velocity &&
+         packing.cell.rate().diagonal().cwiseAbs().maxCoeff() < kCalmRate * cap;
 }
 
 /// Makes time steps. Grains are then moved into the cell, so that a relaxation that was stopped continues from the same
@@ -365,9 +357,10 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   else
     report.blocking = fmt::format(
         "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
-        "unit T, or "
-        "the stress differs by more than {:.0f} % from the imposed one",
-        rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains), 100.0 * kStressError);
+        "unit T, and "
+        "the largest strain rate of the cell {:.2g} per T",
+        rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains),
+        packing_.cell.rate().diagonal().cwiseAbs().maxCoeff() * time_unit_);
   return report;
 }
 

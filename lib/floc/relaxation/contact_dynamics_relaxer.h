@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "floc/relaxation/blocking_criterion.h"
 #include "floc/relaxation/equilibrator.h"
@@ -30,14 +29,12 @@ struct ContactDynamicsProgress {
   int next_trial = 0;  ///< number of steps of the phase `resting` at which balanced forces are sought next
   double rest_length = 0.0;  ///< longest time step of the phase `resting` (T)
   int rest_sweeps = 0;       ///< largest number of sweeps in a time step of the phase `resting`
-  /// Mean stress on each axis in the last steps (force/length^(Dim-1)).
-  std::vector<double> mean_stress;
-  std::string obstacle;  ///< reason why no balanced forces were found last; empty before the first trial
+  std::string obstacle;      ///< reason why no balanced forces were found last; empty before the first trial
 };
 
 /// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell, in three phases:
-/// 1. The grains move under the load (contact_dynamics.h) until the stress is within 3 % of the imposed one and the
-/// root mean square velocity is below 6e-3 d/T for 40 steps, with the largest diameter d and the time unit T =
+/// 1. The grains move under the load (contact_dynamics.h) until, for 40 steps, the root mean square velocity is below
+/// 6e-3 d/T and the strain rate of the cell below 3 % of its cap, with the largest diameter d and the time unit T =
 /// sqrt(m/(P d^(Dim-2))).
 /// 2. All velocities are set to zero before each step, until the net forces are small.
 /// 3. With the grains held, forces are sought that balance all grains and the stress and satisfy Coulomb's conditions
@@ -63,7 +60,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   ContactDynamicsSettings settings() const;
   BoundaryLoad<Dim> boundary_load() const;
   double gap_tolerance() const;
-  bool is_calm(const Packing<Dim>& packing);
+  bool is_calm(const Packing<Dim>& packing) const;
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;
   double near_balance() const;

@@ -19,6 +19,9 @@ constexpr double kStepShare = 0.99;
 constexpr double kSoftness = 1e-13;
 /// Relative residual and gap at which the iteration ends: close to rounding.
 constexpr double kGoal = 1e-13;
+/// Weight of the gap in the error of an iterate. The objective is flat at its minimum: a relative gap g leaves an error
+/// of about sqrt(g) in the solution.
+constexpr double kGapWeight = 1e4;
 /// Largest error of a proof that there is no bound, in units of what it proves.
 constexpr double kProof = 1e-8;
 /// Number of successive iterations without progress after which the iteration ends.
@@ -134,6 +137,11 @@ ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>&
   out.residual = largest(Eigen::VectorXd(program.balance(out.x) - program.load));
   out.gap = dot(at.x, at.z) / (at.tau * at.tau);
   return out;
+}
+
+template <int Dim>
+double relative_gap(const ConeSolution<Dim>& solution) {
+  return solution.gap / (1.0 + std::abs(solution.objective));
 }
 
 /// Returns a lower bound of the largest |A x - b| over all x in the cones with entries of order one, which y proves:
@@ -306,8 +314,8 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     // A load that rounding leaves out of balance is made up by the softness: its residual counts at the end only.
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + kSoftness * now.motion - program.load));
-    const double error = std::max(
-        {residual / size_of_load, now.gap / (1.0 + std::abs(now.objective)), stationarity_error(program, at)});
+    const double error =
+        std::max({residual / size_of_load, kGapWeight * relative_gap(now), stationarity_error(program, at)});
     // Towards a proof that there is no solution, mu falls while the error does not.
     ++idle;
     if (at.mu() < 0.9 * least_mu) {
@@ -342,7 +350,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     at.kappa /= size;
   }
   best.n_factorizations = n_factorizations;
-  if (std::max(best_error, best.residual / size_of_load) < tolerance) best.status = ConeStatus::kSolved;
+  if (std::max(best.residual / size_of_load, relative_gap(best)) < tolerance) best.status = ConeStatus::kSolved;
   return best;
 }
 

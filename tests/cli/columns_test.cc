@@ -213,7 +213,12 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
                                            "kinetic_over_elastic",
                                            "path.csv n_mechanisms",
                                            "p_wall_?",
-                                           "p_friction_?"};
+                                           "p_friction_?",
+                                           "z_pairs",
+                                           "n_sweeps",
+                                           "n_unfinished",
+                                           "deepest_overlap",
+                                           "path.csv force_freedom"};
   for (const auto& [table, text] : tables) {
     const std::vector<std::string> names = described(table);
     const auto columns = header(text);

@@ -103,6 +103,7 @@ TEST_F(TrackEnergy, IsRefusedWhereNoMotionLeadsToAnEquilibrium) {
 /// Why no account is kept of a shipped scene as it is, or with equilibrium.finish = "dynamic"; empty where one is.
 std::string refusal_of(const Scene& scene, bool dynamic) {
   if (scene.assembly.box) return "the scene has walls (table [box])";
+  if (scene.law.is_rigid()) return dynamic ? "" : "store no elastic energy";
   if (!dynamic && scene.relaxation.finish != Finish::dynamic)
     return "expected equilibrium.finish = \"dynamic\"";
   for (const LoadStage& stage : scene.load)

@@ -189,7 +189,7 @@ TEST(Packing, WithoutContactsHasNoModuliAndSaysSo) {
   EXPECT_TRUE(m.C.isZero(0.0));
   EXPECT_EQ(m.n_coupled_mechanisms, 2);
   ASSERT_FALSE(m.warnings.empty());
-  EXPECT_NE(m.warnings[0].find("moduli along them are zero"), std::string::npos);
+  EXPECT_NE(m.warnings[0].find("moduli along these strains are zero"), std::string::npos);
 }
 
 /// Without adhesion a grain on one contact is held by nothing: pairs are rattlers, both of them.

@@ -154,8 +154,10 @@ void sweep(const Law& law, Counts& counts) {
 
 TEST(Stiffnesses, OfEveryLawAreComparedWithItInListsAndStates) {
   Counts counts;
-  for (const Law& law : test::all_laws(2, kNumbers)) sweep<2>(law, counts);
-  for (const Law& law : test::all_laws(3, kNumbers)) sweep<3>(law, counts);
+  for (const Law& law : test::all_laws(2, kNumbers))
+    if (!law.is_rigid()) sweep<2>(law, counts);
+  for (const Law& law : test::all_laws(3, kNumbers))
+    if (!law.is_rigid()) sweep<3>(law, counts);
   fmt::print("{} laws of 2D and 3D, {} stiffnesses: {} lists, {} states for moduli, {} verified\n", counts.laws,
              kStiffnessNames.size(), counts.lists, counts.states, counts.verified);
   EXPECT_GT(counts.laws, 40);

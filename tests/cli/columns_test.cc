@@ -218,7 +218,10 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
                                            "n_sweeps",
                                            "n_unfinished",
                                            "deepest_overlap",
-                                           "path.csv force_freedom"};
+                                           "path.csv force_freedom",
+                                           "verify cone",
+                                           "verify gap",
+                                           "verify power"};
   for (const auto& [table, text] : tables) {
     const std::vector<std::string> names = described(table);
     const auto columns = header(text);

@@ -230,14 +230,15 @@ double ContactDynamicsRelaxer<Dim>::near_balance() const {
   return packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
 }
 
-/// Returns the largest gap or overlap of the contacts whose force exceeds the errors of the balance, over the diameter
-/// of the smaller grain.
+/// Returns the largest gap of the contacts whose force exceeds the errors of the balance, or the deepest overlap of all
+/// contacts if it is larger, over the diameter of the smaller grain.
 template <int Dim>
-double ContactDynamicsRelaxer<Dim>::largest_carrying_gap() const {
+double ContactDynamicsRelaxer<Dim>::largest_gap() const {
   const double least = near_balance() * mean_normal_force(packing_);
   double largest = 0.0;
   for (const Contact<Dim>& c : packing_.contacts)
-    if (c.elastic_force > least) largest = std::max(largest, std::abs(c.gap) / smaller_diameter(packing_, c));
+    largest =
+        std::max(largest, (c.elastic_force > least ? std::abs(c.gap) : -c.gap) / smaller_diameter(packing_, c));
   return largest;
 }
 
@@ -245,9 +246,11 @@ double ContactDynamicsRelaxer<Dim>::largest_carrying_gap() const {
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double tolerance = gap_tolerance();
-  if (const double gap = largest_carrying_gap(); gap > tolerance) {
+  if (const double gap = largest_gap(); gap > tolerance) {
     progress_.obstacle = fmt::format(
-        "a contact with a gap of {:.2g} of the smaller diameter carries a force, but the tolerance is {:.2g}",
+        "a contact that carries a force has a gap of {:.2g} of the smaller diameter, or two grains overlap by "
+        "this "
+        "much, but the tolerance is {:.2g}",
         gap, tolerance);
     // Errors of the impulses move the grains in proportion to the square of the time step.
     progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
@@ -255,9 +258,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   }
   Packing<Dim> rested = packing_;
   stop(rested);
-  std::erase_if(rested.contacts,
-                [&](const Contact<Dim>& c) { return c.gap > tolerance * smaller_diameter(rested, c); });
-  renew_types(rested.contacts);
+  rested.contacts = ContactPoints<Dim>().find_touching(rested, tolerance);
+  carry_forces(rested, packing_.contacts, rested.contacts);
   try {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {

@@ -64,7 +64,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   void make_steps(int n_steps);
   bool forces_are_nearly_balanced() const;
   double near_balance() const;
-  double largest_carrying_gap() const;
+  double largest_gap() const;
   bool find_balanced_forces();
   bool stays_in_place(const Packing<Dim>& rested) const;
   void set_balanced_forces(Packing<Dim>& packing) const;

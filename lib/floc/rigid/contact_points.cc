@@ -1,6 +1,7 @@
 #include "floc/rigid/contact_points.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "floc/packing/contact_order.h"
 #include "floc/packing/locate.h"
@@ -61,6 +62,18 @@ std::vector<ManifoldPoint<Dim>> points_of(std::span<const Contact<Dim>> contacts
 
 template <int Dim>
 std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, double reach) {
+  return find(packing, reach, std::numeric_limits<double>::infinity());
+}
+
+template <int Dim>
+std::vector<Contact<Dim>> ContactPoints<Dim>::find_touching(const Packing<Dim>& packing, double share) {
+  const std::vector<double>& radius = packing.grains.radius;
+  return find(packing, share * 2.0 * *std::max_element(radius.begin(), radius.end()), share);
+}
+
+/// Returns the contact points whose gap is smaller than both `reach` (length) and `share` times the smaller diameter.
+template <int Dim>
+std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, double reach, double share) {
   const Grains<Dim>& grains = packing.grains;
   std::vector<Contact<Dim>> out;
   std::vector<KnownPair> known;
@@ -68,9 +81,11 @@ std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, 
   for (const NeighborPair<Dim>& pair :
        find_pairs(search_cell(packing.cell, packing.walls, reach), grains, reach)) {
     Contact<Dim> contact = contact_of(pair);
+    const double own_reach =
+        std::min(reach, share * 2.0 * std::min(grains.radius[pair.i], grains.radius[pair.j]));
     if (grains.are_round()) {
       place(locate(packing, contact), contact);
-      if (contact.gap < reach) out.push_back(contact);
+      if (contact.gap < own_reach) out.push_back(contact);
       continue;
     }
     while (next < known_.size() && precedes(known_[next].pair, pair)) ++next;
@@ -80,19 +95,20 @@ std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, 
     const PlacedShape<Dim> first = grains.placed(pair.i);
     PlacedShape<Dim> second = grains.placed(pair.j);
     second.position = first.position + r;
-    append(contact_manifold(first, second, reach, &now.features), contact, r, out);
+    append(contact_manifold(first, second, own_reach, &now.features), contact, r, out);
   }
   known_ = std::move(known);
   for (NeighborPair<Dim> pair : find_wall_pairs(packing.walls, grains, reach)) {
     const Wall<Dim>& wall = packing.walls[pair.j];
     pair.j += grains.size();
     Contact<Dim> contact = contact_of(pair);
+    const double own_reach = std::min(reach, share * 2.0 * grains.radius[pair.i]);
     if (grains.are_round()) {
       place(locate(packing, contact), contact);
-      out.push_back(contact);
+      if (contact.gap < own_reach) out.push_back(contact);
     } else {
-      append(plane_manifold(grains.placed(pair.i), wall.normal(), wall.side * wall.position, reach), contact,
-             branch(packing, contact), out);
+      append(plane_manifold(grains.placed(pair.i), wall.normal(), wall.side * wall.position, own_reach),
+             contact, branch(packing, contact), out);
     }
   }
   std::sort(out.begin(), out.end(), precedes<Contact<Dim>>);
@@ -124,22 +140,6 @@ void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& 
   }
 }
 
-template <int Dim>
-void renew_types(std::vector<Contact<Dim>>& contacts) {
-  for (std::size_t first = 0, last; first < contacts.size(); first = last) {
-    last = first;
-    while (last < contacts.size() && same_pair(contacts[first], contacts[last])) ++last;
-    const std::size_t n = last - first;
-    for (std::size_t k = first; k < last; ++k) {
-      ContactType& type = contacts[k].type;
-      if (n == 1 && type != ContactType::kEdgeEdge) type = ContactType::kVertexFace;
-      if (n == 2) type = Dim == 2 ? ContactType::kFaceFace : ContactType::kDouble;
-    }
-  }
-}
-
-template void renew_types(std::vector<Contact<2>>&);
-template void renew_types(std::vector<Contact<3>>&);
 template class ContactPoints<2>;
 template class ContactPoints<3>;
 template void carry_forces(const Packing<2>&, const std::vector<Contact<2>>&, std::vector<Contact<2>>&);

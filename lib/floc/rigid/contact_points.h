@@ -19,18 +19,19 @@ class ContactPoints {
   /// @throws InputError as find_pairs()
   std::vector<Contact<Dim>> find(const Packing<Dim>& packing, double reach);
 
+  /// Returns the contact points as find() does, but those whose gap is smaller than `share` times the diameter of the
+  /// smaller grain. Of a face with many corners, find() with a larger reach may return other points.
+  std::vector<Contact<Dim>> find_touching(const Packing<Dim>& packing, double share);
+
  private:
   struct KnownPair {
     NeighborPair<Dim> pair;
     AxisFeatures features;
   };
+  std::vector<Contact<Dim>> find(const Packing<Dim>& packing, double reach, double share);
+
   std::vector<KnownPair> known_;  ///< pairs of the last search, in its order
 };
-
-/// Sets the types of contacts of shapes from the number of points of each pair, after points have been removed.
-/// @param contacts  contacts sorted as those of a packing
-template <int Dim>
-void renew_types(std::vector<Contact<Dim>>& contacts);
 
 /// Gives contact points the forces of the points of an earlier time. A point takes the forces of the earlier point with
 /// the same key. Remaining points of a pair of shapes take those of the nearest earlier point of the pair

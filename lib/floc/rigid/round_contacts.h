@@ -25,6 +25,13 @@ struct RoundContacts {
   struct Impulse {
     double normal;
     Shear<Dim> tangential;
+
+    Impulse operator+(const Impulse& p) const { return {normal + p.normal, tangential + p.tangential}; }
+    Impulse operator-(const Impulse& p) const { return {normal - p.normal, tangential - p.tangential}; }
+    friend Impulse operator*(double factor, const Impulse& p) {
+      return {factor * p.normal, factor * p.tangential};
+    }
+    double squaredNorm() const { return normal * normal + tangential.squaredNorm(); }
   };
   /// A contact with response (A_n, A_t). Its impulse is a fixed point of
   ///     P = [P - (u_n + b_n + C_n P)/A_n]_+,      p_t = proj_{mu P}(p_t - (u_t + b_t + C_t p_t)/A_t).

@@ -30,10 +30,11 @@ TEST(GaussSeidel, CarriesAStackOfDisksInTheFirstStep) {
       EXPECT_NEAR(contacts[k].impulse[0] / kStep, (k + 1) * kMass * kGravity, 1e-8);
     return result.n_sweeps;
   };
-  // The slowest error of a stack of n disks falls by exp(-pi^2/(4 n^2)) per sweep.
-  const double expected =
+  // The slowest error of a stack of n disks falls by exp(-pi^2/(4 n^2)) per sweep, or by about exp(-pi/n) if sweeps go on
+  // in conjugate directions.
+  const double plain =
       4.0 / (std::numbers::pi * std::numbers::pi) * kDisks * kDisks * std::log(1.0 / kTolerance);
-  EXPECT_NEAR(solve(), expected, 0.25 * expected);
+  EXPECT_LT(solve(), 0.15 * plain);
   // From the solution, sweeps only remove its remaining error.
   EXPECT_LT(solve(), 100);
 }
@@ -145,7 +146,8 @@ TEST(GaussSeidel, RoundGrainsRollDownASlopeUntilItIsTooSteep) {
   EXPECT_NEAR(acceleration_on_slope<3>(0.5, 0.1), 0.8, 1e-12);
 }
 
-TEST(GaussSeidel, ADiskInAGrooveEndsOnTheLimitOfFriction) {
+// The force N of both contacts is not unique: 2 (N cos b + T sin b) = 1, where |T| may be anything up to mu N.
+TEST(GaussSeidel, ADiskInAGrooveRestsOnForcesWithinTheLimitOfFriction) {
   constexpr double kAngle = std::numbers::pi / 3.0, kFriction = 0.3, kStep = 0.01;
   BodyMotion<2> bodies = balls_and_ground<2>(1, 1.0, 1.0);
   bodies.velocity[0] = {0.0, -kStep};
@@ -155,7 +157,12 @@ TEST(GaussSeidel, ADiskInAGrooveEndsOnTheLimitOfFriction) {
     contacts.push_back(touching<2>(0, 1, normal, normal, normal, kFriction));
   }
   ASSERT_TRUE(GaussSeidel<2>(bodies, contacts).solve(kTolerance, 100'000).converged);
-  for (const StepContact<2>& c : contacts) EXPECT_NEAR(c.impulse[0] / kStep, 0.65806131, 1e-7);
+  for (const StepContact<2>& c : contacts) {
+    const double normal = c.impulse[0] / kStep, tangential = std::abs(c.impulse[1]) / kStep;
+    EXPECT_NEAR(2.0 * (normal * std::cos(kAngle) + tangential * std::sin(kAngle)), 1.0, 1e-10);
+    EXPECT_LE(tangential, kFriction * normal * (1.0 + 1e-10));
+    EXPECT_GT(tangential, 0.9 * kFriction * normal);
+  }
 }
 
 /// Corners of a rectangle in the plane z = height.

@@ -83,6 +83,7 @@ UNCHECKED_TABLES = {
     "| key | meaning |": "words",
     "| `control` | driven axis |": "words",
     "| normal | adhesion |": "words",
+    "| setting | Phi | z | beta | time |": "36 runs of a quarter of a minute and more",
     "| place | holds |": "words",
     "| member | says | without it |": "members of a model, which the conformance suite asks for",
     "| criterion | default |": "defaults, which the tests of scenes hold",

@@ -1,25 +1,31 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "floc/assembly/shaped_gas.h"
+#include "floc/base/error.h"
 #include "floc/relaxation/contact_dynamics_relaxer.h"
+#include "floc/verification/verify_rigid.h"
 #include "support/rigid_states.h"
 
 /// Gases of rigid grains and their relaxation under a pressure of 1.
 namespace floc::test {
 
+/// Gas whose largest grain has the diameter 1.
 struct RigidGas {
   int count = 100;
-  double least = 0.5;  ///< diameter of the smallest grain; that of the largest is 1
-  std::optional<ShapeOptions> shape;
+  double least = 0.5;                      ///< diameter of the smallest grain
+  std::optional<ShapeOptions> shape = {};  ///< absent for disks and spheres
   double friction = 0.0;
-  std::optional<double> adhesion;  ///< F0, over the pressure times the largest diameter^(Dim - 1)
+  std::optional<double> adhesion = {};  ///< largest attraction of a contact (force)
   std::uint64_t seed = 1;
 };
 
-/// Makes the gas, as a scene file does whose gas is about half as dense as it can be.
 template <int Dim>
 Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   GrainOptions grains;
@@ -27,15 +33,17 @@ Packing<Dim> make_rigid_gas(const RigidGas& gas) {
   grains.diameter.kind = DiameterDistribution::Kind::power_law;
   grains.diameter.min = gas.least;
   grains.diameter.max = 1.0;
-  grains.diameter.exponent = gas.least < 0.2 ? Dim : 0;
+  grains.diameter.exponent =
+      gas.least < 0.2 ? Dim : 0.0;  // as many small grains as fill the volume of the large ones
   grains.shape = gas.shape;
   const Law law = rigid_law(gas.friction, gas.adhesion);
   RandomStream random(gas.seed, 1);
-  constexpr double kOfBalls = Dim == 2 ? 0.4 : 0.3;
-  if (!gas.shape) return make_gas<Dim>(grains, law, kOfBalls, random);
-  const double share = share_of_bounding_balls(
-      shaped_grains<Dim>(grains, equally_spaced_diameters(grains.diameter, gas.count), gas.seed));
-  return make_shaped_gas<Dim>(grains, law, kOfBalls * share, gas.seed, random, GasKind::equilibrated);
+  constexpr double kSolidFraction = Dim == 2 ? 0.4 : 0.3;  // of the circumscribed circles or spheres
+  if (!gas.shape) return make_gas<Dim>(grains, law, kSolidFraction, random);
+  const std::vector<double> diameters = equally_spaced_diameters(grains.diameter, gas.count);
+  const double share = share_of_bounding_balls(shaped_grains<Dim>(grains, diameters, gas.seed));
+  return make_shaped_gas<Dim>(grains, law, 0.95 * kSolidFraction * share, gas.seed, random,
+                              GasKind::equilibrated);
 }
 
 /// Settings of the shipped scenes of rigid grains.
@@ -45,9 +53,71 @@ inline RelaxationOptions rigid_options() {
   return options;
 }
 
+/// End of a relaxation of rigid grains.
 template <int Dim>
-ContactDynamicsRelaxer<Dim> relaxer_of(Packing<Dim> packing, const RelaxationOptions& options = rigid_options()) {
-  return {options, std::move(packing), LoadTarget<Dim>::normal_stress(Vec<Dim>::Ones())};
+struct RigidEnd {
+  RelaxationStatus status =
+      RelaxationStatus::running;  ///< `running` if an exception or the limit of steps ended it
+  RelaxationReport report;
+  std::string progress;
+  std::string reason;  ///< message of the exception, or criterion that is not met; empty for a state at rest
+  Packing<Dim> packing;
+};
+
+/// Relaxes a packing under a pressure of 1.
+/// @param remade  whether the relaxer is made anew from its packing and progress after each chunk
+template <int Dim>
+RigidEnd<Dim> relaxed(Packing<Dim> packing, const RelaxationOptions& options = rigid_options(),
+                      bool remade = false, std::int64_t most_steps = 40'000) {
+  const auto load = LoadTarget<Dim>::normal_stress(Vec<Dim>::Ones());
+  auto relaxer = std::make_unique<ContactDynamicsRelaxer<Dim>>(options, std::move(packing), load);
+  RigidEnd<Dim> end;
+  try {
+    while (end.status == RelaxationStatus::running && relaxer->report().n_steps < most_steps) {
+      end.status = relaxer->advance();
+      if (remade && end.status == RelaxationStatus::running) {
+        const std::string progress = relaxer->progress();
+        relaxer =
+            std::make_unique<ContactDynamicsRelaxer<Dim>>(options, relaxer->release_packing(), load, progress);
+      }
+    }
+    end.reason = relaxer->report().blocking;
+  } catch (const NoResult& error) {
+    end.reason = error.what();
+  }
+  end.report = relaxer->report();
+  end.progress = relaxer->progress();
+  end.packing = relaxer->release_packing();
+  return end;
+}
+
+/// Expects that a packing under a pressure of 1 meets all criteria of a state of rigid grains at rest.
+template <int Dim>
+void expect_verified(const Packing<Dim>& packing) {
+  State<Dim> state;
+  state.packing = packing;
+  state.target_stress = Vec<Dim>::Ones();
+  measure(state);
+  for (const Criterion& criterion : verify_rigid(state, default_gap_tolerance(packing)))
+    EXPECT_TRUE(criterion.holds) << criterion.name << ": "
+                                 << (criterion.value ? std::to_string(*criterion.value) : "") << " "
+                                 << criterion.where;
+}
+
+/// Expects that a relaxation has ended at rest, and that the state meets all criteria.
+template <int Dim>
+void expect_at_rest(const RigidEnd<Dim>& end) {
+  ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
+  expect_verified(end.packing);
+}
+
+/// Expects a state at rest, or a reason in words and a packing in finite numbers.
+template <int Dim>
+void expect_at_rest_or_reason(const RigidEnd<Dim>& end) {
+  if (end.status == RelaxationStatus::converged) return expect_verified(end.packing);
+  EXPECT_GT(end.reason.size(), 20U);
+  for (const Vec<Dim>& x : end.packing.grains.position) EXPECT_TRUE(x.allFinite());
+  EXPECT_TRUE(end.packing.cell.matrix.allFinite());
 }
 
 }  // namespace floc::test

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include "support/random_rigid_scenes.h"
+
+/// Relaxations of rigid grains with a parameter at an end of its range: states at rest that verify, or a reason.
+namespace floc::test {
+namespace {
+
+TEST(RigidGrains, RandomScenesEndAtRestOrWithAReason) {
+  relax_random_scenes(20, 1);
+}
+
+TEST(RigidGrains, SizesFromOneToFortyNine) {
+  expect_at_rest_or_reason(relaxed(make_rigid_gas<2>({.count = 100, .least = 1.0 / 49.0, .friction = 0.5})));
+}
+
+TEST(RigidGrains, Needles) {
+  for (const ShapeOptions& shape :
+       {ShapeOptions{.kind = CapsuleOptions{20.0}}, ShapeOptions{.kind = BoxShapeOptions{{19.0, 1.0}}}})
+    expect_at_rest_or_reason(relaxed(make_rigid_gas<2>({.count = 20, .shape = shape, .friction = 0.5}),
+                                     rigid_options(), false, 6000));
+}
+
+TEST(RigidGrains, Plates) {
+  const ShapeOptions shape{.kind = BoxShapeOptions{{10.0, 10.0, 1.0}}};
+  expect_at_rest_or_reason(
+      relaxed(make_rigid_gas<3>({.count = 10, .shape = shape, .friction = 0.5}), rigid_options(), false, 6000));
+}
+
+TEST(RigidGrains, LargeFriction) {
+  expect_at_rest_or_reason(relaxed(make_rigid_gas<2>({.count = 60, .friction = 2.0})));
+}
+
+TEST(RigidGrains, TwoGrains) {
+  for (const double friction : {0.0, 0.5})
+    expect_at_rest_or_reason(relaxed(make_rigid_gas<2>({.count = 2, .friction = friction})));
+}
+
+TEST(RigidGrains, TinyRounding) {
+  const ShapeOptions shape{.kind = PolygonOptions{5}, .rounding = 1e-6};
+  expect_at_rest_or_reason(relaxed(make_rigid_gas<2>({.count = 40, .shape = shape, .friction = 0.5})));
+}
+
+TEST(RigidGrains, StrongAdhesion) {
+  expect_at_rest_or_reason(relaxed(make_rigid_gas<2>({.count = 40, .friction = 0.5, .adhesion = 10.0})));
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,18 @@
+#include "support/kill_and_resume.h"
+#include "support/random_rigid_scenes.h"
+#include "support/rigid_run.h"
+
+namespace floc::test {
+namespace {
+
+TEST(RigidGrains, TwoHundredRandomScenesEndAtRestOrWithAReason) {
+  relax_random_scenes(200, 1);
+}
+
+TEST(RigidGrains, ThirtyKillsLeaveNoTrace) {
+  kill_and_resume(30, 23, rigid_scene(""), 2);
+  kill_and_resume(30, 24, rigid_scene(kPentagons), 2);
+}
+
+}  // namespace
+}  // namespace floc::test

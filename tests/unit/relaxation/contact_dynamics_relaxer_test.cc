@@ -1,0 +1,158 @@
+#include "floc/relaxation/contact_dynamics_relaxer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "floc/packing/contact_order.h"
+#include "floc/rigid/static_forces.h"
+#include "support/rigid_gas.h"
+
+namespace floc::test {
+namespace {
+
+ShapeOptions polygons(int sides) {
+  return {.kind = PolygonOptions{sides}};
+}
+
+ShapeOptions cut_stones() {
+  return {.kind = CutOptions{}, .count = 10};
+}
+
+/// Numbers of the constraints of contacts that carry a force, and of the motions of grains that they hold.
+struct ConstraintCount {
+  int constraints = 0, motions = 0;
+};
+
+/// Counts the constraints of contacts that carry more than 1e-6 of the mean: one for each contact point of a pair, up
+/// to the number of independent ones, two for an edge on a side or face and three for faces.
+template <int Dim>
+ConstraintCount count_constraints(const Packing<Dim>& packing, int motions_per_grain) {
+  double mean = 0.0;
+  for (const Contact<Dim>& c : packing.contacts)
+    mean += c.elastic_force / static_cast<double>(packing.contacts.size());
+  ConstraintCount out;
+  std::vector<bool> carries(packing.grains.size(), false);
+  int of_pair = 0;
+  const Contact<Dim>* last = nullptr;
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (!(c.elastic_force > 1e-6 * mean)) continue;
+    carries[c.i] = carries[c.j] = true;
+    const bool same = last && last->i == c.i && last->j == c.j && last->image == c.image;
+    of_pair = same ? of_pair + 1 : 1;
+    out.constraints += of_pair <= Dim;
+    last = &c;
+  }
+  for (const bool one : carries) out.motions += one ? motions_per_grain : 0;
+  // The motions of all grains together are as many as the sides of the cell, which are free to move.
+  return out;
+}
+
+/// Frictionless rigid grains at rest are isostatic: their contacts constrain as many motions as the grains have.
+template <int Dim>
+void expect_isostatic(const std::optional<ShapeOptions>& shape, int motions_per_grain) {
+  const RigidEnd<Dim> end = relaxed<Dim>(make_rigid_gas<Dim>({.count = 200, .shape = shape}));
+  expect_at_rest(end);
+  const ConstraintCount count = count_constraints(end.packing, motions_per_grain);
+  EXPECT_GT(count.motions, 100 * motions_per_grain);
+  EXPECT_NEAR(count.constraints, count.motions, 0.01 * count.motions + 1.0);
+}
+
+TEST(ContactDynamicsRelaxer, FrictionlessDisksAreIsostatic) {
+  expect_isostatic<2>(std::nullopt, 2);
+}
+
+TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {
+  expect_isostatic<3>(std::nullopt, 3);
+}
+
+/// Expects that two relaxations ended with the same bits.
+template <int Dim>
+void expect_same(const RigidEnd<Dim>& a, const RigidEnd<Dim>& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.progress, b.progress);
+  ASSERT_EQ(a.packing.contacts.size(), b.packing.contacts.size());
+  for (std::size_t k = 0; k < a.packing.contacts.size(); ++k) {
+    const Contact<Dim>&c = a.packing.contacts[k], &d = b.packing.contacts[k];
+    EXPECT_TRUE(c.i == d.i && c.j == d.j && c.key == d.key && c.gap == d.gap &&
+                c.normal_force == d.normal_force && c.shear_force == d.shear_force);
+  }
+  EXPECT_TRUE(a.packing.grains.position == b.packing.grains.position);
+  EXPECT_TRUE(a.packing.cell.matrix == b.packing.cell.matrix);
+}
+
+/// Expects the same bits for several numbers of threads, and if the relaxer is made anew after each chunk.
+template <int Dim>
+void expect_repeatable(const RigidGas& gas) {
+  const Packing<Dim> start = make_rigid_gas<Dim>(gas);
+  const RigidEnd<Dim> whole = relaxed<Dim>(start);
+  EXPECT_EQ(whole.status, RelaxationStatus::converged) << whole.reason;
+  expect_same(whole, relaxed<Dim>(start, rigid_options(), true));
+  for (const int threads : {2, 4}) {
+    RelaxationOptions options = rigid_options();
+    options.threads = threads;
+    expect_same(whole, relaxed<Dim>(start, options));
+  }
+}
+
+TEST(ContactDynamicsRelaxer, DisksRepeatTheirBits) {
+  expect_repeatable<2>({.count = 300, .friction = 0.5});
+}
+
+TEST(ContactDynamicsRelaxer, PentagonsRepeatTheirBits) {
+  expect_repeatable<2>({.count = 60, .shape = polygons(5), .friction = 0.5});
+}
+
+TEST(ContactDynamicsRelaxer, SpheresRepeatTheirBits) {
+  expect_repeatable<3>({.count = 60, .friction = 0.3});
+}
+
+TEST(ContactDynamicsRelaxer, PolyhedraRepeatTheirBits) {
+  expect_repeatable<3>({.count = 20, .shape = cut_stones(), .friction = 0.5});
+}
+
+/// Computes canonical forces from the positions of a packing whose forces have been removed, and compares them with
+/// those that a relaxation found with a history of forces.
+TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {
+  RelaxationOptions options = rigid_options();
+  options.contact_dynamics.forces = RigidForces::canonical;
+  const RigidEnd<2> end = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}), options);
+  expect_at_rest(end);
+  Packing<2> stripped = end.packing;
+  for (Contact<2>& c : stripped.contacts) {
+    c.normal_force = c.elastic_force = 0.0;
+    c.shear_force.setZero();
+  }
+  ForceBalanceOptions<2> balance;
+  balance.axis_stress = Vec<2>::Ones();
+  const ContactForces<2> again = StaticForces<2>("the packing", stripped, balance).canonical();
+  for (std::size_t k = 0; k < stripped.contacts.size(); ++k) {
+    EXPECT_NEAR(again.normal_force[k], end.packing.contacts[k].normal_force, 1e-8);
+    EXPECT_LT((again.shear_force[k] - end.packing.contacts[k].shear_force).norm(), 1e-8);
+  }
+}
+
+TEST(ContactDynamicsRelaxer, SteppedForcesBalanceOrGiveAReason) {
+  RelaxationOptions options = rigid_options();
+  options.contact_dynamics.forces = RigidForces::stepped;
+  const RigidEnd<2> end = relaxed<2>(make_rigid_gas<2>({.count = 40, .friction = 0.5}), options);
+  EXPECT_NE(end.status, RelaxationStatus::running);
+  expect_at_rest_or_reason(end);
+  if (end.status == RelaxationStatus::converged) {
+    EXPECT_EQ(end.report.ending, "stepped");
+  }
+}
+
+TEST(ContactDynamicsRelaxer, ReportsCountsOfSteps) {
+  const RigidEnd<2> end = relaxed<2>(make_rigid_gas<2>({.count = 100, .friction = 0.5}));
+  EXPECT_EQ(end.report.counts.n_steps, end.report.n_steps);
+  EXPECT_GT(end.report.counts.n_sweeps, end.report.n_steps);
+  EXPECT_LT(20 * end.report.counts.n_unfinished, end.report.n_steps);
+  EXPECT_GT(end.report.counts.deepest_overlap, 0.0);
+  EXPECT_LE(end.report.counts.deepest_overlap, 1e-2);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -35,6 +35,8 @@ def residual_columns(s):
 
 
 def n_negative(s):
+    if s.rigid:
+        return Same(None)
     if s.law["adhesion"] == "capillary":
         return Exempt("by the tangent of the whole law, geometric terms included, where liquid pulls")
     return Same(int((Network(s).spectrum() < -ZERO).sum()))
@@ -43,6 +45,8 @@ def n_negative(s):
 def says_law(s, text):
     """Each setting of the law once, by the keys of a scene."""
     said = dict(part.split("=") for part in text.split(", "))
+    if said.pop("normal.law", None) != ("rigid" if s.rigid else None):
+        return False
     for key, value in said.items():
         if not np.isclose(s.law[key.replace(".", "_")], float(value), rtol=1e-15):
             return False
@@ -50,15 +54,20 @@ def says_law(s, text):
     return set(numbers) <= {key.replace(".", "_") for key in said}
 
 
-def joined(numbers):
-    return ",".join(repr(float(x)) for x in numbers)
-
-
 def same_numbers(expected):
     def condition(text):
         rows = [[float(x) for x in row.split(",")] for row in text.split(";")]
         return np.array_equal(np.array(rows), np.atleast_2d(expected))
     return Holds(f"the numbers {np.asarray(expected).tolist()}, row by row", condition)
+
+
+def shape_columns(s):
+    if not s.shapes:
+        return {name: Same(None) for name in ("n_shapes", "least_faces", "most_faces", "rounding")}
+    faces = np.diff(s.shapes["first_face"])
+    diameter = 2 * s.shapes["outer_radius"]
+    return {"n_shapes": Same(len(faces)), "least_faces": Same(int(faces.min())), "most_faces": Same(int(faces.max())),
+            "rounding": Close((s.shapes["rounding"] / diameter).max())}
 
 
 def columns(s, before):
@@ -76,8 +85,7 @@ def columns(s, before):
             "parent_sha256": Same(hashlib.sha256(before).hexdigest() if before else None),
             "scene_sha256": Same(hashlib.sha256(s.scene.encode()).hexdigest()),
             "sha256": Same(hashlib.sha256(content).hexdigest()), "p_wall": Close(s.p_wall),
-            # All samples are disks and spheres.
-            "n_shapes": Same(None), "least_faces": Same(None), "most_faces": Same(None), "rounding": Same(None)}
+            **shape_columns(s)}
 
 
 def check(program, states, tally):

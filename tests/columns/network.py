@@ -5,6 +5,7 @@ import numpy as np
 
 from checks import Close, Exempt, Holds, Same
 from moduli import Step, indeterminacy
+from rigid import indeterminacy as rigid_indeterminacy
 from state import parts_of
 from stiffness import Network
 
@@ -188,6 +189,9 @@ def mechanics_columns(s, kept):
              "correlation_size", "hyperstaticity", "n_null_modes")
     if s.walls:
         return {name: Same(None) for name in names}
+    if s.rigid:
+        return {name: Same(None) for name in names} | {"indeterminacy": Same(rigid_indeterminacy(s, s.tolerances[0] * s.F1(
+            s.target.mean())))}
     from moduli import columns as of_moduli
     net = Network(s, s.tolerances[0])
     shared = of_moduli(s, {"error_B": 0.0}, {}, {"modes": None})

@@ -3,6 +3,7 @@ import numpy as np
 
 from checks import Close, Exempt, Holds, Same
 from info import n_negative, residual_columns
+from rigid import force_freedom
 
 TABLES = {"path.csv": "of floc run"}
 
@@ -74,6 +75,14 @@ def wall_columns(s):
     return out
 
 
+def rigid_columns(s):
+    path = s.path_attributes
+    pairs = {(i, j, *image) for i, j, image in zip(s.i, s.j, s.image.tolist())}
+    return {"z_pairs": Close(2 * len(pairs) / s.n), "n_sweeps": Same(int(path["n_sweeps"])),
+            "n_unfinished": Same(int(path["n_unfinished"])), "deepest_overlap": Close(path["deepest_overlap"]),
+            "force_freedom": Close(force_freedom(s), 1.0, 1e-7)}
+
+
 def columns(s, first, before):
     P = s.target.mean()
     zero = s.tolerances[0] * s.F1(P)
@@ -90,7 +99,7 @@ def columns(s, first, before):
            "state": Holds("the name of the file", lambda v: s.path.endswith("/" + v)), "ending": Same(path["ending"])}
     out |= {f"L{a + 1}": Close(s.cell[a, a]) for a in range(s.dim)}
     out |= axes_columns(s, first, before)
-    return out | (wall_columns(s) if s.walls else {})
+    return out | (wall_columns(s) if s.walls else {}) | (rigid_columns(s) if s.rigid else {})
 
 
 def check(program, states, tally):

@@ -128,4 +128,46 @@ kinetic_pressure = 0.02
 seed = 3
 """
 
-SCENES = {"powder": POWDER, "disks": DISKS, "beads": BEADS, "clay": CLAY, "wet": WET, "box": BOX, "cube": CUBE}
+# Rigid grains, all of which are put together alike.
+RIGID = """[scene]
+name = "rigid"
+dimension = {dimension}
+units = "reduced"
+[grains]
+count = {count}
+diameter = {{distribution = "uniform", min = 0.5, max = 1.0}}
+{shape}
+[contact]
+normal = {{law = "rigid"}}
+{contact}
+[cell]
+solid_fraction = {solid_fraction}
+inertial_number_cap = 0.02
+[assembly]
+protocol = "direct"
+pressure = 1.0
+[[load]]
+name = "load"
+to = 3.0
+steps = 1
+[dynamics]
+finish = "{finish}"
+[run]
+seed = {seed}
+"""
+
+FRICTION = "friction = {coefficient = 0.5}"
+RIGID_DISKS = RIGID.format(dimension=2, count=40, shape="", contact=FRICTION, solid_fraction=0.4, finish="closest", seed=1)
+SMOOTH_DISKS = RIGID.format(dimension=2, count=30, shape="", contact="", solid_fraction=0.4, finish="closest", seed=2)
+HULLS = RIGID.format(dimension=2, count=30, contact=FRICTION, solid_fraction=0.25, finish="none", seed=1,
+                     shape='shape = {kind = "hull", vertices = [4, 9], rounding = 0.05, count = 7}')
+PENTAGONS = RIGID.format(dimension=2, count=30, contact=FRICTION, solid_fraction=0.3, finish="closest", seed=1,
+                         shape='shape = {kind = "polygon", sides = 5}')
+STONES = RIGID.format(dimension=3, count=16, contact=FRICTION, solid_fraction=0.08, finish="closest", seed=1,
+                      shape='shape = {kind = "cut", faces = [6, 10], count = 5}')
+STICKY_SPHERES = RIGID.format(dimension=3, count=30, shape="", solid_fraction=0.3, finish="canonical", seed=1, contact=(
+    'adhesion = {law = "constant", force = 0.2}\n' + FRICTION))
+
+SCENES = {"powder": POWDER, "disks": DISKS, "beads": BEADS, "clay": CLAY, "wet": WET, "box": BOX, "cube": CUBE,
+          "rigid_disks": RIGID_DISKS, "smooth_disks": SMOOTH_DISKS, "hulls": HULLS, "pentagons": PENTAGONS,
+          "stones": STONES, "sticky_spheres": STICKY_SPHERES}

@@ -35,10 +35,16 @@ class State:
             scene = f["scene"][()]
             self.scene = scene.decode() if isinstance(scene, bytes) else str(scene)
             self.walls = {name: data[:] for name, data in f["walls"].items()} if "walls" in f else None
+            self.shapes = {name: data[:] for name, data in f["shapes"].items()} if "shapes" in f else None
+            if self.shapes:
+                self.shape, self.scale = f["grains/shape"][:].astype(int), f["grains/scale"][:]
         self.dim = len(self.cell)
         self.n = len(self.radius)
         self.volume = abs(np.linalg.det(self.cell))
         self.ball = np.pi * self.radius**2 * (1 if self.dim == 2 else 4 / 3 * self.radius)
+        if self.shapes:
+            self.ball = self.shapes["volume"][self.shape] * self.scale**self.dim
+        self.rigid = self.law["normal"] == "rigid"
         self.phi = self.ball.sum() / self.volume
         self.a = 2 * self.radius.max()
         self._contacts()
@@ -64,6 +70,10 @@ class State:
             self.branch[k, axis] = place - self.x[self.i[k], axis]
         self.length = np.linalg.norm(self.branch, axis=1)
         self.share_i = self.radius[self.i] / (self.radius[self.i] + self.radius_j)
+        # From the centres of both grains to the contact point.
+        self.arm_i = c["point"] if "point" in c else (self.share_i * self.length)[:, None] * self.normal
+        self.arm_j = self.arm_i - self.branch if "point" in c else (
+            ((self.share_i - 1) * self.length)[:, None] * self.normal)
         self.force_on_j = self.N[:, None] * self.normal - self.shear
         self.touching = ~self.distant
         self.counted = self.touching & ~self.on_wall  # what n_contacts counts
@@ -130,6 +140,8 @@ class State:
             return self.a ** (self.dim - 1) * P / self.F0
         if self.law["normal"] == "hertz":
             return P / (self.law["normal_modulus"] / (1 - self.law["normal_poisson"] ** 2))
+        if self.rigid:  # of contacts without end stiff
+            return 0.0
         return self.a ** (self.dim - 2) * P / self.law["normal_stiffness"]
 
     # Balance.
@@ -137,18 +149,18 @@ class State:
         """Net force and net moment of each grain."""
         force, moment = np.zeros((self.n, self.dim)), np.zeros((self.n, 1 if self.dim == 2 else 3))
         on_i = -self.force_on_j
-        arm_i = (self.share_i * self.length)[:, None] * self.normal
-        arm_j = -((1 - self.share_i) * self.length)[:, None] * self.normal
         springs = self.rolling + (self.twisting[:, None] * self.normal if self.dim == 3 else 0)
         inner = ~self.on_wall
         np.add.at(force, self.i, on_i)
         np.add.at(force, self.j[inner], -on_i[inner])
         m = len(self.i)
-        np.add.at(moment, self.i, cross(arm_i, on_i).reshape(m, -1) + springs)
-        np.add.at(moment, self.j[inner], (cross(arm_j, -on_i).reshape(m, -1) - springs)[inner])
+        np.add.at(moment, self.i, cross(self.arm_i, on_i).reshape(m, -1) + springs)
+        np.add.at(moment, self.j[inner], (cross(self.arm_j, -on_i).reshape(m, -1) - springs)[inner])
         return force, moment
 
     def kinetic(self):
+        if self.shapes:  # whose moments of inertia hang on the axis
+            assert not self.w.any(), self.path
         inertia = self.mass * (2 * self.radius) ** 2 / (8 if self.dim == 2 else 10)
         return 0.5 * (self.mass * (self.v**2).sum(1) + inertia * (self.w.reshape(self.n, -1) ** 2).sum(1))
 
@@ -199,14 +211,15 @@ class State:
 
     def particle_stress(self):
         sums = np.zeros((self.n, self.dim, self.dim))
-        whole = self.force_on_j[:, :, None] * self.branch[:, None, :]
-        np.add.at(sums, self.i, self.share_i[:, None, None] * whole)
+        np.add.at(sums, self.i, self.force_on_j[:, :, None] * self.arm_i[:, None, :])
         inner = ~self.on_wall
-        np.add.at(sums, self.j[inner], ((1 - self.share_i)[:, None, None] * whole)[inner])
+        np.add.at(sums, self.j[inner], -(self.force_on_j[:, :, None] * self.arm_j[:, None, :])[inner])
         return sums / (self.ball / self.phi)[:, None, None]
 
     def energy(self):
         """Elastic energy of each contact."""
+        if self.rigid:
+            return np.zeros(len(self.N))
         h = np.maximum(-self.c["gap"], 0)
         with np.errstate(divide="ignore", invalid="ignore"):
             normal = np.where((self.elastic > 0) & (h > 0), self.elastic**2 * h / (self.elastic + self.kn * h), 0)

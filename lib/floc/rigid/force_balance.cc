@@ -29,8 +29,7 @@ class BalanceRows {
       for (int s = 0; s < n_boundary_; ++s)
         load_[first_of_boundary() + s] =
             network_.volume * options.stress->cwiseProduct(unit_strain<Dim>(s)).sum();
-    if (options.axis_stress)
-      load_.segment(first_of_boundary(), Dim) = network_.volume * *options.axis_stress;
+    if (options.axis_stress) load_.segment(first_of_boundary(), Dim) = network_.volume * *options.axis_stress;
   }
 
   const ContactNetwork<Dim>& network() const { return network_; }

@@ -41,7 +41,7 @@ struct DriveReport {
 };
 
 /// Returns the run in a directory, at the point that it has reached, or a new run if the directory contains none.
-/// @param options  the same options with which `directory` was opened
+/// @param options  options with which `directory` was opened
 /// @throws InputError if a run with these options is not possible, or if files in the directory cannot be read
 template <int Dim>
 Run<Dim> start_or_resume(RunDirectory& directory, const RunOptions& options);

@@ -322,7 +322,7 @@ void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) con
   options.axis_stress = target_;
   StaticForces<Dim> forces("the packing", packing, options);
   const bool closest = options_.contact_dynamics.forces == RigidForces::closest;
-  const ContactForces<Dim> found = closest ? forces.closest() : forces.canonical();
+  const BalancedForces<Dim> found = closest ? forces.closest() : forces.canonical();
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
     Contact<Dim>& c = packing.contacts[k];
     const double adhesion = std::max(0.0, c.elastic_force - c.normal_force);

@@ -40,22 +40,22 @@ StaticForces<Dim>::StaticForces(const std::string& place, const Packing<Dim>& pa
       method_(program_) {}
 
 template <int Dim>
-ContactForces<Dim> StaticForces<Dim>::closest() {
+BalancedForces<Dim> StaticForces<Dim>::closest() {
   return solved(present_blocks(balance_));
 }
 
 template <int Dim>
-ContactForces<Dim> StaticForces<Dim>::canonical() {
+BalancedForces<Dim> StaticForces<Dim>::canonical() {
   return solved(std::vector<Vec<Dim>>(balance_.unknowns.size(), Vec<Dim>::Zero()));
 }
 
 template <int Dim>
-ContactForces<Dim> StaticForces<Dim>::present() const {
+BalancedForces<Dim> StaticForces<Dim>::present() const {
   return forces(present_blocks(balance_), 0);
 }
 
 template <int Dim>
-ContactForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& preferred) {
+BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& preferred) {
   // The energy in units in which the mean normal compliance is one.
   double mean = 0.0;
   for (const UnknownForce<Dim>& u : balance_.unknowns) mean += 1.0 / u.kn;
@@ -98,8 +98,8 @@ ForceRange StaticForces<Dim>::range(int contact) {
 }
 
 template <int Dim>
-ContactForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const {
-  ContactForces<Dim> out;
+BalancedForces<Dim> StaticForces<Dim>::forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const {
+  BalancedForces<Dim> out;
   out.n_factorizations = n_factorizations;
   out.friction_limit.assign(packing_.contacts.size(), std::numeric_limits<double>::infinity());
   for (const Contact<Dim>& c : packing_.contacts) {
@@ -151,7 +151,7 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
 }
 
 template <int Dim>
-double force_distance(const ContactForces<Dim>& f, const ContactForces<Dim>& g) {
+double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g) {
   double difference = 0.0, size = 0.0;
   for (std::size_t k = 0; k < f.normal_force.size(); ++k) {
     difference += std::pow(f.normal_force[k] - g.normal_force[k], 2) +
@@ -163,7 +163,7 @@ double force_distance(const ContactForces<Dim>& f, const ContactForces<Dim>& g) 
 
 template class StaticForces<2>;
 template class StaticForces<3>;
-template double force_distance(const ContactForces<2>&, const ContactForces<2>&);
-template double force_distance(const ContactForces<3>&, const ContactForces<3>&);
+template double force_distance(const BalancedForces<2>&, const BalancedForces<2>&);
+template double force_distance(const BalancedForces<3>&, const BalancedForces<3>&);
 
 }  // namespace floc

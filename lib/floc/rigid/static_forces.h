@@ -11,7 +11,7 @@ namespace floc {
 
 /// Forces of the contacts of a packing, in their order.
 template <int Dim>
-struct ContactForces {
+struct BalancedForces {
   std::vector<double> normal_force;   ///< compression positive (force)
   std::vector<Vec<Dim>> shear_force;  ///< tangential force on i (force)
   /// Coulomb's limit mu P of the tangential force (force); infinity for contacts without friction and for attractions

@@ -53,7 +53,7 @@ double mean_size(const std::vector<double>& forces) {
 
 /// Counts the contacts that carry a force and those whose friction is at its limit.
 template <int Dim>
-void count_contacts(const ContactForces<Dim>& forces, ForcesRow& row) {
+void count_contacts(const BalancedForces<Dim>& forces, ForcesRow& row) {
   const double nothing = kNothing * mean_size(forces.normal_force);
   double sum = 0.0;
   int mobilised = 0;
@@ -102,7 +102,7 @@ std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, Static
 
 /// Adds a row for each contact and its forces to a table that `floc convert --contacts` can read.
 template <int Dim>
-void add_contacts(const std::string& file, const Packing<Dim>& packing, const ContactForces<Dim>& forces,
+void add_contacts(const std::string& file, const Packing<Dim>& packing, const BalancedForces<Dim>& forces,
                   const std::vector<std::optional<ForceRange>>& ranges, bool with_ranges, Table& table) {
   std::vector<std::string> names{"file", "contact", "id1", "id2"};
   for (int a = 1; a <= Dim; ++a) names.push_back(fmt::format("image{}", a));
@@ -170,8 +170,8 @@ ForcesRow forces_row(const std::string& file, const State<Dim>& state, const For
                              .kt = options.kt,
                              .stress = stress_of<Dim>(options.stress),
                              .axis_stress = std::nullopt});
-  const ContactForces<Dim> canonical = problem.canonical();
-  const ContactForces<Dim> found = selection == ForceSelection::kCanonical ? canonical : problem.closest();
+  const BalancedForces<Dim> canonical = problem.canonical();
+  const BalancedForces<Dim> found = selection == ForceSelection::kCanonical ? canonical : problem.closest();
 
   ForcesRow row;
   row.file = file;
@@ -181,7 +181,7 @@ ForcesRow forces_row(const std::string& file, const State<Dim>& state, const For
   row.selection = selection;
   row.friction = options.friction.value_or(packing.law.friction_coefficient());
   if (has_forces) {
-    const ContactForces<Dim> present = problem.present();
+    const BalancedForces<Dim> present = problem.present();
     row.net_force_before = present.error.force;
     row.moved = force_distance(present, found);
   }

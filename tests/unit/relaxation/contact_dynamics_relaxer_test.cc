@@ -127,7 +127,7 @@ TEST(ContactDynamicsRelaxer, CanonicalForcesDependOnPositionsAlone) {
   }
   ForceBalanceOptions<2> balance;
   balance.axis_stress = Vec<2>::Ones();
-  const ContactForces<2> again = StaticForces<2>("the packing", stripped, balance).canonical();
+  const BalancedForces<2> again = StaticForces<2>("the packing", stripped, balance).canonical();
   for (std::size_t k = 0; k < stripped.contacts.size(); ++k) {
     EXPECT_NEAR(again.normal_force[k], end.packing.contacts[k].normal_force, 1e-8);
     EXPECT_LT((again.shear_force[k] - end.packing.contacts[k].shear_force).norm(), 1e-8);

@@ -59,7 +59,7 @@ Packing<Dim> packing_without_forces(unsigned seed, double friction = kFriction) 
 }
 
 template <int Dim>
-void give_forces(const ContactForces<Dim>& forces, Packing<Dim>& packing) {
+void give_forces(const BalancedForces<Dim>& forces, Packing<Dim>& packing) {
   for (std::size_t k = 0; k < packing.contacts.size(); ++k) {
     packing.contacts[k].normal_force = packing.contacts[k].elastic_force = forces.normal_force[k];
     packing.contacts[k].shear_force = forces.shear_force[k];
@@ -81,7 +81,7 @@ TYPED_TEST_SUITE(StaticForcesOf, Dimensions);
 TYPED_TEST(StaticForcesOf, CanonicalForcesBalanceGrainsAndStress) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(1);
-  const ContactForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(2.0)).canonical();
+  const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(2.0)).canonical();
   give_forces(forces, packing);
   // The balance of the packing is computed by other code than the constraints of the cone program.
   const Balance<Dim> balance = net_forces(packing);
@@ -100,7 +100,7 @@ TYPED_TEST(StaticForcesOf, CanonicalForcesBalanceGrainsAndStress) {
 TYPED_TEST(StaticForcesOf, CanonicalForcesComeBackFromTheirGeometry) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(2);
-  const ContactForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(2.0)).canonical();
+  const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(2.0)).canonical();
   give_forces(forces, packing);
   StaticForces<Dim> again("s.h5", packing, {});
   EXPECT_LT(force_distance(forces, again.canonical()), 1e-8);
@@ -114,7 +114,7 @@ TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
   ForceBalanceOptions<Dim> options = under_pressure<Dim>(1.0);
   options.kn = 1.0;
   options.kt = 50.0;
-  const ContactForces<Dim> forces = StaticForces<Dim>("s.h5", packing, options).canonical();
+  const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, options).canonical();
   give_forces(forces, packing);
   StaticForces<Dim> again("s.h5", packing, {});
   EXPECT_LT(force_distance(forces, again.closest()), 1e-8);
@@ -124,7 +124,7 @@ TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
 TYPED_TEST(StaticForcesOf, CanonicalForcesHaveTheLeastEnergyOfAllThatBalance) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(4);
-  const auto energy = [](const ContactForces<Dim>& f) {
+  const auto energy = [](const BalancedForces<Dim>& f) {
     double sum = 0.0;
     for (std::size_t k = 0; k < f.normal_force.size(); ++k)
       sum += f.normal_force[k] * f.normal_force[k] / 1e4 + f.shear_force[k].squaredNorm() / 5e3;
@@ -143,7 +143,7 @@ TYPED_TEST(StaticForcesOf, RangesContainTheForcesThatBalance) {
   constexpr int Dim = TypeParam::value;
   Packing<Dim> packing = packing_without_forces<Dim>(5);
   StaticForces<Dim> problem("s.h5", packing, under_pressure<Dim>(1.0));
-  const ContactForces<Dim> forces = problem.canonical();
+  const BalancedForces<Dim> forces = problem.canonical();
   for (const int k : {0, 3, 7}) {
     const ForceRange range = problem.range(k);
     EXPECT_GE(range.smallest, -1e-8);
@@ -158,10 +158,10 @@ TYPED_TEST(StaticForcesOf, AdhesionLetsContactsPull) {
   Packing<Dim> packing = packing_without_forces<Dim>(6);
   // An elastic force of 1 that adhesion balances: no load, and a set of forces is zero everywhere.
   for (Contact<Dim>& c : packing.contacts) c.elastic_force = 1.0;
-  const ContactForces<Dim> closest = StaticForces<Dim>("s.h5", packing, ForceBalanceOptions<Dim>{}).closest();
+  const BalancedForces<Dim> closest = StaticForces<Dim>("s.h5", packing, ForceBalanceOptions<Dim>{}).closest();
   for (const double force : closest.normal_force) EXPECT_NEAR(force, 0.0, 1e-9);
   // Under tension every contact pulls with at most the adhesion.
-  const ContactForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(-0.1)).closest();
+  const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(-0.1)).closest();
   EXPECT_LT(forces.error.force, 1e-9);
   for (const double force : forces.normal_force) EXPECT_GE(force, -1.0 - 1e-9);
 }

@@ -40,11 +40,11 @@ class StaticForces {
   /// Returns the balanced forces closest to the present ones, in the norm of the elastic energy.
   /// @throws NoResult if no set of forces balances the load, with the grain that the load moves most, or if rounding
   /// prevents an answer
-  ContactForces<Dim> closest();
+  BalancedForces<Dim> closest();
 
   /// Returns the balanced forces of least elastic energy: those of springs without a history.
   /// @throws NoResult as closest()
-  ContactForces<Dim> canonical();
+  BalancedForces<Dim> canonical();
 
   /// Returns the range of the normal force of a contact over all sets of balanced forces.
   /// @param contact  index in the contacts of the packing
@@ -52,11 +52,11 @@ class StaticForces {
   ForceRange range(int contact);
 
   /// The present forces of the packing, with the errors of their balance.
-  ContactForces<Dim> present() const;
+  BalancedForces<Dim> present() const;
 
  private:
-  ContactForces<Dim> solved(const std::vector<Vec<Dim>>& preferred);
-  ContactForces<Dim> forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const;
+  BalancedForces<Dim> solved(const std::vector<Vec<Dim>>& preferred);
+  BalancedForces<Dim> forces(const std::vector<Vec<Dim>>& x, int n_factorizations) const;
   double extreme(int block, double sign);
   [[noreturn]] void fail(const ConeSolution<Dim>& solution) const;
 
@@ -68,6 +68,6 @@ class StaticForces {
 
 /// Relative distance of two sets of forces: sqrt(sum |f - g|^2 / sum |f|^2), 0 if `f` is zero.
 template <int Dim>
-double force_distance(const ContactForces<Dim>& f, const ContactForces<Dim>& g);
+double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g);
 
 }  // namespace floc

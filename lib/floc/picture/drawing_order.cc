@@ -15,7 +15,7 @@ namespace floc {
 namespace {
 
 /// Component along the line of sight of the normal of a separating plane below which two bodies lie beside each other.
-constexpr double kEndOn = 1e-9;
+constexpr double kPlaneEndOn = 1e-9;
 
 /// Returns the image of a body, relative to the image of its centre. Of the members of a shape, only those are set which
 /// closest_points() reads: vertices, rounding and outer radius. Vertices may lie inside the image.
@@ -73,7 +73,7 @@ class Sorter {
     if (apart.head<2>().norm() >= radii) return;
     if (!images_overlap(i, j, apart.head<2>())) return;
     const double towards_eye = normal_towards_eye(i, j, apart, radii);
-    if (std::abs(towards_eye) <= kEndOn) return;
+    if (std::abs(towards_eye) <= kPlaneEndOn) return;
     const int far = towards_eye > 0.0 ? i : j, near = towards_eye > 0.0 ? j : i;
     nearer_[far].push_back(near);
     ++n_farther_[near];

@@ -12,7 +12,7 @@ namespace {
 
 /// Cosine of the angle between the normal of a facet and the line of sight below which the facet counts as seen
 /// edge-on.
-constexpr double kEndOn = 1e-9;
+constexpr double kFaceEndOn = 1e-9;
 
 /// Part of a line segment, as fractions of its length, that is cut by planes one after the other.
 class CutSegment {
@@ -96,7 +96,7 @@ SeenBody seen_body(const PlacedShape<3>& placed, const Facets& facets, const Cam
   if (is_capsule) return body;
   for (const Facets::Facet& facet : facets.facets) {
     const Vec<3> normal = camera.seen(placed.rotation * facet.normal);
-    if (normal[2] > kEndOn) body.facets.push_back({facet.corners, normal});
+    if (normal[2] > kFaceEndOn) body.facets.push_back({facet.corners, normal});
   }
   return body;
 }

@@ -88,11 +88,15 @@ double smaller_diameter(const Packing<Dim>& packing, const Contact<Dim>& c) {
   return 2.0 * (packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]));
 }
 
+/// Returns the root mean square velocity of the mass of all grains. Light grains may fly about in holes for long.
 template <int Dim>
 double rms_velocity(const Grains<Dim>& grains) {
-  double sum = 0.0;
-  for (const Vec<Dim>& v : grains.velocity) sum += v.squaredNorm();
-  return std::sqrt(sum / grains.size());
+  double sum = 0.0, mass = 0.0;
+  for (int i = 0; i < grains.size(); ++i) {
+    sum += grains.mass[i] * grains.velocity[i].squaredNorm();
+    mass += grains.mass[i];
+  }
+  return std::sqrt(sum / mass);
 }
 
 template <int Dim>

@@ -24,6 +24,8 @@ constexpr double kDeepest = 1e-2;
 constexpr int kMostHalvings = 5;
 /// Share of an overlap that a step removes.
 constexpr double kStabilisation = 0.1;
+/// Overlap that is not removed if impacts are elastic, over the diameter of the smaller grain: removing it adds energy.
+constexpr double kElasticOverlap = 5e-3;
 /// Share of the displacement limit below which the next time step is doubled.
 constexpr double kTimid = 0.4;
 /// Share of Coulomb's limit by which a tangential impulse may lie below it and still count as sliding.
@@ -33,6 +35,12 @@ constexpr double kAtLimit = 1e-9;
 template <int Dim>
 bool sticks(const Contact<Dim>& c) {
   return c.gap <= 0.0 || c.elastic_force > 0.0;
+}
+
+template <int Dim>
+double smaller_radius(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const double radius = packing.grains.radius[c.i];
+  return packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]);
 }
 
 template <int Dim>
@@ -150,8 +158,12 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, std
     k.friction = law.friction_coefficient();
     k.adhesion = sticks(c) ? dt * law.pull_off_force() : 0.0;
     k.bias = k.frame.transpose() * (shear * k.branch);
-    k.bias[0] += elastic_impact ? settings_.restitution * std::min(0.0, gap_rate(c))
-                                : (c.gap > 0.0 ? 1.0 : kStabilisation) * c.gap / dt;
+    if (elastic_impact)
+      k.bias[0] +=
+          settings_.restitution * std::min(0.0, gap_rate(c)) +
+          kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / dt;
+    else
+      k.bias[0] += (c.gap > 0.0 ? 1.0 : kStabilisation) * c.gap / dt;
     k.impulse = -dt * (k.frame.transpose() * c.shear_force);
     k.impulse[0] = dt * c.elastic_force;
   }
@@ -228,8 +240,7 @@ template <int Dim>
 double ContactDynamics<Dim>::deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const {
   double deepest = 0.0;
   for (const Contact<Dim>& c : packing.contacts) {
-    const double radius = packing.grains.radius[c.i];
-    const double smaller = packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]);
+    const double smaller = smaller_radius(packing, c);
     if (-c.gap / (2.0 * smaller) > deepest) deepest = -c.gap / (2.0 * smaller), where = &c;
   }
   return deepest;

@@ -37,7 +37,7 @@ double mean_force(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
+Criterion check_rigid_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
   Violations violations;
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
@@ -227,7 +227,7 @@ std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_toleranc
   Packing<Dim> recomputed = state.packing;
   recomputed.contacts = geometry.recorded;
   std::vector<Criterion> criteria = {
-      check_geometry(state.packing, recomputed), check_list(state.packing, geometry), check_law(state.packing),
+      check_rigid_geometry(state.packing, recomputed), check_list(state.packing, geometry), check_law(state.packing),
       check_cone(state.packing), check_gaps(recomputed, geometry, gap_tolerance)};
   const Mat<Dim> stress = static_stress(recomputed);
   add_residuals(state, recomputed, stress, fastest_grain(state.packing.grains), criteria);

@@ -32,6 +32,7 @@ import time
 import numpy
 
 import pages
+import shapes
 
 # Blocks of commands by a part of their text.
 NOT_RUN = {
@@ -81,6 +82,7 @@ UNCHECKED_TABLES = {
     "| program | its law |": "words; validation tests convert packings by these laws",
     "| code | meaning |": "words",
     "| key | meaning |": "words",
+    "| You want | Use |": "words",
     "| `control` | driven axis |": "words",
     "| normal | adhesion |": "words",
     "| setting | Phi | z | beta | time |": "36 runs of a quarter of a minute and more",
@@ -738,6 +740,89 @@ class Test:
                     self.number(mean, chosen[name]["mean_difference"], f"{what}, mean of {name}")
                     self.number(stderr, chosen[name]["mean_stderr"], f"{what}, standard error of {name}")
 
+    # Grains with corners.
+
+    def checked_shape(self, shape, dimension=2):
+        """(exit code, what floc scene check says) of a scene whose grains have this shape."""
+        with open(os.path.join(self.directory, "shape.toml"), "w") as file:
+            file.write(shapes.scene(shape, dimension))
+        done = subprocess.run([self.floc, "scene", "check", "shape.toml", "--format", "csv"], cwd=self.directory,
+                              capture_output=True, text=True)
+        return done.returncode, done.stdout + done.stderr
+
+    def accepts_shape(self, accepted, shape, dimension=2, words=""):
+        code, said = self.checked_shape(shape, dimension)
+        if (code == 0) != accepted or words not in said:
+            self.fault(f"shape = {shape} in {dimension}D, expected {'no fault' if accepted else 'a fault'}: {said}")
+        return said
+
+    def kinds_of_shapes(self):
+        """Kinds, keys, defaults and limits are those that floc scene check knows."""
+        rows = shapes.kinds_in_table(self.claim_table("| `grains.shape.kind` | its keys | shapes |"))
+        said = self.accepts_shape(False, {"kind": "ball"})
+        if set(re.findall(r'"(\w+)"', said)) - {"ball"} != set(rows):
+            self.fault(f"the page has the kinds of shapes {list(rows)}, the program says {said}")
+        text = " ".join(self.docs.text().split())
+        rounding = re.search(r"corners and edges over the diameter, from (\S+) \(the default\) to ([\d.]+);", text)
+        count = re.search(r"number of different shapes that are drawn: (\d+), at most ([\d ]+), and at most", text)
+        most = int(count[2].replace(" ", ""))
+        points = os.path.join(self.directory, "points")
+        checksum = shapes.write_files(points)
+        every = {key for row in rows.values() for key in row.keys}
+        for kind, row in rows.items():
+            base = shapes.valid(kind, points + ".csv")
+            whole = {**base, **shapes.further(kind, checksum)}
+            if set(whole) - {"kind"} != set(row.keys):
+                self.fault(f"shapes of kind {kind}: the test has the keys {list(whole)}, the page {list(row.keys)}")
+            self.accepts_shape(True, whole)
+            self.accepts_shape(not row.flat, dict(base, sides=[1, 1, 1]) if kind == "box" else (
+                dict(base, file=points + "3.csv") if kind == "file" else base), 3)
+            for key in sorted(every - set(row.keys)):
+                self.accepts_shape(False, dict(base, **{key: 4}), words=f'shapes of kind = "{kind}" have no key {key}')
+            for key, key_row in row.keys.items():
+                default, low, high = key_row
+                if key == "rounding":
+                    default, low, high = float(rounding[1]), float(rounding[1]), float(rounding[2])
+                elif key == "count":
+                    default, high = int(count[1]), most
+                if key in base and default is None and key not in ("vertices", "sha256"):
+                    self.accepts_shape(False, {k: v for k, v in base.items() if k != key}, words="is missing")
+                for limit, sign in ((low, -1), (high, 1)):
+                    if limit is None:
+                        continue
+                    beyond = limit + sign * (1 if isinstance(limit, int) and key != "aspect" else 0.001)
+                    self.accepts_shape(False, dict(base, **{key: beyond}), words=key)
+                    if key != "count":
+                        self.accepts_shape(True, dict(shapes.cheap(base, key), **{key: limit}))
+                if default is not None:
+                    without = {k: v for k, v in base.items() if k != key}
+                    _, left_out = self.checked_shape(without)
+                    if self.checked_shape(dict(without, **{key: default})) != (0, left_out):
+                        self.fault(f"{key} = {default} is not the default of shapes of kind {kind}")
+                    if self.checked_shape(dict(without, **{key: shapes.another(default)}))[1] == left_out:
+                        self.fault(f"{key} of shapes of kind {kind} changes nothing that floc scene check prints")
+        longest = re.search(r"the longest side is at most (\d+) times the shortest", text)
+        self.accepts_shape(True, {"kind": "box", "sides": [1, int(longest[1])]})
+        self.accepts_shape(False, {"kind": "box", "sides": [1, 1.001 * int(longest[1])]})
+        self.accepts_shape(False, {"kind": "voronoi", "cells": 20, "count": 21}, words="count")
+        formats = set(re.findall(r"`\.(\w+)`", rows["file"].meaning))
+        for extension in sorted(formats | set(shapes.FORMATS)):
+            self.accepts_shape(extension in formats, {"kind": "file", "file": f"{points}3.{extension}"}, 3)
+        self.accepts_shape(False, {"kind": "file", "file": points + ".csv", "sha256": "0" * 64}, words="SHA-256")
+
+    def shapes_of_states(self):
+        """Datasets of shapes are those of the page, with as many rows, and hold what it says."""
+        rows = {name: size for names, size, _ in self.claim_table("| dataset | rows | holds |")
+                for name in re.findall(r"`(\w+)`", names)}
+        points = os.path.join(self.directory, "points")
+        shapes.write_files(points)
+        for k, (dimension, shape) in enumerate(shapes.samples(points)):
+            with open(os.path.join(self.directory, f"shape{k}.toml"), "w") as file:
+                file.write(shapes.scene(shape, dimension))
+            self.shell(f"floc run shape{k}.toml -o shape{k}")
+            for fault in shapes.faults_of_state(os.path.join(self.directory, f"shape{k}", "state-0000.h5"), rows, shape):
+                self.fault(f"state of {shape} in {dimension}D: {fault}")
+
     # Numbers of the long part. Collapses are chaotic: another version or compiler makes other samples of the same
     # ensemble, whose means agree within their errors.
 
@@ -815,7 +900,7 @@ class Test:
                               self.preconsolidation, self.conversions, self.python, self.python_package, self.spheres,
                               self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads,
-                              self.lattice, self.tradeoff):
+                              self.lattice, self.tradeoff, self.kinds_of_shapes, self.shapes_of_states):
                     try:
                         with self.hanging_on_demo(check in of_demo):
                             check()

@@ -227,8 +227,8 @@ std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_toleranc
   Packing<Dim> recomputed = state.packing;
   recomputed.contacts = geometry.recorded;
   std::vector<Criterion> criteria = {
-      check_rigid_geometry(state.packing, recomputed), check_list(state.packing, geometry), check_law(state.packing),
-      check_cone(state.packing), check_gaps(recomputed, geometry, gap_tolerance)};
+      check_rigid_geometry(state.packing, recomputed), check_list(state.packing, geometry),
+      check_law(state.packing), check_cone(state.packing), check_gaps(recomputed, geometry, gap_tolerance)};
   const Mat<Dim> stress = static_stress(recomputed);
   add_residuals(state, recomputed, stress, fastest_grain(state.packing.grains), criteria);
   add_lengths(state, criteria);

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-View from_above() {
+View order_from_above() {
   View view;
   view.azimuth = -90.0;
   view.elevation = 90.0;
@@ -107,9 +107,9 @@ TEST(DrawingOrder, APlankOverASphereIsDrawnLaterThoughItsCentreIsFarther) {
   const auto at = [&](const Vec<3>& x) { return PlacedShape<3>{&ball, 1.0, x, Mat<3>::Identity()}; };
   for (const Shape<3>& long_one : {plank, rod}) {
     // Above a point at x = 2, the long body is at the height 1.33. Its centre is at the height 0.
-    EXPECT_EQ(drawing_order({tilted(long_one), at({2.0, 0.0, 0.4})}, Camera(from_above())),
+    EXPECT_EQ(drawing_order({tilted(long_one), at({2.0, 0.0, 0.4})}, Camera(order_from_above())),
               (std::vector<int>{1, 0}));
-    EXPECT_EQ(drawing_order({at({-2.0, 0.0, -0.4}), tilted(long_one)}, Camera(from_above())),
+    EXPECT_EQ(drawing_order({at({-2.0, 0.0, -0.4}), tilted(long_one)}, Camera(order_from_above())),
               (std::vector<int>{1, 0}));
   }
 }
@@ -124,7 +124,7 @@ TEST(DrawingOrder, HoldsEachBodyOfACycleOnce) {
         Eigen::AngleAxisd(angle, Vec<3>::UnitZ()) * Eigen::AngleAxisd(0.3, Vec<3>::UnitY());
     sticks.push_back({&stick, 4.0, {std::sin(angle), -std::cos(angle), 0.0}, rotation_matrix(turn)});
   }
-  std::vector<int> order = drawing_order(sticks, Camera(from_above()));
+  std::vector<int> order = drawing_order(sticks, Camera(order_from_above()));
   std::sort(order.begin(), order.end());
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2}));
 }

@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-constexpr double kSeenRounding = 1e-12;
+constexpr double kBodyRounding = 1e-12;
 
 /// Volume of the pyramids from the origin to all facets.
 double volume_of(const Facets& facets) {
@@ -38,7 +38,7 @@ TEST(Facets, AreTheFacesOfASharpPolyhedron) {
   for (const Shape<3>& shape : cut_shapes<3>({}, 5, 0.0, 1)) {
     const Facets facets = facets_of(shape);
     EXPECT_EQ(static_cast<int>(facets.facets.size()), shape.n_faces());
-    EXPECT_NEAR(volume_of(facets), shape.volume, kSeenRounding);
+    EXPECT_NEAR(volume_of(facets), shape.volume, kBodyRounding);
   }
 }
 
@@ -50,7 +50,7 @@ TEST(Facets, OfARoundedBoxHaveABevelForEachEdgeAndCorner) {
   const double side = 2.0 * std::abs(shape.vertices[0][0]), r = shape.rounding;
   EXPECT_NEAR(volume_of(facets),
               std::pow(side, 3) + 6.0 * side * side * r + 12.0 * side * r * r / 2.0 + 8.0 * r * r * r / 6.0,
-              kSeenRounding);
+              kBodyRounding);
 }
 
 TEST(Facets, OfRoundedPolyhedraTurnOutwardsAndStayWithinThem) {
@@ -105,7 +105,7 @@ TEST(DistanceToSurface, EndsOnTheSurface) {
     for (int trial = 0; trial < 50; ++trial) {
       const Vec<3> direction = Vec<3>(normal(engine), normal(engine), normal(engine)).normalized();
       const double distance = distance_to_surface(placed, direction);
-      EXPECT_NEAR(height_above(placed, placed.position + distance * direction), 0.0, kSeenRounding);
+      EXPECT_NEAR(height_above(placed, placed.position + distance * direction), 0.0, kBodyRounding);
     }
 }
 

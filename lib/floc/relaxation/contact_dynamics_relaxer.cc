@@ -253,8 +253,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   if (const double gap = largest_gap(); gap > tolerance) {
     progress_.obstacle = fmt::format(
         "a contact that carries a force has a gap of {:.2g} of the smaller diameter, or two grains overlap by "
-        "this "
-        "much, but the tolerance is {:.2g}",
+        "this much, but the tolerance is {:.2g}",
         gap, tolerance);
     // Errors of the impulses move the grains in proportion to the square of the time step.
     progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);

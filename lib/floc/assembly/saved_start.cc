@@ -30,10 +30,7 @@ ContactHistory<Dim> common_history(const Law& before, const Law& after) {
 
 template <int Dim>
 Packing<Dim> start_from(Packing<Dim> saved, const Law& law, const Vec<Dim, int>& copies) {
-  Grains<Dim>& g = saved.grains;
-  for (Vec<Dim>& v : g.velocity) v.setZero();
-  for (RotationVector<Dim>& w : g.angular_velocity) w.setZero();
-  saved.cell.velocity.setZero();
+  stop_grains(saved);
   const ContactHistory<Dim> kept = common_history<Dim>(saved.law, law);
   saved.law = law;
   const std::vector<Contact<Dim>> before = std::move(saved.contacts);

@@ -21,6 +21,15 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
+double mean_repulsive_force(const Packing<Dim>& packing) {
+  double sum = 0.0;
+  int n = 0;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (c.elastic_force > 0.0) sum += c.elastic_force, ++n;
+  return n == 0 ? 0.0 : sum / n;
+}
+
+template <int Dim>
 Mat<Dim> static_stress(const Packing<Dim>& packing) {
   Mat<Dim> sum = Mat<Dim>::Zero();
   for (const Contact<Dim>& c : packing.contacts) {
@@ -62,6 +71,8 @@ double mean_kinetic_energy(const Packing<Dim>& packing) {
 
 template Balance<2> net_forces(const Packing<2>&);
 template Balance<3> net_forces(const Packing<3>&);
+template double mean_repulsive_force(const Packing<2>&);
+template double mean_repulsive_force(const Packing<3>&);
 template Mat<2> static_stress(const Packing<2>&);
 template Mat<3> static_stress(const Packing<3>&);
 template Mat<2> boundary_stress(const Packing<2>&);

@@ -15,6 +15,10 @@ struct Balance {
   std::vector<RotationVector<Dim>> moment;
 };
 
+/// Returns the mean of the elastic (repulsive) forces of the contacts that carry one (force); 0 if none does.
+template <int Dim>
+double mean_repulsive_force(const Packing<Dim>& packing);
+
 template <int Dim>
 Balance<Dim> net_forces(const Packing<Dim>& packing);
 

@@ -19,6 +19,12 @@ bool precedes(const Pair& p, const Pair& q) {
   return false;
 }
 
+/// Returns whether two contacts join the same two bodies through the same periodic image; their keys may differ.
+template <class Pair>
+bool same_pair(const Pair& p, const Pair& q) {
+  return p.i == q.i && p.j == q.j && p.image == q.image;
+}
+
 /// Returns a pair of grains with the grains exchanged: i, j and image change; forces and other members do not.
 template <class Pair>
 Pair swapped(Pair pair) {

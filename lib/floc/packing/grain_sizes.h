@@ -19,6 +19,13 @@ double largest_diameter(const Grains<Dim>& grains) {
   return largest_diameter(grains.radius);
 }
 
+/// Returns the radius of the smaller grain of a contact, or of the grain that touches a wall (length).
+template <int Dim>
+double smaller_radius(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  const std::vector<double>& radius = packing.grains.radius;
+  return packing.is_wall(contact.j) ? radius[contact.i] : std::min(radius[contact.i], radius[contact.j]);
+}
+
 /// Returns the mean diameter of grains (length). @pre there are grains
 inline double mean_diameter(const std::vector<double>& radius) {
   return 2.0 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());

@@ -1,7 +1,6 @@
 #include "floc/packing/locate.h"
 
 #include "floc/packing/ball.h"
-#include "floc/shape/manifold.h"
 #include "floc/shape/plane_manifold.h"
 
 namespace floc {
@@ -18,21 +17,20 @@ ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double rad
   return at;
 }
 
-namespace {
-
-/// Returns all contact points of the two bodies of a contact, up to gaps as wide as the grains.
 template <int Dim>
-Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch) {
+Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
+                          double reach, AxisFeatures* last) {
   const PlacedShape<Dim> first = packing.grains.placed(contact.i);
-  const double reach = packing.grains.radius[contact.i] + packing.surface_radius(contact.j);
   if (packing.is_wall(contact.j)) {
     const Wall<Dim>& wall = packing.wall(contact.j);
     return plane_manifold<Dim>(first, wall.normal(), wall.side * wall.position, reach);
   }
   PlacedShape<Dim> second = packing.grains.placed(contact.j);
   second.position = first.position + branch;
-  return contact_manifold(first, second, reach);
+  return contact_manifold(first, second, reach, last);
 }
+
+namespace {
 
 /// Returns the geometry of a contact of two shapes: of the contact point that has the key of the contact. If no point
 /// has this key, as the features that meet have changed, the point nearest to the recorded one is taken.
@@ -40,24 +38,18 @@ template <int Dim>
 ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   ContactGeometry<Dim> at;
   at.branch = branch(packing, contact);
-  const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch);
-  if (manifold.n == 0) {  // the bodies are further apart than their sizes
+  const double reach = packing.grains.radius[contact.i] + packing.surface_radius(contact.j);
+  const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch, reach);
+  const ManifoldPoint<Dim>* found = manifold.with_key(static_cast<std::uint32_t>(contact.key));
+  if (!found) found = manifold.nearest(contact.arm_i);
+  if (!found) {  // the bodies are further apart than their sizes
     at.normal = at.branch.normalized();
-    at.gap = packing.grains.radius[contact.i] + packing.surface_radius(contact.j);
+    at.gap = reach;
     at.arm_i = 0.5 * at.branch;
     at.arm_j = -at.arm_i;
     return at;
   }
   at.normal = manifold.normal;
-  const ManifoldPoint<Dim>* found = &manifold.points[0];
-  for (int p = 0; p < manifold.n; ++p) {
-    const ManifoldPoint<Dim>& point = manifold.points[p];
-    if (static_cast<int>(point.key) == contact.key) {
-      found = &point;
-      break;
-    }
-    if ((point.arm - contact.arm_i).squaredNorm() < (found->arm - contact.arm_i).squaredNorm()) found = &point;
-  }
   at.gap = found->gap;
   at.arm_i = found->arm;
   at.arm_j = at.arm_i - at.branch;
@@ -90,10 +82,12 @@ void set_arms(Packing<Dim>& packing) {
   }
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                              \
-  template ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>&, double, double); \
-  template ContactGeometry<Dim> locate(const Packing<Dim>&, const Contact<Dim>&);          \
-  template void place(const ContactGeometry<Dim>&, Contact<Dim>&);                         \
+#define FLOC_INSTANTIATE(Dim)                                                                           \
+  template ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>&, double, double);              \
+  template Manifold<Dim> manifold_of(const Packing<Dim>&, const Contact<Dim>&, const Vec<Dim>&, double, \
+                                     AxisFeatures*);                                                    \
+  template ContactGeometry<Dim> locate(const Packing<Dim>&, const Contact<Dim>&);                       \
+  template void place(const ContactGeometry<Dim>&, Contact<Dim>&);                                      \
   template void set_arms(Packing<Dim>&);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

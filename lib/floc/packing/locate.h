@@ -2,6 +2,7 @@
 
 #include "floc/geometry/separation.h"
 #include "floc/packing/packing.h"
+#include "floc/shape/manifold.h"
 
 /// Geometry of contacts between two bodies (grains or walls). All code computes gaps, normals and lever arms from
 /// positions and shapes with these functions. The only exception is the force loop of the dynamics, which computes them
@@ -28,6 +29,16 @@ ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double rad
 /// bodies of the contact are two grains, a grain and an image of itself, or a grain and a wall.
 template <int Dim>
 ContactGeometry<Dim> locate(const Packing<Dim>& packing, const Contact<Dim>& contact);
+
+/// Returns the contact points of the two bodies of a contact, of which at least one has corners: two shapes, or a shape
+/// and a wall. Only the members i and j of `contact` are used.
+/// @param branch  branch vector of the contact (length)
+/// @param reach  largest gap of a contact point (length)
+/// @param last  features with which the search begins, as in contact_manifold()
+/// @pre !packing.grains.are_round()
+template <int Dim>
+Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& contact, const Vec<Dim>& branch,
+                          double reach, AxisFeatures* last = nullptr);
 
 /// Copies the gap, the normal and the lever arms from `geometry` to a contact.
 template <int Dim>

@@ -6,6 +6,7 @@
 
 #include "floc/base/error.h"
 #include "floc/contact/law_parameters.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -41,9 +42,7 @@ Overlaps measure_overlaps(const Packing<Dim>& packing) {
   int n_touching = 0, n_deep = 0;
   for (const Contact<Dim>& c : packing.contacts) {
     if (c.distant) continue;
-    const double radius = packing.grains.radius[c.i];
-    const double smaller = packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]);
-    const double overlap = -c.gap / smaller;
+    const double overlap = -c.gap / smaller_radius(packing, c);
     ++n_touching;
     n_deep += overlap > kDeepOverlap;
     out.mean += overlap;

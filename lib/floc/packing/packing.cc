@@ -48,6 +48,13 @@ Mat<kRotations<Dim>> Grains<Dim>::inertia_tensor(int i) const {
 }
 
 template <int Dim>
+void stop_grains(Packing<Dim>& packing) {
+  for (Vec<Dim>& v : packing.grains.velocity) v.setZero();
+  for (RotationVector<Dim>& w : packing.grains.angular_velocity) w.setZero();
+  packing.cell.velocity.setZero();
+}
+
+template <int Dim>
 double solid_fraction(const Packing<Dim>& packing) {
   double volume = 0.0;
   for (int i = 0; i < packing.grains.size(); ++i) volume += packing.grains.volume(i);
@@ -80,6 +87,8 @@ Vec<Dim> branch(const Packing<Dim>& packing, const Contact<Dim>& contact) {
 
 template struct Grains<2>;
 template struct Grains<3>;
+template void stop_grains(Packing<2>&);
+template void stop_grains(Packing<3>&);
 template double solid_fraction(const Packing<2>&);
 template double solid_fraction(const Packing<3>&);
 template Cell<2> search_cell(Cell<2>, const std::vector<Wall<2>>&, double);

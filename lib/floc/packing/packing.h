@@ -135,6 +135,10 @@ bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
 template <int Dim>
 Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 
+/// Sets the velocities and spins of all grains and the velocity of the cell to zero. Walls keep their velocities.
+template <int Dim>
+void stop_grains(Packing<Dim>& packing);
+
 /// Returns the solid fraction: the area (2D) or volume (3D) of the grains divided by the area or volume of the
 /// cell. Overlaps count twice, as is customary.
 template <int Dim>

@@ -1,16 +1,15 @@
 #include "floc/packing/reduce_tilt.h"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "floc/geometry/tilt.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/require_periodic.h"
-#include "floc/packing/swap_sides.h"
 #include "floc/packing/wrap.h"
 
 namespace floc {
+
 template <int Dim>
 void reduce_tilt(Packing<Dim>& packing, int axis) {
   assert(axis > 0 && packing.cell.matrix.isLowerTriangular(0.0));
@@ -21,14 +20,8 @@ void reduce_tilt(Packing<Dim>& packing, int axis) {
   if (lengths == 0.0) return;
   cell.matrix(axis, 0) = std::fma(-lengths, side, cell.matrix(axis, 0));
   cell.velocity.row(axis) -= lengths * cell.velocity.row(0);
-  const std::vector<Vec<Dim, int>> wrapped = wrap_grains(cell, packing.grains);
-  const ContactHistory<Dim> parity = swap_parity<Dim>(packing.law);
-  for (Contact<Dim>& c : packing.contacts) {
-    c.image[0] += static_cast<int>(lengths) * c.image[axis];
-    c.image += wrapped[c.i] - wrapped[c.j];
-    if (!is_canonical(c)) swap_sides(parity, c);
-  }
-  std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
+  for (Contact<Dim>& c : packing.contacts) c.image[0] += static_cast<int>(lengths) * c.image[axis];
+  wrap_into_cell(packing);
   refresh_contacts(packing);
 }
 

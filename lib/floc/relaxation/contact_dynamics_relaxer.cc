@@ -8,6 +8,7 @@
 #include "floc/base/error.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/wrap.h"
 #include "floc/relaxation/members_as_json.h"
 #include "floc/relaxation/relaxer.h"
@@ -73,21 +74,6 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("obstacle", p.obstacle);
 };
 
-template <int Dim>
-double mean_normal_force(const Packing<Dim>& packing) {
-  double sum = 0.0;
-  int n = 0;
-  for (const Contact<Dim>& c : packing.contacts)
-    if (c.elastic_force > 0.0) sum += c.elastic_force, ++n;
-  return n == 0 ? 0.0 : sum / n;
-}
-
-template <int Dim>
-double smaller_diameter(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  const double radius = packing.grains.radius[c.i];
-  return 2.0 * (packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]));
-}
-
 /// Returns the root mean square velocity of the mass of all grains. Light grains may fly about in holes for long.
 template <int Dim>
 double rms_velocity(const Grains<Dim>& grains) {
@@ -101,10 +87,8 @@ double rms_velocity(const Grains<Dim>& grains) {
 
 template <int Dim>
 void stop(Packing<Dim>& packing) {
-  for (Vec<Dim>& v : packing.grains.velocity) v.setZero();
-  for (RotationVector<Dim>& w : packing.grains.angular_velocity) w.setZero();
+  stop_grains(packing);
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
-  packing.cell.velocity.setZero();
 }
 
 }  // namespace
@@ -226,7 +210,7 @@ template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::forces_are_nearly_balanced() const {
   double largest = 0.0;
   for (const Vec<Dim>& force : net_forces(packing_).force) largest = std::max(largest, force.norm());
-  return largest < near_balance() * mean_normal_force(packing_);
+  return largest < near_balance() * mean_repulsive_force(packing_);
 }
 
 template <int Dim>
@@ -238,11 +222,11 @@ double ContactDynamicsRelaxer<Dim>::near_balance() const {
 /// contacts if it is larger, over the diameter of the smaller grain.
 template <int Dim>
 double ContactDynamicsRelaxer<Dim>::largest_gap() const {
-  const double least = near_balance() * mean_normal_force(packing_);
+  const double least = near_balance() * mean_repulsive_force(packing_);
   double largest = 0.0;
   for (const Contact<Dim>& c : packing_.contacts)
-    largest =
-        std::max(largest, (c.elastic_force > least ? std::abs(c.gap) : -c.gap) / smaller_diameter(packing_, c));
+    largest = std::max(
+        largest, (c.elastic_force > least ? std::abs(c.gap) : -c.gap) / (2.0 * smaller_radius(packing_, c)));
   return largest;
 }
 
@@ -332,10 +316,9 @@ void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) con
     c.normal_force = found.normal_force[k];
     c.elastic_force = c.normal_force + adhesion;
     c.shear_force = found.shear_force[k];
-    const double limit = found.friction_limit[k];
-    c.sliding = limit > 0.0 && c.shear_force.norm() >= (1.0 - kAtLimit) * limit;
+    c.sliding = mobilised(packing.law_of(c), c, kAtLimit).sliding;
   }
-  const double least = kCarries * mean_normal_force(packing);
+  const double least = kCarries * mean_repulsive_force(packing);
   std::erase_if(packing.contacts, [&](const Contact<Dim>& c) { return !(c.elastic_force > least); });
 }
 
@@ -362,8 +345,7 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   else
     report.blocking = fmt::format(
         "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
-        "unit T, and "
-        "the largest strain rate of the cell {:.2g} per T",
+        "unit T, and the largest strain rate of the cell {:.2g} per T",
         rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains),
         packing_.cell.rate().diagonal().cwiseAbs().maxCoeff() * time_unit_);
   return report;

@@ -9,7 +9,8 @@
 #include "floc/base/error.h"
 #include "floc/geometry/frame.h"
 #include "floc/network/contact_network.h"
-#include "floc/packing/locate.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/law/contact_forces.h"
 
 namespace floc {
 namespace {
@@ -38,12 +39,6 @@ bool sticks(const Contact<Dim>& c) {
 }
 
 template <int Dim>
-double smaller_radius(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  const double radius = packing.grains.radius[c.i];
-  return packing.is_wall(c.j) ? radius : std::min(radius, packing.grains.radius[c.j]);
-}
-
-template <int Dim>
 Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVector<Dim>& angle) {
   if constexpr (Dim == 2) {
     return orientation + angle[0];
@@ -64,9 +59,15 @@ ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<D
       settings_(settings),
       time_step_(time_step),
       grain_mass_(std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0)) {
-  std::vector<Contact<Dim>> contacts = points_.find(packing_, reach());
-  carry_forces(packing_, packing_.contacts, contacts);
-  packing_.contacts = std::move(contacts);
+  find_contacts(packing_);
+}
+
+/// Replaces the contacts of a packing by all contact points within reach, which take over the forces.
+template <int Dim>
+void ContactDynamics<Dim>::find_contacts(Packing<Dim>& packing) {
+  std::vector<Contact<Dim>> contacts = points_.find(packing, reach());
+  carry_forces(packing, packing.contacts, contacts);
+  packing.contacts = std::move(contacts);
 }
 
 /// Gap up to which contact points take part in a step: the largest displacement of two grains towards each other.
@@ -228,9 +229,7 @@ Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
     c.elastic_force = from.impulse[0] / dt;
     c.normal_force = (from.impulse[0] - from.adhesion) / dt;
     c.shear_force = -(from.frame * from.impulse - from.impulse[0] * c.normal) / dt;
-    const double slip_limit = from.friction * from.impulse[0];
-    c.sliding =
-        slip_limit > 0.0 && from.impulse.template tail<Dim - 1>().norm() >= (1.0 - kAtLimit) * slip_limit;
+    c.sliding = mobilised(out.law_of(c), c, kAtLimit).sliding;
   }
   return out;
 }
@@ -259,16 +258,13 @@ void ContactDynamics<Dim>::step(bool at_rest) {
       continue;
     }
     Packing<Dim> next = moved(trial, dt);
-    std::vector<Contact<Dim>> contacts = points_.find(next, reach());
-    carry_forces(next, next.contacts, contacts);
-    next.contacts = std::move(contacts);
+    find_contacts(next);
     const double deepest = deepest_overlap(next, where);
     if (deepest > allowed) {
       if (++halvings > kMostHalvings)
         throw NoResult(
             fmt::format("grains {} and {} would overlap by {:.2g} of the smaller diameter in a time step, even "
-                        "after the step was "
-                        "halved {} times; the largest overlap allowed is {:.2g}",
+                        "after the step was halved {} times; the largest overlap allowed is {:.2g}",
                         next.grains.name(where->i), next.is_wall(where->j) ? -1 : next.grains.name(where->j),
                         deepest, kMostHalvings, allowed));
       dt *= 0.5;

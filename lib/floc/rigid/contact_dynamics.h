@@ -70,6 +70,7 @@ class ContactDynamics {
   };
 
   double reach() const;
+  void find_contacts(Packing<Dim>& packing);
   BodyMotion<Dim> free_motion(double dt, bool at_rest) const;
   double gap_rate(const Contact<Dim>& contact) const;
   std::vector<StepContact<Dim>> step_contacts(double dt, std::vector<int>& source) const;

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/packing/locate.h"
-#include "floc/shape/plane_manifold.h"
 #include "floc/shape/point_memory.h"
 
 namespace floc {
@@ -36,11 +36,6 @@ Contact<Dim> contact_of(const NeighborPair<Dim>& pair) {
   contact.j = pair.j;
   contact.image = pair.image;
   return contact;
-}
-
-template <int Dim>
-bool same_pair(const Contact<Dim>& c, const Contact<Dim>& d) {
-  return c.i == d.i && c.j == d.j && c.image == d.image;
 }
 
 template <int Dim>
@@ -76,40 +71,30 @@ template <int Dim>
 std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, double reach, double share) {
   const Grains<Dim>& grains = packing.grains;
   std::vector<Contact<Dim>> out;
-  std::vector<KnownPair> known;
-  std::size_t next = 0;
-  for (const NeighborPair<Dim>& pair :
-       find_pairs(search_cell(packing.cell, packing.walls, reach), grains, reach)) {
-    Contact<Dim> contact = contact_of(pair);
-    const double own_reach =
-        std::min(reach, share * 2.0 * std::min(grains.radius[pair.i], grains.radius[pair.j]));
-    if (grains.are_round()) {
-      place(locate(packing, contact), contact);
-      if (contact.gap < own_reach) out.push_back(contact);
-      continue;
-    }
-    while (next < known_.size() && precedes(known_[next].pair, pair)) ++next;
-    KnownPair& now = known.emplace_back(KnownPair{pair, {}});
-    if (next < known_.size() && !precedes(pair, known_[next].pair)) now.features = known_[next].features;
-    const Vec<Dim> r = branch(packing, contact);
-    const PlacedShape<Dim> first = grains.placed(pair.i);
-    PlacedShape<Dim> second = grains.placed(pair.j);
-    second.position = first.position + r;
-    append(contact_manifold(first, second, own_reach, &now.features), contact, r, out);
-  }
-  known_ = std::move(known);
-  for (NeighborPair<Dim> pair : find_wall_pairs(packing.walls, grains, reach)) {
-    const Wall<Dim>& wall = packing.walls[pair.j];
-    pair.j += grains.size();
-    Contact<Dim> contact = contact_of(pair);
-    const double own_reach = std::min(reach, share * 2.0 * grains.radius[pair.i]);
+  const auto add_points = [&](Contact<Dim> contact, AxisFeatures* features) {
+    const double own_reach = std::min(reach, share * 2.0 * smaller_radius(packing, contact));
     if (grains.are_round()) {
       place(locate(packing, contact), contact);
       if (contact.gap < own_reach) out.push_back(contact);
     } else {
-      append(plane_manifold(grains.placed(pair.i), wall.normal(), wall.side * wall.position, own_reach),
-             contact, branch(packing, contact), out);
+      const Vec<Dim> r = branch(packing, contact);
+      append(manifold_of(packing, contact, r, own_reach, features), contact, r, out);
     }
+  };
+  std::vector<KnownPair> known;
+  std::size_t next = 0;
+  for (const NeighborPair<Dim>& pair :
+       find_pairs(search_cell(packing.cell, packing.walls, reach), grains, reach)) {
+    while (next < known_.size() && precedes(known_[next].pair, pair)) ++next;
+    KnownPair now{pair, {}};
+    if (next < known_.size() && !precedes(pair, known_[next].pair)) now.features = known_[next].features;
+    add_points(contact_of(pair), &now.features);
+    if (!grains.are_round()) known.push_back(now);
+  }
+  known_ = std::move(known);
+  for (NeighborPair<Dim> pair : find_wall_pairs(packing.walls, grains, reach)) {
+    pair.j += grains.size();
+    add_points(contact_of(pair), nullptr);
   }
   std::sort(out.begin(), out.end(), precedes<Contact<Dim>>);
   return out;
@@ -128,9 +113,7 @@ void carry_forces(const Packing<Dim>& packing, const std::vector<Contact<Dim>>& 
     std::size_t end = old;
     while (end < before.size() && same_pair(before[end], now[first])) ++end;
     if (end == old) continue;
-    const double radius = packing.is_wall(now[first].j) ? packing.grains.radius[now[first].i]
-                                                        : std::min(packing.grains.radius[now[first].i],
-                                                                   packing.grains.radius[now[first].j]);
+    const double radius = smaller_radius(packing, now[first]);
     const PointMatches<Dim> match =
         matched_points<Dim>(points_of<Dim>(std::span(now).subspan(first, last - first)),
                             points_of<Dim>(std::span(before).subspan(old, end - old)), kMatchingShare * radius);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/rigid/contact_points.h"
 
 namespace floc {
@@ -22,11 +23,9 @@ bool has_point(const Packing<Dim>& packing, Iterator first, Iterator last, const
   if (packing.grains.are_round()) return false;
   Contact<Dim> lowest = point;
   lowest.key = std::numeric_limits<int>::min();
-  const double radius = packing.is_wall(point.j)
-                            ? packing.grains.radius[point.i]
-                            : std::min(packing.grains.radius[point.i], packing.grains.radius[point.j]);
+  const double radius = smaller_radius(packing, point);
   for (auto c = std::lower_bound(first, last, lowest, precedes<Contact<Dim>>);
-       c != last && c->i == point.i && c->j == point.j && c->image == point.image; ++c)
+       c != last && same_pair(*c, point); ++c)
     if ((c->arm_i - point.arm_i).norm() < kOnePoint * radius) return true;
   return false;
 }

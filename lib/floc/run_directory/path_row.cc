@@ -8,6 +8,7 @@
 
 #include "floc/base/error.h"
 #include "floc/io/table.h"
+#include "floc/packing/contact_order.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/law/contact_energy.h"
 #include "floc/packing/least_mechanisms.h"
@@ -123,7 +124,7 @@ std::int64_t n_pairs(const Packing<Dim>& packing) {
   const Contact<Dim>* last = nullptr;
   for (const Contact<Dim>& c : packing.contacts) {
     if (packing.is_wall(c.j)) continue;
-    n += !last || last->i != c.i || last->j != c.j || last->image != c.image;
+    n += !last || !same_pair(*last, c);
     last = &c;
   }
   return n;

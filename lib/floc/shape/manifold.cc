@@ -308,6 +308,21 @@ std::string contact_type_name(ContactType type) {
 }
 
 template <int Dim>
+const ManifoldPoint<Dim>* Manifold<Dim>::with_key(std::uint32_t key) const {
+  for (int p = 0; p < n; ++p)
+    if (points[p].key == key) return &points[p];
+  return nullptr;
+}
+
+template <int Dim>
+const ManifoldPoint<Dim>* Manifold<Dim>::nearest(const Vec<Dim>& arm) const {
+  const ManifoldPoint<Dim>* found = nullptr;
+  for (int p = 0; p < n; ++p)
+    if (!found || (points[p].arm - arm).squaredNorm() < (found->arm - arm).squaredNorm()) found = &points[p];
+  return found;
+}
+
+template <int Dim>
 double Manifold<Dim>::least_gap() const {
   double least = points[0].gap;
   for (int k = 1; k < n; ++k) least = std::min(least, points[k].gap);

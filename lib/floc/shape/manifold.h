@@ -46,6 +46,10 @@ struct Manifold {
   std::array<ManifoldPoint<Dim>, kMostPoints> points;
 
   double least_gap() const;
+  /// Returns the point with a key; null if there is none.
+  const ManifoldPoint<Dim>* with_key(std::uint32_t key) const;
+  /// Returns the point nearest to the end of an arm from the centre of the first shape (length); null without points.
+  const ManifoldPoint<Dim>* nearest(const Vec<Dim>& arm) const;
 };
 
 /// Computes the contact of two shapes: the points with a gap smaller than `reach`.

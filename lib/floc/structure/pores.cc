@@ -7,6 +7,7 @@
 #include "floc/base/disjoint_sets.h"
 #include "floc/neighbors/pairs.h"
 #include "floc/network/components.h"
+#include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
 
 namespace floc {
@@ -23,8 +24,7 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
   std::vector<Edge> edges;
   const Contact<2>* previous = nullptr;
   for (const Contact<2>& c : packing.contacts) {
-    const bool again =
-        previous != nullptr && previous->i == c.i && previous->j == c.j && previous->image == c.image;
+    const bool again = previous != nullptr && same_pair(*previous, c);
     previous = &c;
     if (again) continue;  // the edge exists: c is another contact of these two grains
     edges.push_back({c.i, c.j, c.image, branch(packing, c)});

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
 #include "floc/packing/locate.h"
 #include "floc/rigid/contact_points.h"
-#include "floc/shape/plane_manifold.h"
 
 namespace floc {
 namespace {
@@ -37,36 +36,6 @@ AxisFeatures features_of(std::uint32_t key, const Shape<Dim>& first, const Shape
   return features;
 }
 
-/// Returns the manifold of the two bodies of a contact.
-template <int Dim>
-Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& c, const Vec<Dim>& r, double reach) {
-  const PlacedShape<Dim> first = packing.grains.placed(c.i);
-  if (packing.is_wall(c.j)) {
-    const Wall<Dim>& wall = packing.wall(c.j);
-    return plane_manifold(first, wall.normal(), wall.side * wall.position, reach);
-  }
-  PlacedShape<Dim> second = packing.grains.placed(c.j);
-  second.position = first.position + r;
-  AxisFeatures features = features_of(static_cast<std::uint32_t>(c.key), *first.shape, *second.shape);
-  return contact_manifold(first, second, reach, &features);
-}
-
-template <int Dim>
-const ManifoldPoint<Dim>* point_with_key(const Manifold<Dim>& manifold, int key) {
-  for (int p = 0; p < manifold.n; ++p)
-    if (static_cast<int>(manifold.points[p].key) == key) return &manifold.points[p];
-  return nullptr;
-}
-
-template <int Dim>
-const ManifoldPoint<Dim>* nearest_point(const Manifold<Dim>& manifold, const Vec<Dim>& arm) {
-  const ManifoldPoint<Dim>* nearest = nullptr;
-  for (int p = 0; p < manifold.n; ++p)
-    if (!nearest || (manifold.points[p].arm - arm).squaredNorm() < (nearest->arm - arm).squaredNorm())
-      nearest = &manifold.points[p];
-  return nearest;
-}
-
 /// Gives a recorded contact the geometry that follows from positions and shapes.
 /// @param tolerance  gap up to which contact points count, over the diameter of the smaller grain
 template <int Dim>
@@ -77,16 +46,24 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
   }
   const Vec<Dim> r = branch(packing, c);
   // Recorded gaps may be wrong, but no contact that could count is further apart than the tolerance.
-  const double counted = tolerance * smaller_diameter(packing, c);
-  Manifold<Dim> manifold = manifold_of(packing, c, r, std::max(std::abs(c.gap), counted) * 1.01);
-  const ContactType type = manifold_of(packing, c, r, counted).type;
-  const ManifoldPoint<Dim>* found = point_with_key(manifold, c.key);
+  const double diameter = 2.0 * smaller_radius(packing, c);
+  const double counted = tolerance * diameter;
+  const auto within = [&](double reach) {
+    AxisFeatures features;
+    if (!packing.is_wall(c.j))
+      features = features_of(static_cast<std::uint32_t>(c.key), *packing.grains.placed(c.i).shape,
+                             *packing.grains.placed(c.j).shape);
+    return manifold_of(packing, c, r, reach, &features);
+  };
+  Manifold<Dim> manifold = within(std::max(std::abs(c.gap), counted) * 1.01);
+  const ContactType type = within(counted).type;
+  const ManifoldPoint<Dim>* found = manifold.with_key(static_cast<std::uint32_t>(c.key));
   // A manifold keeps four of the points with a gap below its reach: with a larger reach they may be others.
   if (!found) {
-    manifold = manifold_of(packing, c, r, smaller_diameter(packing, c));
-    found = point_with_key(manifold, c.key);
+    manifold = within(diameter);
+    found = manifold.with_key(static_cast<std::uint32_t>(c.key));
   }
-  if (!found) found = nearest_point<Dim>(manifold, c.arm_i);
+  if (!found) found = manifold.nearest(c.arm_i);
   c.gap = found ? found->gap : std::numeric_limits<double>::infinity();
   if (!found) return c;
   c.normal = manifold.normal;
@@ -99,30 +76,21 @@ Contact<Dim> relocated(const Packing<Dim>& packing, Contact<Dim> c, double toler
 }  // namespace
 
 template <int Dim>
-double smaller_diameter(const Packing<Dim>& packing, const Contact<Dim>& contact) {
-  const std::vector<double>& radius = packing.grains.radius;
-  return 2.0 *
-         (packing.is_wall(contact.j) ? radius[contact.i] : std::min(radius[contact.i], radius[contact.j]));
-}
-
-template <int Dim>
 RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double tolerance) {
   RigidGeometry<Dim> out;
   for (const Contact<Dim>& c : packing.contacts) out.recorded.push_back(relocated(packing, c, tolerance));
   for (const Contact<Dim>& c : ContactPoints<Dim>().find(packing, 0.0)) {
-    const double overlap = -c.gap / smaller_diameter(packing, c);
+    const double overlap = -c.gap / (2.0 * smaller_radius(packing, c));
     out.deepest = std::max(out.deepest, overlap);
     if (overlap > tolerance) out.overlapping.push_back(c);
   }
   std::ranges::stable_sort(out.overlapping, [&](const Contact<Dim>& c, const Contact<Dim>& d) {
-    return c.gap / smaller_diameter(packing, c) < d.gap / smaller_diameter(packing, d);
+    return c.gap / (2.0 * smaller_radius(packing, c)) < d.gap / (2.0 * smaller_radius(packing, d));
   });
   return out;
 }
 
-#define FLOC_INSTANTIATE(Dim)                                                 \
-  template double smaller_diameter(const Packing<Dim>&, const Contact<Dim>&); \
-  template RigidGeometry<Dim> rigid_geometry(const Packing<Dim>&, double);
+#define FLOC_INSTANTIATE(Dim) template RigidGeometry<Dim> rigid_geometry(const Packing<Dim>&, double);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)
 #undef FLOC_INSTANTIATE

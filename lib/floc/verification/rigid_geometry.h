@@ -7,10 +7,6 @@
 
 namespace floc {
 
-/// Returns the length to which the gap of a contact is compared: the diameter of its smaller grain.
-template <int Dim>
-double smaller_diameter(const Packing<Dim>& packing, const Contact<Dim>& contact);
-
 /// Contacts of a packing of rigid grains as they follow from positions and shapes, without the recorded geometry.
 template <int Dim>
 struct RigidGeometry {

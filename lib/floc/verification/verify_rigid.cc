@@ -26,14 +26,11 @@ constexpr double kForceError = 1e-9;
 /// Repulsive forces below this share of the mean are rounding errors of a contact that does not carry a force.
 constexpr double kCarries = 1e-9;
 
-/// Returns the mean of the repulsive forces of the contacts that carry one (force); 1 if none does.
+/// Returns the mean of the repulsive forces, the unit of errors of forces (force); 1 if no contact carries one.
 template <int Dim>
 double mean_force(const Packing<Dim>& packing) {
-  double sum = 0.0;
-  int n = 0;
-  for (const Contact<Dim>& c : packing.contacts)
-    if (c.elastic_force > 0.0) sum += c.elastic_force, ++n;
-  return n == 0 ? 1.0 : sum / n;
+  const double mean = mean_repulsive_force(packing);
+  return mean > 0.0 ? mean : 1.0;
 }
 
 template <int Dim>
@@ -68,7 +65,7 @@ template <int Dim>
 bool has_pair(const std::vector<Contact<Dim>>& sorted, Contact<Dim> c) {
   c.key = std::numeric_limits<int>::min();
   const auto at = std::lower_bound(sorted.begin(), sorted.end(), c, precedes<Contact<Dim>>);
-  return at != sorted.end() && at->i == c.i && at->j == c.j && at->image == c.image;
+  return at != sorted.end() && same_pair(*at, c);
 }
 
 template <int Dim>
@@ -153,14 +150,14 @@ Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& g
   const double least = kCarries * mean_force(recomputed);
   for (const Contact<Dim>& c : recomputed.contacts) {
     if (!(c.elastic_force > least || c.shear_force.norm() > least)) continue;
-    const double share = std::abs(c.gap) / smaller_diameter(recomputed, c);
+    const double share = std::abs(c.gap) / (2.0 * smaller_radius(recomputed, c));
     result.value = std::max(*result.value, share);
     if (c.gap > 0.0 && !(share < tolerance))
       violations.add(share,
                      fmt::format("{} carry a force across the gap {:.2g}", name_of(recomputed, c), c.gap));
   }
   for (const Contact<Dim>& c : geometry.overlapping)
-    violations.add(-c.gap / smaller_diameter(recomputed, c),
+    violations.add(-c.gap / (2.0 * smaller_radius(recomputed, c)),
                    fmt::format("{} overlap by {:.2g}", name_of(recomputed, c), -c.gap));
   result.where = violations.worst_first();
   result.holds = result.where.empty() && *result.value < tolerance;

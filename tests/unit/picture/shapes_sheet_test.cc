@@ -13,6 +13,7 @@
 #include "floc/structure/contact_changes.h"
 #include "support/network_packings.h"
 #include "support/pixels.h"
+#include "support/plain_png.h"
 
 namespace floc {
 namespace {
@@ -79,16 +80,6 @@ Packing<3> cubes() {
   return packing;
 }
 
-/// Page of 410 points with margins of five: 100 points per length; one pixel per point.
-SheetOptions shapes_png() {
-  SheetOptions options;
-  options.format = PictureFormat::png;
-  options.width = 410.0;
-  options.resolution = 72.0;
-  options.bare = true;
-  return options;
-}
-
 /// Area (length^2) of all pixels of the colour scale's last blue, with pixels at edges counted by their share of it.
 double blue_area(const std::string& png, double pixels_per_length) {
   const Pixels pixels(png);
@@ -150,7 +141,7 @@ TEST(SheetOfShapes, DrawnAreasAreThoseOfTheShapes) {
       packing.grains.orientation[0] = angle;
       PackingPicture<2> picture = grains_of(packing);
       picture.shade.value = {1.0};
-      SheetOptions options = shapes_png();
+      SheetOptions options = test::plain_png();
       options.resolution = 144.0;
       // The outline is 0.6 points wide, of which half lies outside, and the border of the cell is 0.5 points wide.
       const double area = blue_area(draw_sheet<2>({picture}, options), 200.0);
@@ -161,7 +152,7 @@ TEST(SheetOfShapes, DrawnAreasAreThoseOfTheShapes) {
 TEST(SheetOfShapes, CornersAreAtTheirCoordinates) {
   // A unit square from (1.5, 1.5) to (2.5, 2.5), at 100 points per length; the y axis of the page points down.
   Packing<2> packing = packing_of<2>({box<2>({1.0, 1.0}, 0.0)}, {{2.0, 2.0}}, std::sqrt(2.0));
-  SheetOptions options = shapes_png();
+  SheetOptions options = test::plain_png();
   options.format = PictureFormat::svg;
   const std::string sharp = draw_sheet<2>({grains_of(packing)}, options);
   for (const char* corner : {"155 155 ", "255 155 ", "255 255 ", "155 255 "})
@@ -178,7 +169,7 @@ TEST(SheetOfShapes, CornersAreAtTheirCoordinates) {
 
 TEST(SheetOfShapes, PeriodicCopiesAreDrawnAndCutAtTheBorder) {
   const Packing<2> packing = packing_of<2>({box<2>({1.0, 1.0}, 0.1)}, {{0.0, 0.0}}, 1.2);
-  const Pixels pixels(draw_sheet<2>({grains_of(packing)}, shapes_png()));
+  const Pixels pixels(draw_sheet<2>({grains_of(packing)}, test::plain_png()));
   for (const int x : {8, 401})
     for (const int y : {8, 401}) EXPECT_EQ(pixels.rgb(x, y), rgb_of(palette::kGrain)) << x << ' ' << y;
   EXPECT_EQ(pixels.rgb(205, 205), 0xFFFFFF);
@@ -186,7 +177,7 @@ TEST(SheetOfShapes, PeriodicCopiesAreDrawnAndCutAtTheBorder) {
 }
 
 TEST(SheetOfShapes, LinesPassThroughTheContactPoint) {
-  const Pixels pixels(draw_sheet<2>({equilibrium_forces(pentagons(), 0.0)}, shapes_png()));
+  const Pixels pixels(draw_sheet<2>({equilibrium_forces(pentagons(), 0.0)}, test::plain_png()));
   const auto at = [&](double x, double y) {
     return pixels.rgb(static_cast<int>(5.0 + 100.0 * x), static_cast<int>(5.0 + 100.0 * (4.0 - y)));
   };
@@ -259,7 +250,7 @@ TEST(SheetOfShapes, ACubeHasTheAreaOfItsProjection) {
       for (int x = 20; x < pixels.width() - 20; ++x) n += pixels.rgb(x, y) != 0xFFFFFF;
     return n;
   };
-  SheetOptions options = shapes_png();
+  SheetOptions options = test::plain_png();
   options.view.azimuth = -90.0;
   options.view.elevation = 90.0;
   // Along an edge, a cube of side 1 is a square of 100 x 100 pixels, with half of the width of its outline around.
@@ -271,7 +262,7 @@ TEST(SheetOfShapes, TheNearerCubeHidesTheFarther) {
       packing_of<3>({box<3>({1.0, 1.0, 1.0}, 0.0)}, {{2.0, 2.0, 1.0}, {2.3, 2.0, 3.0}}, std::sqrt(3.0));
   PackingPicture<3> picture = grains_of(packing);
   picture.shade.value = {-1.0, 1.0};
-  SheetOptions options = shapes_png();
+  SheetOptions options = test::plain_png();
   options.view.azimuth = -90.0;
   const auto is_blue = [](int rgb) { return (rgb & 255) > (rgb >> 16 & 255); };
   options.view.elevation = 90.0;

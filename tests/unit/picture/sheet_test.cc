@@ -11,6 +11,7 @@
 #include "floc/picture/palette.h"
 #include "support/network_packings.h"
 #include "support/pixels.h"
+#include "support/plain_png.h"
 
 namespace floc {
 namespace {
@@ -33,16 +34,6 @@ PackingPicture<2> two_lines() {
   return picture;
 }
 
-/// 410 points wide with margins of five: 100 points a length; one pixel a point.
-SheetOptions plain_png() {
-  SheetOptions options;
-  options.format = PictureFormat::png;
-  options.width = 410.0;
-  options.resolution = 72.0;
-  options.bare = true;
-  return options;
-}
-
 int count_in_column(const Pixels& pixels, int x, const Color& color) {
   int n = 0;
   for (int y = 0; y < pixels.height(); ++y) n += pixels.rgb(x, y) == rgb_of(color);
@@ -50,7 +41,7 @@ int count_in_column(const Pixels& pixels, int x, const Color& color) {
 }
 
 TEST(Sheet, WidthsOfLinesAreProportionalToForces) {
-  const Pixels pixels(draw_sheet<2>({two_lines()}, plain_png()));
+  const Pixels pixels(draw_sheet<2>({two_lines()}, test::plain_png()));
   ASSERT_EQ(pixels.width(), 410);
   ASSERT_EQ(pixels.height(), 410);
   // 0.15 diameters of 100 pixels for the r.m.s. force; pixels at the edges are mixed.
@@ -67,7 +58,7 @@ TEST(Sheet, PeriodicCopiesAreDrawnAndCutAtTheBorder) {
   picture.position = {{0.0, 0.0}};
   picture.radius = {0.5};
   picture.lines = {{{3.5, 2.0}, {4.5, 2.0}, LineKind::compression, 1.0}};
-  const Pixels pixels(draw_sheet<2>({picture}, plain_png()));
+  const Pixels pixels(draw_sheet<2>({picture}, test::plain_png()));
   // A quarter of the disk in every corner, nothing in the middle.
   for (const int x : {8, 401})
     for (const int y : {8, 401}) EXPECT_EQ(pixels.rgb(x, y), rgb_of(palette::kGrain)) << x << ' ' << y;
@@ -88,7 +79,7 @@ TEST(Sheet, DoesNotDependOnTheCopyAGrainIsGivenIn) {
   moved.position[0] += Vec<2>(4.0, -8.0);
   moved.lines[1].from += Vec<2>(-4.0, 4.0);
   moved.lines[1].to += Vec<2>(-4.0, 4.0);
-  EXPECT_TRUE(draw_sheet<2>({two_lines()}, plain_png()) == draw_sheet<2>({moved}, plain_png()));
+  EXPECT_TRUE(draw_sheet<2>({two_lines()}, test::plain_png()) == draw_sheet<2>({moved}, test::plain_png()));
 }
 
 TEST(Sheet, RepeatedDrawingsAreTheSameBytesInEveryFormat) {
@@ -117,7 +108,7 @@ TEST(Sheet, AStripHasOneLengthScale) {
   half.position.resize(1);
   half.radius.resize(1);
   half.lines.clear();
-  SheetOptions options = plain_png();
+  SheetOptions options = test::plain_png();
   options.width = 10.0 + 2 * 400.0 + 12.0;
   const Pixels pixels(draw_sheet<2>({two_lines(), half}, options));
   EXPECT_EQ(pixels.height(), 410);
@@ -183,7 +174,7 @@ TEST(SheetOfSpheres, HasAGradientEach) {
 TEST(SheetOfSpheres, TheNearerHidesTheFarther) {
   PackingPicture<3> picture = four_spheres();
   picture.shade.value = {-1.0, -1.0, 1.0, 1.0};
-  SheetOptions options = plain_png();
+  SheetOptions options = test::plain_png();
   options.view.azimuth = -90.0;
   options.view.elevation = 90.0;
   picture.position[2] = {1.2, 1, 3};

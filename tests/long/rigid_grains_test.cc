@@ -1,3 +1,4 @@
+#include "support/isostatic.h"
 #include "support/kill_and_resume.h"
 #include "support/random_rigid_scenes.h"
 #include "support/rigid_run.h"
@@ -7,6 +8,10 @@ namespace {
 
 TEST(RigidGrains, TwoHundredRandomScenesEndAtRestOrWithAReason) {
   relax_random_scenes(200, 1);
+}
+
+TEST(RigidGrains, TwoHundredFrictionlessPentagonsAreIsostatic) {
+  expect_isostatic<2>(ShapeOptions{.kind = PolygonOptions{5}}, 3);
 }
 
 TEST(RigidGrains, ThirtyKillsLeaveNoTrace) {

@@ -34,6 +34,12 @@ constexpr double kLongestRest = 0.5;
 constexpr double kShortestRest = 1e-3;
 constexpr int kRestingSweeps = 300;
 constexpr int kMostRestingSweeps = 9600;
+/// Number of steps at rest after which steps are solved all at once if there are not more grains than this, the longest time step of those in units of T, and the
+/// largest gap of a contact that carries a force after them, over the diameter of the smaller grain.
+constexpr int kSweptSteps = 1000;
+constexpr int kMostGrainsAtOnce = 3000;
+constexpr double kLongestAtOnce = 3.0;
+constexpr double kGapAtOnce = 1e-6;
 /// Error of the impulses at which the sweeps of a step at rest end, over the mean normal impulse.
 constexpr double kRestingTolerance = 1e-8;
 /// Largest net force on a grain, over the mean normal force, at which balanced forces are sought: for round grains and
@@ -111,17 +117,30 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
   measure();
 }
 
+/// Returns whether the steps at rest are solved all at once: from the start for frictionless grains with corners, and
+/// otherwise if sweeps have not led to balance.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
+  if (progress_.phase != ContactDynamicsProgress::resting) return false;
+  const Grains<Dim>& grains = packing_.grains;
+  const bool frictionless = packing_.law.friction_coefficient() == 0.0;
+  return (frictionless && !grains.are_round()) ||
+         (progress_.resting_steps >= kSweptSteps && grains.size() <= kMostGrainsAtOnce);
+}
+
 template <int Dim>
 ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   const ContactDynamicsOptions& own = options_.contact_dynamics;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;
   const bool is_gas = stress_.trace() < kGasStress * target_.sum();
-  return {.longest_step = (resting ? progress_.rest_length : own.time_step) * time_unit_,
+  const double longest = !resting ? own.time_step : solves_at_once() ? kLongestAtOnce : progress_.rest_length;
+  return {.longest_step = longest * time_unit_,
           .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
                                      : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,
           .max_sweeps = resting ? progress_.rest_sweeps : own.max_sweeps,
           .restitution = resting ? 0.0 : own.restitution,
-          .threads = options_.threads};
+          .threads = options_.threads,
+          .at_once = solves_at_once()};
 }
 
 template <int Dim>
@@ -160,7 +179,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   const bool at_rest = progress_.phase == ContactDynamicsProgress::resting;
   ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first);
   for (int k = 0; k < n_steps; ++k) {
-    motion.step(at_rest);
+    motion.step(at_rest && !chosen.at_once);
     if (!at_rest) progress_.time += motion.last_step();  // steps at rest are no motion in time
     progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
     if (observer_.callback && k + 1 < n_steps) observer_.callback(motion.packing(), progress_.time);
@@ -234,13 +253,14 @@ double ContactDynamicsRelaxer<Dim>::largest_gap() const {
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double tolerance = gap_tolerance();
-  if (const double gap = largest_gap(); gap > tolerance) {
+  const double reached_gap = solves_at_once() ? std::min(tolerance, kGapAtOnce) : tolerance;
+  if (const double gap = largest_gap(); gap > reached_gap) {
     progress_.obstacle = fmt::format(
         "a contact that carries a force has a gap of {:.2g} of the smaller diameter, or two grains overlap by "
         "this much, but the tolerance is {:.2g}",
-        gap, tolerance);
+        gap, reached_gap);
     // Errors of the impulses move the grains in proportion to the square of the time step.
-    progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
+    if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
     return false;
   }
   Packing<Dim> rested = packing_;

@@ -57,6 +57,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   std::string progress() const override;
 
  private:
+  bool solves_at_once() const;
   ContactDynamicsSettings settings() const;
   BoundaryLoad<Dim> boundary_load() const;
   double gap_tolerance() const;

@@ -9,10 +9,11 @@ namespace floc {
 
 /// Convex program over second-order cones, with the dual unknowns y:
 ///
-///     minimise  1/2 x' Q x + c' x    subject to    A x = b,    x_k in K for each block k,
+///     minimise  1/2 x' Q x + c' x + 1/2 y' S y    subject to    A x + S y = b,    x_k in K for each block k,
 ///
-/// where block k has Dim entries and K = {x : |(x_1, ..)| <= x_0}. Forces of rigid grains are of this form:
-/// x_k = (P, t/mu) of contact k, and A x = b is the balance of every grain and of the cell.
+/// where block k has Dim entries and K = {x : |(x_1, ..)| <= x_0}. Forces of rigid grains at rest are of this form with
+/// S = 0: x_k = (P, t/mu) of contact k, and A x = b is the balance of every grain and of the cell. With masses S it is
+/// the momentum of a time step (implicit_step.h).
 ///
 /// A is stored by blocks: the entries of block k in `row` and `coefficient` have the numbers first[k] to
 /// first[k + 1] - 1. The rows of the entries of one block differ from each other.
@@ -21,8 +22,12 @@ struct ConeProgram {
   std::vector<int> first{0};
   std::vector<int> row;
   std::vector<Vec<Dim>> coefficient;  ///< of the entries of a block, in one row
-  std::vector<int> group;  ///< of each row, ascending: rows of one group (a grain) are eliminated together
-  Eigen::VectorXd load;    ///< b
+  std::vector<int> group;    ///< of each row, ascending: rows of one group (a grain) are eliminated together
+  Eigen::VectorXd load;      ///< b
+  Eigen::VectorXd softness;  ///< diagonal of S, >= 0; empty for zeros
+  /// Symmetric matrices that are added to S, one for each block over the rows of its entries: the lower triangle by
+  /// rows, one block after the other; empty for none.
+  std::vector<double> block_softness;
   std::vector<Vec<Dim>> compliance;  ///< diagonal of Q, >= 0
   std::vector<Vec<Dim>> linear;      ///< c
 
@@ -38,6 +43,21 @@ struct ConeProgram {
     std::vector<Vec<Dim>> out(n_blocks(), Vec<Dim>::Zero());
     for (int k = 0; k < n_blocks(); ++k)
       for (int e = first[k]; e < first[k + 1]; ++e) out[k] += coefficient[e] * y[row[e]];
+    return out;
+  }
+
+  /// Returns S y.
+  Eigen::VectorXd softened(const Eigen::VectorXd& y) const {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(n_rows());
+    if (softness.size() > 0) out = softness.cwiseProduct(y);
+    if (block_softness.empty()) return out;
+    const double* value = block_softness.data();
+    for (int k = 0; k < n_blocks(); ++k)
+      for (int e = first[k]; e < first[k + 1]; ++e)
+        for (int f = first[k]; f <= e; ++f, ++value) {
+          out[row[e]] += *value * y[row[f]];
+          if (f != e) out[row[f]] += *value * y[row[e]];
+        }
     return out;
   }
 
@@ -59,8 +79,8 @@ struct ConeSolution {
   ConeStatus status = ConeStatus::kFailed;
   std::vector<Vec<Dim>> x;
   Eigen::VectorXd motion;  ///< y
-  double objective = 0.0;  ///< 1/2 x' Q x + c' x
-  double residual = 0.0;   ///< largest |A x - b|
+  double objective = 0.0;  ///< 1/2 x' Q x + c' x + 1/2 y' S y
+  double residual = 0.0;   ///< largest |A x + S y - b|
   double gap = 0.0;        ///< x' z: the objective is at most this far above the smallest one
   int n_factorizations = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "floc/network/contact_network.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
+#include "floc/rigid/implicit_step.h"
 
 namespace floc {
 namespace {
@@ -21,6 +23,9 @@ constexpr double kLongestMove = 2e-2;
 constexpr double kCarryingMove = 5e-3;
 /// Deepest overlap that a step may cause, over the diameter of the smaller grain.
 constexpr double kDeepest = 1e-2;
+/// Deepest overlap that may be left by a step at rest which removes overlaps that shorter steps do not avoid. Two faces
+/// that are nearly parallel meet at another corner in each step.
+constexpr double kDeepestAtRest = 5e-2;
 /// Number of times that a step is halved because of its overlaps.
 constexpr int kMostHalvings = 5;
 /// Share of an overlap that a step removes.
@@ -39,6 +44,13 @@ bool sticks(const Contact<Dim>& c) {
 }
 
 template <int Dim>
+std::string pair_in_words(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const auto i = packing.grains.name(c.i);
+  if (packing.is_wall(c.j)) return fmt::format("grain {} and a wall of axis {}", i, packing.wall(c.j).axis + 1);
+  return fmt::format("grains {} and {}", i, packing.grains.name(c.j));
+}
+
+template <int Dim>
 Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVector<Dim>& angle) {
   if constexpr (Dim == 2) {
     return orientation + angle[0];
@@ -47,6 +59,19 @@ Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVecto
     if (size == 0.0) return orientation;
     return (Eigen::Quaterniond(Eigen::AngleAxisd(size, angle / size)) * orientation).normalized();
   }
+}
+
+/// Returns whether the grains, as a whole, move against the direction in which they moved before.
+template <int Dim>
+bool turns_back(const Packing<Dim>& before, const Packing<Dim>& now) {
+  double product = 0.0;
+  for (int i = 0; i < now.grains.size(); ++i) {
+    const double size = now.grains.radius[i];
+    product += now.grains.mass[i] *
+               (now.grains.velocity[i].dot(before.grains.velocity[i]) +
+                size * size * now.grains.angular_velocity[i].dot(before.grains.angular_velocity[i]));
+  }
+  return product < 0.0;
 }
 
 }  // namespace
@@ -139,7 +164,8 @@ double ContactDynamics<Dim>::gap_rate(const Contact<Dim>& c) const {
 /// Returns the contact points as contacts of a step, with impulses of the last step. If impacts are elastic, points
 /// across a gap do not take part: they could close to a gap of zero, where the approach speed of the impact is lost.
 template <int Dim>
-std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, std::vector<int>& source) const {
+std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, double removed,
+                                                                  std::vector<int>& source) const {
   Mat<Dim> shear = packing_.cell.rate();
   shear.diagonal().setZero();
   std::vector<StepContact<Dim>> out;
@@ -164,29 +190,49 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, std
           settings_.restitution * std::min(0.0, gap_rate(c)) +
           kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / dt;
     else
-      k.bias[0] += (c.gap > 0.0 ? 1.0 : kStabilisation) * c.gap / dt;
+      k.bias[0] += (c.gap > 0.0 ? 1.0 : removed) * c.gap / dt;
     k.impulse = -dt * (k.frame.transpose() * c.shear_force);
     k.impulse[0] = dt * c.elastic_force;
   }
   return out;
 }
 
+/// Returns the change of the momenta of both grains of each contact of a step by the turn of its normal force, for unit
+/// velocities: - dt P times the second derivatives of the gap. The negative eigenvalues are replaced by zero, so that the step is a convex
+/// program.
 template <int Dim>
-auto ContactDynamics<Dim>::solve(double dt, bool at_rest) const -> Trial {
+std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& trial, double dt) const {
+  std::vector<PairMatrix<Dim>> out;
+  for (std::size_t k = 0; k < trial.contacts.size(); ++k) {
+    const PairMatrix<Dim> curvature =
+        gap_curvature(packing_, packing_.contacts[static_cast<std::size_t>(trial.source[k])]);
+    const Eigen::SelfAdjointEigenSolver<PairMatrix<Dim>> modes(-dt * trial.contacts[k].impulse[0] * curvature);
+    const auto positive = modes.eigenvalues().cwiseMax(0.0);
+    out.push_back(modes.eigenvectors() * positive.asDiagonal() * modes.eigenvectors().transpose());
+  }
+  return out;
+}
+
+template <int Dim>
+auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial {
   Trial trial;
-  trial.motion = free_motion(dt, at_rest);
-  trial.contacts = step_contacts(dt, trial.source);
-  GaussSeidel<Dim> method(trial.motion, trial.contacts, settings_.threads);
-  trial.sweeps = method.solve(settings_.sweep_tolerance, settings_.max_sweeps);
+  trial.motion = free_motion(dt, method.at_rest);
+  trial.contacts = step_contacts(dt, method.at_once ? method.removed : kStabilisation, trial.source);
+  if (method.at_once && solve_at_once(trial.motion, trial.contacts, stiffnesses(trial, dt))) {
+    trial.sweeps.converged = true;
+    return trial;
+  }
+  GaussSeidel<Dim> sweeps(trial.motion, trial.contacts, settings_.threads);
+  trial.sweeps = sweeps.solve(settings_.sweep_tolerance, settings_.max_sweeps);
   return trial;
 }
 
 /// Returns the largest displacement of a grain in a step, over the displacement that it may have.
 template <int Dim>
-double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt) const {
+double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, const Method& method) const {
   const Grains<Dim>& g = packing_.grains;
   std::vector<double> allowed(trial.motion.size(), kLongestMove);
-  if (!g.are_round())
+  if (!g.are_round() && !method.at_once)
     for (const StepContact<Dim>& c : trial.contacts)
       if (c.impulse[0] > 0.0) allowed[c.i] = allowed[c.j] = kCarryingMove;
   double largest = 0.0;
@@ -248,28 +294,37 @@ double ContactDynamics<Dim>::deepest_overlap(const Packing<Dim>& packing, const 
 template <int Dim>
 void ContactDynamics<Dim>::step(bool at_rest) {
   const Contact<Dim>* where = nullptr;
-  const double allowed = std::max(kDeepest, deepest_overlap(packing_, where));
+  double allowed = std::max(kDeepest, deepest_overlap(packing_, where));
+  Method method{at_rest, settings_.at_once};
   double dt = time_step_;
   for (int halvings = 0;;) {
-    const Trial trial = solve(dt, at_rest);
-    const double share = largest_share_moved(trial, dt);
+    const Trial trial = solve(dt, method);
+    const double share = largest_share_moved(trial, dt, method);
     if (share > 1.0) {
       dt *= 0.5;
+      // The removal of overlaps takes as long a way in a short step as in a long one.
+      if (method.at_once) method.removed *= 0.5;
       continue;
     }
     Packing<Dim> next = moved(trial, dt);
     find_contacts(next);
     const double deepest = deepest_overlap(next, where);
     if (deepest > allowed) {
-      if (++halvings > kMostHalvings)
-        throw NoResult(
-            fmt::format("grains {} and {} would overlap by {:.2g} of the smaller diameter in a time step, even "
-                        "after the step was halved {} times; the largest overlap allowed is {:.2g}",
-                        next.grains.name(where->i), next.is_wall(where->j) ? -1 : next.grains.name(where->j),
-                        deepest, kMostHalvings, allowed));
       dt *= 0.5;
+      if (++halvings <= kMostHalvings) continue;
+      if (method.at_rest && method.at_once)
+        throw NoResult(
+            fmt::format("{} would overlap by {:.2g} of the smaller diameter in a time step, even after "
+                        "the step was halved {} times; the largest overlap allowed is {:.2g}",
+                        pair_in_words(next, *where), deepest, kMostHalvings, allowed));
+      // Sweeps end with errors that shorter steps do not remove.
+      method = {.at_rest = true, .at_once = true};
+      allowed = std::max(allowed, kDeepestAtRest);
+      dt = time_step_;
+      halvings = 0;
       continue;
     }
+    if (method.at_once && (method.at_rest || turns_back(packing_, next))) stop_grains(next);
     packing_ = std::move(next);
     last_step_ = dt;
     time_step_ = share < kTimid && halvings == 0 ? std::min(2.0 * dt, settings_.longest_step) : dt;

@@ -7,6 +7,7 @@
 #include "floc/packing/packing.h"
 #include "floc/packing/step_counts.h"
 #include "floc/rigid/contact_points.h"
+#include "floc/rigid/gap_curvature.h"
 #include "floc/rigid/gauss_seidel.h"
 
 namespace floc {
@@ -30,6 +31,10 @@ struct ContactDynamicsSettings {
   int max_sweeps;       ///< number of sweeps after which the sweeps of a step end in any case
   double restitution = 0.0;
   int threads = 1;
+  /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. Overlaps are then removed
+  /// in one step. The velocities of all grains are set to zero when the grains turn back: this leads them to
+  /// rest faster than setting them to zero before each step.
+  bool at_once = false;
 };
 
 /// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). The impulses of all
@@ -49,7 +54,9 @@ class ContactDynamics {
 
   /// Makes one time step.
   /// @param at_rest  whether all velocities are set to zero before the step
-  /// @throws NoResult if overlaps stay too deep although the time step was halved several times
+  /// If overlaps stay too deep although the step was halved several times, the grains are stopped and the overlaps
+  /// removed by a step that is solved at once.
+  /// @throws NoResult if they are too deep after this step, too
   void step(bool at_rest);
 
   /// Sets the force that acts on each grain in addition to its contacts, such as its weight (force); empty for none.
@@ -62,6 +69,12 @@ class ContactDynamics {
   double last_step() const { return last_step_; }  ///< length of the last time step (time)
 
  private:
+  /// Way in which a step is solved.
+  struct Method {
+    bool at_rest;          ///< whether all velocities are set to zero before the step
+    bool at_once;          ///< as ContactDynamicsSettings::at_once
+    double removed = 1.0;  ///< share of each overlap that a step solved at once removes
+  };
   struct Trial {
     BodyMotion<Dim> motion;
     std::vector<StepContact<Dim>> contacts;
@@ -73,9 +86,10 @@ class ContactDynamics {
   void find_contacts(Packing<Dim>& packing);
   BodyMotion<Dim> free_motion(double dt, bool at_rest) const;
   double gap_rate(const Contact<Dim>& contact) const;
-  std::vector<StepContact<Dim>> step_contacts(double dt, std::vector<int>& source) const;
-  Trial solve(double dt, bool at_rest) const;
-  double largest_share_moved(const Trial& trial, double dt) const;
+  std::vector<StepContact<Dim>> step_contacts(double dt, double removed, std::vector<int>& source) const;
+  std::vector<PairMatrix<Dim>> stiffnesses(const Trial& trial, double dt) const;
+  Trial solve(double dt, const Method& method) const;
+  double largest_share_moved(const Trial& trial, double dt, const Method& method) const;
   Packing<Dim> moved(const Trial& trial, double dt) const;
   double deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const;
 

@@ -80,24 +80,30 @@ struct Point {
   double mu() const { return (dot(x, z) + tau * kappa) / (static_cast<double>(x.size()) + 1.0); }
 };
 
-/// Returns x' Q x + s y' y, with the softness s.
+/// Returns (S + s) y, with the softness s of all constraints.
+template <int Dim>
+Eigen::VectorXd softened(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
+  return program.softened(y) + kSoftness * y;
+}
+
+/// Returns x' Q x + y' (S + s) y.
 template <int Dim>
 double twice_energy(const ConeProgram<Dim>& program, const Point<Dim>& at) {
-  return dot(at.x, program.compliance, at.x) + kSoftness * at.y.squaredNorm();
+  return dot(at.x, program.compliance, at.x) + at.y.dot(softened(program, at.y));
 }
 
 /// Residuals of the homogeneous embedding at a point.
 template <int Dim>
 struct Residuals {
   Blocks<Dim> dual;        // Q x + c tau - A' y - z
-  Eigen::VectorXd primal;  // A x + s y - b tau, with the softness s
-  double gap;              // -(x' Q x + s y' y)/tau - c' x + b' y - kappa
+  Eigen::VectorXd primal;  // A x + (S + s) y - b tau
+  double gap;              // -(x' Q x + y' (S + s) y)/tau - c' x + b' y - kappa
 };
 
 template <int Dim>
 Residuals<Dim> residuals(const ConeProgram<Dim>& program, const Point<Dim>& at) {
   Residuals<Dim> out{program.relative_motion(at.y),
-                     program.balance(at.x) + kSoftness * at.y - at.tau * program.load, 0.0};
+                     program.balance(at.x) + softened(program, at.y) - at.tau * program.load, 0.0};
   for (std::size_t k = 0; k < at.x.size(); ++k)
     out.dual[k] =
         program.compliance[k].cwiseProduct(at.x[k]) + program.linear[k] * at.tau - out.dual[k] - at.z[k];
@@ -133,8 +139,10 @@ ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>&
   out.x = at.x;
   for (Vec<Dim>& x : out.x) x /= at.tau;
   out.motion = at.y / at.tau;
-  out.objective = 0.5 * dot(out.x, program.compliance, out.x) + dot(program.linear, out.x);
-  out.residual = largest(Eigen::VectorXd(program.balance(out.x) - program.load));
+  const Eigen::VectorXd soft = program.softened(out.motion);
+  out.objective =
+      0.5 * (dot(out.x, program.compliance, out.x) + out.motion.dot(soft)) + dot(program.linear, out.x);
+  out.residual = largest(Eigen::VectorXd(program.balance(out.x) + soft - program.load));
   out.gap = dot(at.x, at.z) / (at.tau * at.tau);
   return out;
 }
@@ -193,7 +201,7 @@ struct InteriorPoint<Dim>::Iteration {
     solve(minus_linear, program.load, constant_x, constant_y);
   }
 
-  /// Solves G^-1 x - A' y = u, A x + s y = v, with the softness s.
+  /// Solves G^-1 x - A' y = u, A x + (S + s) y = v.
   void solve(const Blocks<Dim>& u, const Eigen::VectorXd& v, Blocks<Dim>& x, Eigen::VectorXd& y) const {
     constexpr int kMostRefinements = 10;
     const double enough = 1e-15 * largest(v);
@@ -202,7 +210,7 @@ struct InteriorPoint<Dim>::Iteration {
     for (int pass = 0;; ++pass) {
       x = program.relative_motion(y);
       for (std::size_t k = 0; k < x.size(); ++k) x[k] = flexibility[k] * (u[k] + x[k]);
-      const Eigen::VectorXd rest = v - program.balance(x) - kSoftness * y;
+      const Eigen::VectorXd rest = v - program.balance(x) - softened(program, y);
       const double error = largest(rest);
       if (error <= enough || error > 0.5 * before || pass == kMostRefinements) break;
       before = error;
@@ -221,7 +229,7 @@ struct InteriorPoint<Dim>::Iteration {
       u[k] = -reduction * residual.dual[k] + scaling[k].unscaled(products[k]);
     solve(u, -reduction * residual.primal, d.x, d.y);
     const auto gap_of = [&](const Blocks<Dim>& x, const Eigen::VectorXd& y) {
-      return 2.0 / at.tau * (dot(at.x, program.compliance, x) + kSoftness * at.y.dot(y)) +
+      return 2.0 / at.tau * (dot(at.x, program.compliance, x) + at.y.dot(softened(program, y))) +
              dot(program.linear, x) - program.load.dot(y);
     };
     const double curvature = twice_energy(program, at) / (at.tau * at.tau);
@@ -288,6 +296,8 @@ bool InteriorPoint<Dim>::factorize(const ConeProgram<Dim>& program, const std::v
       const Vec<Dim> force = flexibility[k] * program.coefficient[e];
       for (int f = program.first[k]; f <= e; ++f) value[*place++] += program.coefficient[f].dot(force);
     }
+  for (std::size_t e = 0; e < program.block_softness.size(); ++e) value[place_[e]] += program.block_softness[e];
+  for (int r = 0; r < program.softness.size(); ++r) matrix_.coeffRef(r, r) += program.softness[r];
   double most = 0.0;
   for (int r = 0; r < program.n_rows(); ++r) most = std::max(most, matrix_.coeff(r, r));
   if (!std::isfinite(most)) return false;
@@ -313,7 +323,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     const ConeSolution<Dim> now = solution_at(program, at);
     // A load that rounding leaves out of balance is made up by the softness: its residual counts at the end only.
     const double residual =
-        largest(Eigen::VectorXd(program.balance(now.x) + kSoftness * now.motion - program.load));
+        largest(Eigen::VectorXd(program.balance(now.x) + softened(program, now.motion) - program.load));
     const double error =
         std::max({residual / size_of_load, kGapWeight * relative_gap(now), stationarity_error(program, at)});
     // Towards a proof that there is no solution, mu falls while the error does not.
@@ -328,8 +338,9 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
       idle = 0;
     }
     if (error < kGoal) break;
-    // The iterates of a program without solution grow without bound in the direction that proves it.
-    if (at.kappa > at.tau && proved_residual(program, at.y) > tolerance) {
+    // The iterates of a program without solution grow without bound in the direction that proves it. With S > 0 there is
+    // always a solution.
+    if (program.softness.size() == 0 && at.kappa > at.tau && proved_residual(program, at.y) > tolerance) {
       ConeSolution<Dim> proof = now;
       proof.status = ConeStatus::kInfeasible;
       proof.n_factorizations = n_factorizations;

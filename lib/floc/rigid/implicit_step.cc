@@ -1,0 +1,270 @@
+#include "floc/rigid/implicit_step.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "floc/geometry/frame.h"
+#include "floc/rigid/interior_point.h"
+
+namespace floc {
+namespace {
+
+/// Largest number of times that a step with friction is solved, and change of the velocities of opening, in the units
+/// of the program, below which no further solution is needed.
+constexpr int kMostSolutions = 10;
+constexpr double kSameOpening = 1e-6;
+
+/// Largest error of the impulses and of the objective, in the units of the program, with which a step is accepted
+/// although rounding ended the iteration: the next step corrects for it.
+constexpr double kNearlySolved = 1e-5;
+
+/// Displacements and rotation vectors of the two bodies of a contact.
+template <int Dim>
+using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
+
+/// One unknown velocity: of a body along an axis of space, of a body about a principal axis, or the stretch of the
+/// cell along an axis. Rotations and stretches are multiplied by a length, so that all unknowns are velocities.
+template <int Dim>
+struct Unknown {
+  Vec<Dim> direction = Vec<Dim>::Zero();                   ///< axis of a translation
+  RotationVector<Dim> axis = RotationVector<Dim>::Zero();  ///< axis of a rotation
+  int stretch = -1;                                        ///< axis of a stretch; -1 for others
+  int body = -1;
+  double mass = 0.0;    ///< momentum over velocity (mass)
+  double length = 1.0;  ///< (length)
+};
+
+/// Program of the impulses p of a step. Each row is the momentum of one unknown velocity v_r with the mass M_r,
+/// sum H p - M_r v_r = -M_r v_free: its dual unknown is -v_r. Impulses and velocities have units in which they are of
+/// order one.
+template <int Dim>
+class StepProgram {
+ public:
+  StepProgram(const BodyMotion<Dim>& bodies, const std::vector<StepContact<Dim>>& contacts,
+              const std::vector<PairMatrix<Dim>>& stiffness)
+      : bodies_(bodies),
+        contacts_(contacts),
+        first_(static_cast<std::size_t>(bodies.size()), -1),
+        ends_(first_.size(), 0) {
+    set_units();
+    for (const StepContact<Dim>& c : contacts_)
+      for (const int body : {c.i, c.j}) first_[body] = 0;
+    add_unknowns();
+    add_blocks();
+    for (std::size_t k = 0; k < stiffness.size(); ++k) add_stiffness(static_cast<int>(k), stiffness[k]);
+  }
+
+  const ConeProgram<Dim>& program() const { return program_; }
+
+  /// Adds mu |u_t| of a solution to the normal velocities of all contacts.
+  /// @return the largest change of what is added
+  double add_opening(const ConeSolution<Dim>& solution) {
+    const std::vector<Vec<Dim>> motion = program_.relative_motion(Eigen::VectorXd(-solution.motion));
+    double change = 0.0;
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const Vec<Dim> own = bias(contacts_[k]);
+      const double opened = own[0] + (motion[k] + own).template tail<Dim - 1>().norm();
+      change = std::max(change, std::abs(opened - program_.linear[k][0]));
+      program_.linear[k][0] = opened;
+    }
+    return change;
+  }
+
+  /// Sets the impulses of the contacts and the velocities at the end of the step.
+  void set_solution(const ConeSolution<Dim>& solution, BodyMotion<Dim>& bodies,
+                    std::vector<StepContact<Dim>>& contacts) const {
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      contacts[k].impulse = impulse_ * solution.x[k];
+      contacts[k].impulse.template tail<Dim - 1>() *= contacts[k].friction;
+    }
+    for (std::size_t r = 0; r < unknowns_.size(); ++r) {
+      const Unknown<Dim>& u = unknowns_[r];
+      const double change = -solution.motion[r] * velocity_ - free_[r];
+      if (u.stretch >= 0)
+        bodies.stretch[u.stretch] += change / u.length;
+      else {
+        bodies.velocity[u.body] += change * u.direction;
+        bodies.angular_velocity[u.body] += change / u.length * u.axis;
+      }
+    }
+  }
+
+ private:
+  /// Sets the unit of impulses to their mean at the start, and that of velocities to the largest one that a gap asks
+  /// for. Without them, the units are those of the largest velocity without impulses.
+  void set_units() {
+    double impulses = 0.0, momentum = 0.0, speed = 0.0;
+    int n = 0;
+    for (const StepContact<Dim>& c : contacts_) {
+      if (c.impulse[0] > 0.0) impulses += c.impulse[0], ++n;
+      velocity_ = std::max(velocity_, std::abs(c.bias[0]));
+      for (const int body : {c.i, c.j}) {
+        const double inverse_mass = bodies_.inverse_mass[body].maxCoeff();
+        const double free = bodies_.velocity[body].norm();
+        speed = std::max(speed, free);
+        if (inverse_mass > 0.0) momentum = std::max(momentum, free / inverse_mass);
+      }
+    }
+    impulse_ = n > 0 ? impulses / n : momentum > 0.0 ? momentum : 1.0;
+    if (!(velocity_ > 0.0)) velocity_ = speed > 0.0 ? speed : 1.0;
+  }
+
+  /// Returns the part of the relative velocity at a contact that no impulse changes, in its frame.
+  Vec<Dim> imposed_velocity(const StepContact<Dim>& c) const {
+    const auto of_body = [&](int i, const Vec<Dim>& arm) {
+      Vec<Dim> v = (bodies_.inverse_mass[i].array() > 0.0).select(Vec<Dim>::Zero(), bodies_.velocity[i]);
+      if (bodies_.inverse_inertia[i].isZero(0.0)) v += cross<double>(bodies_.angular_velocity[i], arm);
+      return v;
+    };
+    const Vec<Dim> stretch =
+        (bodies_.inverse_stretch_mass.array() > 0.0).select(Vec<Dim>::Zero(), bodies_.stretch);
+    return c.frame.transpose() *
+           (of_body(c.j, c.arm_j) - of_body(c.i, c.arm_i) + stretch.cwiseProduct(c.branch));
+  }
+
+  Vec<Dim> bias(const StepContact<Dim>& c) const {
+    Vec<Dim> b = (c.bias + imposed_velocity(c)) / velocity_;
+    b.template tail<Dim - 1>() *= c.friction;
+    return b;
+  }
+
+  void add(const Unknown<Dim>& unknown, double free, int group) {
+    unknowns_.push_back(unknown);
+    free_.push_back(free);
+    program_.group.push_back(group);
+  }
+
+  void add_unknowns() {
+    int group = 0;
+    for (int i = 0; i < bodies_.size(); ++i) {
+      if (first_[i] < 0) continue;
+      first_[i] = static_cast<int>(unknowns_.size());
+      for (int a = 0; a < Dim; ++a)
+        if (bodies_.inverse_mass[i][a] > 0.0)
+          add({.direction = Vec<Dim>::Unit(a), .body = i, .mass = 1.0 / bodies_.inverse_mass[i][a]},
+              bodies_.velocity[i][a], group);
+      const Eigen::SelfAdjointEigenSolver<Mat<kRotations<Dim>>> axes(bodies_.inverse_inertia[i]);
+      for (int a = 0; a < kRotations<Dim>; ++a)
+        if (const double inverse = axes.eigenvalues()[a]; inverse > 0.0) {
+          const double length = std::sqrt(bodies_.inverse_mass[i].maxCoeff() / inverse);
+          add({.axis = axes.eigenvectors().col(a),
+               .body = i,
+               .mass = 1.0 / (inverse * length * length),
+               .length = length},
+              axes.eigenvectors().col(a).dot(bodies_.angular_velocity[i]) * length, group);
+        }
+      ends_[i] = static_cast<int>(unknowns_.size());
+      if (ends_[i] > first_[i]) ++group;
+    }
+    first_stretch_ = static_cast<int>(unknowns_.size());
+    for (int a = 0; a < Dim; ++a)
+      if (const double inverse = bodies_.inverse_stretch_mass[a]; inverse > 0.0) {
+        double branch = 0.0;
+        for (const StepContact<Dim>& c : contacts_) branch = std::max(branch, std::abs(c.branch[a]));
+        const double length = branch * std::sqrt(static_cast<double>(contacts_.size()));
+        add({.stretch = a, .mass = 1.0 / (inverse * length * length), .length = length},
+            bodies_.stretch[a] * length, group++);
+      }
+    const int n = static_cast<int>(unknowns_.size());
+    program_.softness.resize(n);
+    program_.load.resize(n);
+    for (int r = 0; r < n; ++r) {
+      program_.softness[r] = unknowns_[r].mass * velocity_ / impulse_;
+      program_.load[r] = -unknowns_[r].mass * free_[r] / impulse_;
+    }
+  }
+
+  /// Returns the relative velocity at a contact if an unknown is one, in the frame of the contact.
+  Vec<Dim> relative_velocity(const StepContact<Dim>& c, const Unknown<Dim>& u) const {
+    Vec<Dim> out = Vec<Dim>::Zero();
+    if (u.stretch >= 0) {
+      out[u.stretch] = c.branch[u.stretch] / u.length;
+    } else {
+      if (u.body == c.j) out += u.direction + cross<double>(RotationVector<Dim>(u.axis / u.length), c.arm_j);
+      if (u.body == c.i) out -= u.direction + cross<double>(RotationVector<Dim>(u.axis / u.length), c.arm_i);
+    }
+    return c.frame.transpose() * out;
+  }
+
+  void add_blocks() {
+    for (const StepContact<Dim>& c : contacts_) {
+      const auto visit = [&](int r) {
+        const Vec<Dim> u = relative_velocity(c, unknowns_[r]);
+        program_.load[r] += u[0] * c.adhesion / impulse_;
+        Vec<Dim> coefficient = u;
+        coefficient.template tail<Dim - 1>() *= c.friction;
+        program_.row.push_back(r);
+        program_.coefficient.push_back(coefficient);
+      };
+      for (int r = first_[c.i]; r < ends_[c.i]; ++r) visit(r);
+      if (c.j != c.i)
+        for (int r = first_[c.j]; r < ends_[c.j]; ++r) visit(r);
+      for (int r = first_stretch_; r < static_cast<int>(unknowns_.size()); ++r) visit(r);
+      program_.first.push_back(static_cast<int>(program_.row.size()));
+      Vec<Dim> compliance = Vec<Dim>::Constant(c.friction * c.friction * c.tangential_compliance);
+      compliance[0] = c.normal_compliance;
+      program_.compliance.push_back(compliance * impulse_ / velocity_);
+      program_.linear.push_back(bias(c));
+    }
+  }
+
+  /// Returns the motion of the two bodies of a contact if an unknown is one.
+  PairMotion<Dim> motion_of_pair(const StepContact<Dim>& c, const Unknown<Dim>& u) const {
+    PairMotion<Dim> out = PairMotion<Dim>::Zero();
+    for (const int side : {0, 1})
+      if (u.stretch < 0 && u.body == (side == 0 ? c.i : c.j)) {
+        out.template segment<Dim>(side * kDofs<Dim>) += u.direction;
+        out.template segment<kRotations<Dim>>(side * kDofs<Dim> + Dim) += u.axis / u.length;
+      }
+    return out;
+  }
+
+  void add_stiffness(int k, const PairMatrix<Dim>& matrix) {
+    for (int e = program_.first[k]; e < program_.first[k + 1]; ++e) {
+      const PairMotion<Dim> load = matrix * motion_of_pair(contacts_[k], unknowns_[program_.row[e]]);
+      for (int f = program_.first[k]; f <= e; ++f)
+        program_.block_softness.push_back(load.dot(motion_of_pair(contacts_[k], unknowns_[program_.row[f]])) *
+                                          velocity_ / impulse_);
+    }
+  }
+
+  const BodyMotion<Dim>& bodies_;
+  const std::vector<StepContact<Dim>>& contacts_;
+  std::vector<int> first_, ends_;  ///< unknowns of each body
+  int first_stretch_ = 0;
+  std::vector<Unknown<Dim>> unknowns_;
+  std::vector<double> free_;  ///< velocity of each unknown without impulses (length/time)
+  double impulse_ = 1.0, velocity_ = 0.0;
+  ConeProgram<Dim> program_;
+};
+
+template <int Dim>
+bool is_solved(const ConeSolution<Dim>& solution) {
+  const bool nearly = solution.residual < kNearlySolved && solution.gap < kNearlySolved;
+  return solution.status == ConeStatus::kSolved || (solution.status == ConeStatus::kFailed && nearly);
+}
+
+}  // namespace
+
+template <int Dim>
+bool solve_at_once(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& contacts,
+                   const std::vector<PairMatrix<Dim>>& stiffness) {
+  if (contacts.empty()) return true;
+  StepProgram<Dim> step(bodies, contacts, stiffness);
+  InteriorPoint<Dim> method(step.program());
+  const bool slides = std::ranges::any_of(contacts, [](const auto& c) { return c.friction > 0.0; });
+  ConeSolution<Dim> solution = method.solve(step.program());
+  for (int n = 1; slides && n < kMostSolutions && is_solved(solution); ++n) {
+    if (step.add_opening(solution) < kSameOpening) break;
+    solution = method.solve(step.program());
+  }
+  if (!is_solved(solution)) return false;
+  step.set_solution(solution, bodies, contacts);
+  return true;
+}
+
+template bool solve_at_once(BodyMotion<2>&, std::vector<StepContact<2>>&, const std::vector<PairMatrix<2>>&);
+template bool solve_at_once(BodyMotion<3>&, std::vector<StepContact<3>>&, const std::vector<PairMatrix<3>>&);
+
+}  // namespace floc

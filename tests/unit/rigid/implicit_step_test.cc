@@ -1,0 +1,68 @@
+#include "floc/rigid/implicit_step.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floc/rigid/gauss_seidel.h"
+#include "support/step_contacts.h"
+
+namespace floc::test {
+namespace {
+
+TEST(ImplicitStep, CarriesAStackOfDisks) {
+  constexpr int kDisks = 200;
+  constexpr double kMass = 2.0, kGravity = 3.0, kStep = 0.1;
+  std::vector<StepContact<2>> contacts;
+  for (int k = 0; k < kDisks; ++k)
+    contacts.push_back(touching<2>(k, k + 1, {0.0, -0.5}, {0.0, 0.5}, {0.0, -1.0}, 0.0));
+  BodyMotion<2> bodies = balls_and_ground<2>(kDisks, kMass, 0.5);
+  for (int k = 0; k < kDisks; ++k) bodies.velocity[k] = {0.0, -kStep * kGravity};
+  ASSERT_TRUE(solve_at_once<2>(bodies, contacts, {}));
+  for (int k = 0; k < kDisks; ++k) {
+    EXPECT_NEAR(contacts[k].impulse[0] / kStep, (k + 1) * kMass * kGravity, 1e-7 * kDisks);
+    EXPECT_NEAR(bodies.velocity[k].norm(), 0.0, 1e-10);
+  }
+}
+
+/// A contact that slides neither opens nor closes, and its tangential impulse is at Coulomb's limit.
+TEST(ImplicitStep, ABallSlidesDownASlope) {
+  constexpr double kMass = 1.5, kGravity = 2.0, kStep = 0.01, kSlope = 0.9, kFriction = 0.2;
+  const double down = kGravity * std::sin(kSlope), across = kGravity * std::cos(kSlope);
+  ASSERT_GT(std::tan(kSlope), 3.5 * kFriction);
+  BodyMotion<3> bodies = balls_and_ground<3>(1, kMass, 0.5);
+  bodies.velocity[0] = {kStep * down, 0.0, -kStep * across};
+  std::vector<StepContact<3>> contacts{
+      touching<3>(0, 1, {0.0, 0.0, -0.5}, {0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, kFriction)};
+  ASSERT_TRUE(solve_at_once<3>(bodies, contacts, {}));
+  EXPECT_NEAR(bodies.velocity[0][0], kStep * (down - kFriction * across), 1e-7);
+  EXPECT_NEAR(bodies.velocity[0][2], 0.0, 1e-7);
+  EXPECT_NEAR(contacts[0].impulse[0], kStep * kMass * across, 1e-7);
+}
+
+/// Balls in a cell whose sides close, one contact of which adheres, have the motion that sweeps find.
+TEST(ImplicitStep, AgreesWithSweepsOnABallInACell) {
+  BodyMotion<2> bodies = balls_and_ground<2>(2, 1.0, 0.5);
+  bodies.velocity[0] = {0.3, 0.1};
+  bodies.velocity[1] = {-0.2, 0.4};
+  bodies.inverse_stretch_mass = {0.7, 0.0};
+  bodies.stretch = {-0.1, 0.05};
+  std::vector<StepContact<2>> contacts{touching<2>(0, 1, {0.5, 0.0}, {-0.5, 0.0}, {1.0, 0.0}, 0.0),
+                                       touching<2>(0, 1, {-0.5, 0.0}, {0.5, 0.0}, {-1.0, 0.0}, 0.0),
+                                       touching<2>(0, 1, {0.0, 0.5}, {0.0, -0.5}, {0.0, 1.0}, 0.0)};
+  contacts[1].branch = {-1.0, 0.0};
+  contacts[2].branch = {0.0, 1.0};
+  contacts[1].adhesion = 0.02;
+  contacts[2].bias = {-0.6, 0.0};
+  BodyMotion<2> by_sweeps = bodies;
+  std::vector<StepContact<2>> swept = contacts;
+  ASSERT_TRUE((GaussSeidel<2>(by_sweeps, swept).solve(1e-14, 100'000).converged));
+  ASSERT_TRUE(solve_at_once<2>(bodies, contacts, {}));
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR((bodies.velocity[i] - by_sweeps.velocity[i]).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((bodies.stretch - by_sweeps.stretch).norm(), 0.0, 1e-9);
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    EXPECT_NEAR(contacts[k].impulse[0], swept[k].impulse[0], 1e-8);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -25,6 +25,9 @@ constexpr int kSteps = 20;
 constexpr int kCalmSteps = 40;
 constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
+/// Rate of approach below which impacts are not elastic, over the velocity a/T^2 dt that the pressure gives to a grain in a
+/// time step.
+constexpr double kSlowImpact = 2.0;
 /// Factor by which the tolerance of the sweeps is larger while a gas is compressed, and stress over the imposed stress up
 /// to which a packing counts as a gas.
 constexpr double kGasTolerance = 10.0;
@@ -36,8 +39,8 @@ constexpr int kRestingSweeps = 300;
 constexpr int kMostRestingSweeps = 9600;
 /// Number of steps at rest after which steps are solved all at once if there are not more grains than this, the longest time step of those in units of T, and the
 /// largest gap of a contact that carries a force after them, over the diameter of the smaller grain.
-constexpr int kSweptSteps = 1000;
-constexpr int kMostGrainsAtOnce = 3000;
+constexpr int kSweptSteps = 2600;
+constexpr int kMostGrainsAtOnce = 1000;
 constexpr double kLongestAtOnce = 3.0;
 constexpr double kGapAtOnce = 1e-6;
 /// Error of the impulses at which the sweeps of a step at rest end, over the mean normal impulse.
@@ -71,6 +74,7 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("n_unfinished", p.n_unfinished);
   visit("time", p.time);
   visit("time_step", p.time_step);
+  visit("last_step", p.last_step);
   visit("deepest_overlap", p.deepest_overlap);
   visit("calm_steps", p.calm_steps);
   visit("resting_steps", p.resting_steps);
@@ -95,6 +99,16 @@ template <int Dim>
 void stop(Packing<Dim>& packing) {
   stop_grains(packing);
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
+}
+
+/// Gives all contacts the adhesion of the law, and removes those across a gap that have not adhered: they carry nothing.
+template <int Dim>
+void hold_adhesion(Packing<Dim>& packing) {
+  std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
+    return packing.law_of(c).pull_off_force() > 0.0 && c.gap > 0.0 && c.elastic_force == 0.0;
+  });
+  for (Contact<Dim>& c : packing.contacts)
+    c.normal_force = c.elastic_force - packing.law_of(c).pull_off_force();
 }
 
 }  // namespace
@@ -139,6 +153,7 @@ ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
                                      : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,
           .max_sweeps = resting ? progress_.rest_sweeps : own.max_sweeps,
           .restitution = resting ? 0.0 : own.restitution,
+          .slow_impact = kSlowImpact * own.time_step * largest_diameter(packing_.grains) / time_unit_,
           .threads = options_.threads,
           .at_once = solves_at_once()};
 }
@@ -177,7 +192,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   const double first =
       progress_.time_step > 0.0 ? std::min(progress_.time_step, chosen.longest_step) : chosen.longest_step;
   const bool at_rest = progress_.phase == ContactDynamicsProgress::resting;
-  ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first);
+  ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first, progress_.last_step);
   for (int k = 0; k < n_steps; ++k) {
     motion.step(at_rest && !chosen.at_once);
     if (!at_rest) progress_.time += motion.last_step();  // steps at rest are no motion in time
@@ -190,6 +205,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   if (!at_rest) progress_.n_unfinished += motion.counts().n_unfinished;
   progress_.deepest_overlap = std::max(progress_.deepest_overlap, motion.counts().deepest_overlap);
   progress_.time_step = motion.time_step();
+  progress_.last_step = motion.last_step();
   packing_ = motion.release_packing();
   wrap_into_cell(packing_);
   measure();
@@ -267,6 +283,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   stop(rested);
   rested.contacts = ContactPoints<Dim>().find_touching(rested, tolerance);
   carry_forces(rested, packing_.contacts, rested.contacts);
+  hold_adhesion(rested);
   try {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {

@@ -23,6 +23,7 @@ struct ContactDynamicsProgress {
       0;                   ///< number of time steps that ended before their impulses were within tolerance
   double time = 0.0;       ///< simulated time so far (time)
   double time_step = 0.0;  ///< next time step (time); 0 before the first step
+  double last_step = 0.0;  ///< last time step (time); 0 before the first step
   double deepest_overlap = 0.0;  ///< deepest overlap so far, over the diameter of the smaller grain
   int calm_steps = 0;            ///< number of time steps since the packing last moved or was out of balance
   int resting_steps = 0;         ///< number of time steps of the phase `resting`

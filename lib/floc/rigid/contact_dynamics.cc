@@ -26,12 +26,15 @@ constexpr double kDeepest = 1e-2;
 /// Deepest overlap that may be left by a step at rest which removes overlaps that shorter steps do not avoid. Two faces
 /// that are nearly parallel meet at another corner in each step.
 constexpr double kDeepestAtRest = 5e-2;
-/// Number of times that a step is halved because of its overlaps.
+/// Number of times that a step is halved because of its overlaps, and share of the longest step below which it is not.
 constexpr int kMostHalvings = 5;
+constexpr double kShortestStep = 1e-3;
 /// Share of an overlap that a step removes.
 constexpr double kStabilisation = 0.1;
 /// Overlap that is not removed if impacts are elastic, over the diameter of the smaller grain: removing it adds energy.
 constexpr double kElasticOverlap = 5e-3;
+/// Share of the longest time step below which the removal of overlaps is not faster in shorter steps.
+constexpr double kShortestRemoval = 0.125;
 /// Share of the displacement limit below which the next time step is doubled.
 constexpr double kTimid = 0.4;
 /// Share of Coulomb's limit by which a tangential impulse may lie below it and still count as sliding.
@@ -78,11 +81,13 @@ bool turns_back(const Packing<Dim>& before, const Packing<Dim>& now) {
 
 template <int Dim>
 ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<Dim>& load,
-                                      const ContactDynamicsSettings& settings, double time_step)
+                                      const ContactDynamicsSettings& settings, double time_step,
+                                      double last_step)
     : packing_(std::move(packing)),
       load_(load),
       settings_(settings),
       time_step_(time_step),
+      last_step_(last_step > 0.0 ? last_step : time_step),
       grain_mass_(std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0)) {
   find_contacts(packing_);
 }
@@ -161,6 +166,12 @@ double ContactDynamics<Dim>::gap_rate(const Contact<Dim>& c) const {
   return u.dot(c.normal);
 }
 
+/// Returns the coefficient of restitution of a contact that closes at its present rate.
+template <int Dim>
+double ContactDynamics<Dim>::restitution(const Contact<Dim>& c) const {
+  return -gap_rate(c) > settings_.slow_impact ? settings_.restitution : 0.0;
+}
+
 /// Returns the contact points as contacts of a step, with impulses of the last step. If impacts are elastic, points
 /// across a gap do not take part: they could close to a gap of zero, where the approach speed of the impact is lost.
 template <int Dim>
@@ -185,14 +196,19 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
     k.friction = law.friction_coefficient();
     k.adhesion = sticks(c) ? dt * law.pull_off_force() : 0.0;
     k.bias = k.frame.transpose() * (shear * k.branch);
+    // Shorter steps remove an overlap as slowly as steps of this length. Otherwise its removal would make grains fast,
+    // and fast grains shorten the steps.
+    const double removal = std::max(dt, kShortestRemoval * settings_.longest_step);
     if (elastic_impact)
       k.bias[0] +=
-          settings_.restitution * std::min(0.0, gap_rate(c)) +
-          kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / dt;
+          restitution(c) * std::min(0.0, gap_rate(c)) +
+          kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / removal;
     else
-      k.bias[0] += (c.gap > 0.0 ? 1.0 : removed) * c.gap / dt;
-    k.impulse = -dt * (k.frame.transpose() * c.shear_force);
-    k.impulse[0] = dt * c.elastic_force;
+      k.bias[0] += c.gap > 0.0 ? c.gap / dt : removed * c.gap / removal;
+    // After an impact in a short step, the forces are too large for a longer one.
+    const double known = std::min(dt, last_step_);
+    k.impulse = -known * (k.frame.transpose() * c.shear_force);
+    k.impulse[0] = known * c.elastic_force;
   }
   return out;
 }
@@ -311,7 +327,7 @@ void ContactDynamics<Dim>::step(bool at_rest) {
     const double deepest = deepest_overlap(next, where);
     if (deepest > allowed) {
       dt *= 0.5;
-      if (++halvings <= kMostHalvings) continue;
+      if (++halvings <= kMostHalvings && dt > kShortestStep * settings_.longest_step) continue;
       if (method.at_rest && method.at_once)
         throw NoResult(
             fmt::format("{} would overlap by {:.2g} of the smaller diameter in a time step, even after "
@@ -320,7 +336,7 @@ void ContactDynamics<Dim>::step(bool at_rest) {
       // Sweeps end with errors that shorter steps do not remove.
       method = {.at_rest = true, .at_once = true};
       allowed = std::max(allowed, kDeepestAtRest);
-      dt = time_step_;
+      dt = settings_.longest_step;
       halvings = 0;
       continue;
     }

@@ -30,6 +30,9 @@ struct ContactDynamicsSettings {
       sweep_tolerance;  ///< error of the impulses at which the sweeps of a step end, over the mean normal impulse
   int max_sweeps;       ///< number of sweeps after which the sweeps of a step end in any case
   double restitution = 0.0;
+  /// Rate of approach below which impacts are not elastic (length/time). Grains that fall onto others within a step would
+  /// never come to rest otherwise.
+  double slow_impact = 0.0;
   int threads = 1;
   /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. Overlaps are then removed
   /// in one step. The velocities of all grains are set to zero when the grains turn back: this leads them to
@@ -48,9 +51,10 @@ template <int Dim>
 class ContactDynamics {
  public:
   /// @param time_step  time step to begin with (time)
+  /// @param last_step  length of the step that gave the forces of the packing (time); 0 if it is not known
   /// @throws InputError as find_pairs()
   ContactDynamics(Packing<Dim> packing, const BoundaryLoad<Dim>& load, const ContactDynamicsSettings& settings,
-                  double time_step);
+                  double time_step, double last_step = 0.0);
 
   /// Makes one time step.
   /// @param at_rest  whether all velocities are set to zero before the step
@@ -86,6 +90,7 @@ class ContactDynamics {
   void find_contacts(Packing<Dim>& packing);
   BodyMotion<Dim> free_motion(double dt, bool at_rest) const;
   double gap_rate(const Contact<Dim>& contact) const;
+  double restitution(const Contact<Dim>& contact) const;
   std::vector<StepContact<Dim>> step_contacts(double dt, double removed, std::vector<int>& source) const;
   std::vector<PairMatrix<Dim>> stiffnesses(const Trial& trial, double dt) const;
   Trial solve(double dt, const Method& method) const;
@@ -96,7 +101,7 @@ class ContactDynamics {
   Packing<Dim> packing_;
   BoundaryLoad<Dim> load_;
   ContactDynamicsSettings settings_;
-  double time_step_, last_step_ = 0.0;
+  double time_step_, last_step_;
   double grain_mass_;                     ///< mass of all grains
   std::vector<Vec<Dim>> external_force_;  ///< force on each grain besides its contacts (force); empty for none
   ContactPoints<Dim> points_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -222,12 +223,13 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
     return relative(error_);
   }
 
-  /// Returns the largest error over the mean normal impulse.
+  /// Returns the largest error over the mean normal impulse; infinity if impulses are missing and there are none yet.
   static double relative(const std::vector<ChunkError>& errors) {
     ChunkError all{0.0, 0.0, 0};
     for (const ChunkError& error : errors)
       all = {std::max(all.worst, error.worst), all.sum + error.sum, all.n + error.n};
-    return all.sum > 0.0 ? all.worst * all.n / all.sum : all.worst;
+    if (all.worst == 0.0) return 0.0;
+    return all.sum > 0.0 ? all.worst * all.n / all.sum : std::numeric_limits<double>::infinity();
   }
 
   void write_back() {

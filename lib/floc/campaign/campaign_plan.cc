@@ -47,7 +47,7 @@ double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibriu
   Packing<Dim> largest;
   largest.law = equilibrium.law;
   largest.grains = Grains<Dim>::with_size(1);
-  largest.grains.radius[0] = 0.5 * scene.grains.diameter.max;
+  largest.grains.radius[0] = 0.5 * scene.grains.largest();
   return reduced_pressure(largest, equilibrium.pressure);
 }
 

@@ -87,6 +87,7 @@ TEST_F(Columns, OfAnotherCommandAreRefusedBeforeWork) {
                               "fit elastic none.csv",
                               "fit preconsolidation none.csv",
                               "fit cycle none.csv",
+                              "fit strength none.csv",
                               "fit force-distribution none.csv",
                               "fit dynamic-compaction none.csv",
                               "report none -o r.html",
@@ -154,6 +155,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
   ASSERT_EQ(floc("export run/state-0003.h5 --grains eg.csv --contacts ec.csv").code, 0);
   ASSERT_EQ(floc("scene check small.toml --sizes sizes.csv").code, 0);
   ASSERT_EQ(floc("info run/state-0003.h5 --sizes state-sizes.csv").code, 0);
+  write_text(file("failures.csv"), "sigma1,sigma3\n208,50\n350,100\n640,200\n1235,400\n");
   const std::pair<const char*, std::string> tables[] = {
       {"moduli", floc("moduli run/state-0003.h5 --strains full --prestress --rolling-stiffness 1").out},
       {"modes", floc("modes run/state-0003.h5").out},
@@ -172,6 +174,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"fit elastic", floc("fit elastic run").out},
       {"fit preconsolidation", floc("fit preconsolidation " + source_directory() + "/data/tables/reload").out},
       {"fit cycle", floc("fit cycle run").out},
+      {"fit strength", floc("fit strength failures.csv").out},
       {"fit force-distribution", floc("fit force-distribution run/state-0003.h5 --draws 2").out},
       {"draw", floc("draw run/state-0003.h5 -o d.svg").out},
       {"plot", floc("plot run -o p.svg --show coordination").out},

@@ -59,8 +59,8 @@ void RunMonitor::chunk(const Run<Dim>& run) {
   last_line_ = now;
   const int step = run.point().step;
   std::string line =
-      fmt::format("step {}/{} (branch {}, P = {:.4g}): solid fraction {:.4f}, simulated time {}, {}", step + 1,
-                  n_steps_, run.target().branch, run.pressure(), solid_fraction(run.packing()),
+      fmt::format("step {}/{} (branch {}, {}): solid fraction {:.4f}, simulated time {}, {}", step + 1,
+                  n_steps_, run.target().branch, run.pressure_text(), solid_fraction(run.packing()),
                   time_text(run.point().time + run.point().equilibration_time), phase_of(run));
   if (steps_done_ > 0)
     line += fmt::format("; about {} of wall time left", duration_text(expected_seconds_left(n_steps_ - step)));

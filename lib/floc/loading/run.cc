@@ -189,6 +189,13 @@ double Run<Dim>::pressure() const {
   return target().is_isotropic() ? target().pressure : equilibrator_->target_stress().mean();
 }
 
+template <int Dim>
+std::string Run<Dim>::pressure_text() const {
+  if (target().is_isotropic()) return fmt::format("P = {:.4g}", pressure());
+  return fmt::format("P = {:.4g} (mean), {:.4g} (driven)", pressure(),
+                     equilibrator_->target_stress()[target().axis]);
+}
+
 /// Starts the aggregation of the grains, or the relaxation of the packing to the next equilibrium.
 /// @pre this object holds the packing (packing_)
 template <int Dim>

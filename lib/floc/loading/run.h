@@ -90,6 +90,9 @@ class Run {
   /// Returns the mean over all axes of the imposed stress (force/length^(Dim-1)). For an axis on which a length is
   /// imposed, the mean contains the stress that the packing carries there.
   double pressure() const;
+  /// Returns the imposed stress for messages, "P = 1" or, where the load path drives one axis, "P = 1 (mean), 2
+  /// (driven)".
+  std::string pressure_text() const;
   /// Returns a report on how far the packing is from equilibrium under the present load.
   RelaxationReport report() const;
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }

@@ -58,8 +58,8 @@ class Driver {
 
   /// Names the present step of the run, its branch and its pressure, for messages.
   std::string present_step() const {
-    return fmt::format("step {} (branch {}, P = {:.4g})", run_.point().step, run_.target().branch,
-                       run_.pressure());
+    return fmt::format("step {} (branch {}, {})", run_.point().step, run_.target().branch,
+                       run_.pressure_text());
   }
 
   void save() {

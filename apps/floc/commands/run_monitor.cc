@@ -96,10 +96,10 @@ void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& re
     seconds_done_ += seconds;
   }
   fmt::print(stderr,
-             "{}step {}/{} (branch {}, P = {:.4g}): solid fraction {:.5f}, {} contacts, force residual {:.1e} "
+             "{}step {}/{} (branch {}, {}): solid fraction {:.5f}, {} contacts, force residual {:.1e} "
              "(ending: {}), {:.1f} s of wall time\n",
              terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
-             state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
+             imposed_pressure_text(state), solid_fraction(state.packing), state.packing.contacts.size(),
              state.residuals.force, ending_of(report), seconds);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
     fmt::print(stderr, "  warning: {}\n", warning);

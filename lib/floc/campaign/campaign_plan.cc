@@ -66,7 +66,7 @@ std::optional<double> planned_driven_stress(const KnownStress& from, const Plann
 
 std::vector<PlannedState> states_of(const Scene& scene) {
   std::vector<PlannedState> states;
-  KnownStress from(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
+  KnownStress from = first_stress(scene.assembly, scene.dimension);
   int stage = -1;
   for (const PlannedEquilibrium& e : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
     // A stage has a step at least, so that none is passed over.

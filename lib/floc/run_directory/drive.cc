@@ -65,7 +65,7 @@ class Driver {
   void save() {
     const double seconds = seconds_since(step_began_);
     const State<Dim> state = run_.state();
-    require_small_overlaps(fmt::format("step {}, P = {:.4g}", state.path.step, state.target_stress.mean()),
+    require_small_overlaps(fmt::format("step {}, {}", state.path.step, imposed_pressure_text(state)),
                            state.packing);
     directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);

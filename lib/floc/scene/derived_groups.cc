@@ -10,6 +10,7 @@
 #include "floc/assembly/size_classes.h"
 #include "floc/contact/law_description.h"
 #include "floc/contact/law_parameters.h"
+#include "floc/loading/run_plan.h"
 #include "floc/packing/liquid/liquid.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/scene/rigid_groups.h"
@@ -28,10 +29,6 @@ double time_step(const Scene& scene) {
   return time_step_of(smallest, scene.relaxation.time_step, scene.assembly.pressure);
 }
 
-KnownStress first_stress(const Scene& scene) {
-  return KnownStress(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
-}
-
 int steps_of(const KnownStress& from, const LoadStage& stage) {
   return stage.is_isotropic() && is_isotropic(from)
              ? static_cast<int>(stage_pressures(*from.front(), stage).size())
@@ -45,7 +42,7 @@ struct Steps {
 
 Steps count_steps(const Scene& scene) {
   Steps steps;
-  KnownStress from = first_stress(scene);
+  KnownStress from = first_stress(scene.assembly, scene.dimension);
   for (const LoadStage& stage : scene.load) {
     const bool down = stage.is_isotropic() && is_isotropic(from) && stage.to < *from.front();
     (down ? steps.down : steps.up) += steps_of(from, stage);
@@ -59,7 +56,7 @@ using Groups = std::vector<DerivedGroup>;
 void add_pressures(const Scene& scene, double unit, const char* name, const char* meaning, Groups& groups) {
   groups.push_back(
       {name, scene.assembly.pressure / unit, fmt::format("{}, first pressure of the scene", meaning)});
-  KnownStress from = first_stress(scene);
+  KnownStress from = first_stress(scene.assembly, scene.dimension);
   for (const LoadStage& stage : scene.load) {
     const int n = steps_of(from, stage);
     const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}

@@ -152,9 +152,11 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   if (boxed) {
     read_boxed_gas(t, scene);
   } else {
+    // Without a pressure, a saved packing keeps the stresses that it bears.
     scene.assembly.pressure =
         t.number("pressure",
-                 {positive, "a positive number (first pressure of the packing, compression positive)"})
+                 {positive, "a positive number (first pressure of the packing, compression positive)"},
+                 scene.starts_from_state() ? Need::optional : Need::required)
             .value_or(0);
     for (const char* key : {"kinetic_pressure", "solid_fraction"})
       t.refuse(key, fmt::format("assembly.{} is not allowed here: it describes the gas between walls, but the "

@@ -87,6 +87,7 @@ TEST_F(Columns, OfAnotherCommandAreRefusedBeforeWork) {
                               "fit elastic none.csv",
                               "fit preconsolidation none.csv",
                               "fit cycle none.csv",
+                              "fit strength none.csv",
                               "fit force-distribution none.csv",
                               "fit dynamic-compaction none.csv",
                               "report none -o r.html",
@@ -152,6 +153,9 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
             0);
   ASSERT_EQ(floc("compare run/state-0003.h5 run/state-0004.h5 --displacements u.csv --contacts c.csv").code, 0);
   ASSERT_EQ(floc("export run/state-0003.h5 --grains eg.csv --contacts ec.csv").code, 0);
+  ASSERT_EQ(floc("scene check small.toml --sizes sizes.csv").code, 0);
+  ASSERT_EQ(floc("info run/state-0003.h5 --sizes state-sizes.csv").code, 0);
+  write_text(file("failures.csv"), "sigma1,sigma3\n208,50\n350,100\n640,200\n1235,400\n");
   const std::pair<const char*, std::string> tables[] = {
       {"moduli", floc("moduli run/state-0003.h5 --strains full --prestress --rolling-stiffness 1").out},
       {"modes", floc("modes run/state-0003.h5").out},
@@ -163,11 +167,14 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"info", floc("info run/state-0003.h5").out},
       {"chain", floc("chain --n 3 --R 0.5 --kn 1 --kt 1 --kr 1").out},
       {"scene check", floc("scene check small.toml").out},
+      {"info --sizes", content_of(file("state-sizes.csv"))},
+      {"scene check --sizes", content_of(file("sizes.csv"))},
       {"fit consolidation",
        floc("fit consolidation " + source_directory() + "/data/tables/demo/seed-1 --bootstrap 2").out},
       {"fit elastic", floc("fit elastic run").out},
       {"fit preconsolidation", floc("fit preconsolidation " + source_directory() + "/data/tables/reload").out},
       {"fit cycle", floc("fit cycle run").out},
+      {"fit strength", floc("fit strength failures.csv").out},
       {"fit force-distribution", floc("fit force-distribution run/state-0003.h5 --draws 2").out},
       {"draw", floc("draw run/state-0003.h5 -o d.svg").out},
       {"plot", floc("plot run -o p.svg --show coordination").out},

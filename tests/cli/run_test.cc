@@ -49,7 +49,7 @@ TEST_F(RunCommand, SavesAStateAndARowForEachEquilibriumAndNamesWhatComesNext) {
                          "n_distant,x0,residual_force,residual_moment,residual_stress,kinetic_energy,"
                          "n_negative,time,n_steps,seconds,state,ending,stress_1,stress_2,strain_1,"
                          "strain_2,p,q,K0,volumetric_strain,mobilised_friction,dilatancy,control,axis,"
-                         "shear_strain,shear_stress\n"
+                         "shear_strain,shear_stress,P_driven,P_driven_star\n"
                          "0,assembly,0,"));
 }
 

@@ -118,6 +118,47 @@ TEST(SceneCheck, HasNothingAgainstTheShippedScenes) {
   }
 }
 
+TEST(SceneCheck, PrintsTheVolumeInQuartersOfTheRangeOfSizes) {
+  const std::string scene = source_directory() +
+                            "/data/scenes/powder3d.toml --format json --set grains.count=300 "
+                            "--set grains.diameter.min=0.1 --set ";
+  const auto quarter = [&](const std::string& changes, int k) {
+    return group(run_floc("scene check " + scene + changes).out, "V_" + std::to_string(k) + "/V");
+  };
+  const std::string by_volume = "'grains.diameter.distribution=\"uniform_by_volume\"'";
+  for (int k = 1; k <= 4; ++k)
+    EXPECT_NEAR(quarter(by_volume + " --set 'grains.diameter.quantiles=\"middle\"'", k), 0.25, 3.1e-3);
+  EXPECT_NEAR(quarter(by_volume, 4), 0.354, 5e-4);
+}
+
+TEST(SceneCheck, TellsWhatIsDrawnFromASieveCurveBesideIt) {
+  const ScratchDirectory dir;
+  write_text(dir.file("sand.csv"), "size,passing\n0.05,0\n0.3,30\n1,100\n");
+  std::string text = content_of(kDemoScene);
+  const std::string uniform = "{distribution = \"uniform\", min = 0.5, max = 1.0}";
+  text.replace(text.find(uniform), uniform.size(), "{distribution = \"sieve\", file = \"sand.csv\"}");
+  write_text(dir.file("s.toml"), text);
+  const Outcome o =
+      run_floc("scene check s.toml --format json --sizes sizes.csv --set grains.count=20000", dir.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, testing::Not(HasSubstr("warning")));
+  EXPECT_NEAR(group(o.out, "passing(0.3)"), 0.3, 2e-3);
+  EXPECT_EQ(group(o.out, "passing(1)"), 1.0);
+  EXPECT_THAT(content_of(dir.file("sizes.csv")),
+              testing::StartsWith("d_from,d_to,n_grains,share,share_asked,passing,passing_asked\n0.05,0.3,"));
+  // Forty grains are too few for it, and those of the state are those that were announced.
+  const Outcome few = run_floc("scene check s.toml --sizes few.csv --set grains.count=40", dir.path());
+  EXPECT_THAT(few.err, HasSubstr("because there are too few large grains"));
+  ASSERT_EQ(run_floc("run s.toml -o run --until 0 --set grains.count=40", dir.path()).code, 0);
+  ASSERT_EQ(run_floc("info run/state-0000.h5 --sizes drawn.csv", dir.path()).code, 0);
+  const auto row = [](const std::string& table, const std::string& before) {
+    const std::size_t at = table.find(before);
+    return table.substr(at, table.find('\n', at) - at);
+  };
+  EXPECT_EQ(row(content_of(dir.file("drawn.csv")), "0.05,0.3,"),
+            row(content_of(dir.file("few.csv")), "0.05,0.3,"));
+}
+
 struct Mistake {
   const char* set;
   const char* expectation;

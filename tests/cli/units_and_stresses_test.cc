@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "floc/io/csv.h"
 #include "support/run_arguments.h"
@@ -269,6 +270,29 @@ TEST_F(OedometerOfBeads, SaysWhichStressEveryFitTakes) {
     ++n;
   }
   fmt::print("{} commands say which stress they take\n", n);
+}
+
+TEST_F(OedometerOfBeads, NamesTheStressOnItsDrivenAxisBesideTheMean) {
+  const CsvTable path = CsvTable::read(scratch_->file("run/path.csv"));
+  const int last = path.n_rows() - 1;
+  const auto at = [&](const CsvTable& table, int row, const std::string& column) {
+    return table.number(row, table.column(column));
+  };
+  EXPECT_EQ(at(path, 0, "P_driven"), at(path, 0, "P"));
+  EXPECT_NEAR(at(path, last, "P_driven"), 200e3, 1e-6);
+  EXPECT_NEAR(at(path, last, "P_driven_star") / at(path, last, "P_star"),
+              at(path, last, "P_driven") / at(path, last, "P"), 1e-12);
+  const std::string state = "run/" + path.text(last, path.column("state"));
+  for (const char* command : {"info ", "moduli ", "network "}) {
+    std::istringstream printed(floc(command + state + " --format csv").out);
+    const CsvTable row = CsvTable::parse(command, printed);
+    EXPECT_NEAR(at(row, 0, "P_driven") / 200e3, 1.0, 1e-3) << command;
+    EXPECT_GT(std::abs(at(row, 0, "P") / at(row, 0, "P_driven") - 1.0), 0.05) << command;
+  }
+  ASSERT_EQ(floc("plot run --show coordination -o z.svg").code, 0);
+  EXPECT_THAT(content_of(scratch_->file("z.gp")), HasSubstr("P* of the mean stress"));
+  EXPECT_THAT(floc("plot " + state + " --show forces -o f.svg").err, testing::Not(HasSubstr("floc:")));
+  EXPECT_THAT(content_of(scratch_->file("f.gp")) + content_of(scratch_->file("f.svg")), HasSubstr("(driven)"));
 }
 
 /// A stage that makes the adhesion three times as strong makes P* = 1 three times as large a stress.

@@ -76,7 +76,7 @@ def columns(s, before):
     return {"file": Same(s.path), "dimension": Same(s.dim), "units": Same(s.units), "n_grains": Same(s.n),
             "n_contacts": Same(int(s.counted.sum())), "n_distant": Same(int((s.distant & ~s.on_wall).sum())),
             "phi": Close(s.phi), "z": Close(2 * s.counted.sum() / s.n), "P": Close(s.P, s.stress_scale),
-            "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)), "target": same_numbers(s.target),
+            "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)), **s.driven_columns(), "target": same_numbers(s.target),
             "cell": same_numbers(s.cell), "law": Holds("the law of the file", lambda text: says_law(s, text)),
             **residual_columns(s), "n_negative": n_negative(s), "step": Same(int(path["step"])),
             "branch": Same(path["branch"]), "time": Close(path["time"]), "n_steps": Same(int(path["n_steps"])),

@@ -215,7 +215,7 @@ def columns(s):
     p = pressures(s)
     # A force of the last digits is neither tension nor compression: no count may hang on it.
     out = {"file": Same(s.path), "dimension": Same(s.dim), "n_grains": Same(s.n), "units": Same(s.units),
-           "P": Close(s.P, s.stress_scale), "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)),
+           "P": Close(s.P, s.stress_scale), "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)), **s.driven_columns(),
            "p_wall": Close(s.p_wall), "phi": Close(s.phi), "seconds": Exempt("a time")}
     out |= counted_columns(s, zero)
     out |= phase_columns(s, p)

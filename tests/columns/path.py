@@ -99,6 +99,8 @@ def columns(s, first, before):
            "state": Holds("the name of the file", lambda v: s.path.endswith("/" + v)), "ending": Same(path["ending"])}
     out |= {f"L{a + 1}": Close(s.cell[a, a]) for a in range(s.dim)}
     out |= axes_columns(s, first, before)
+    driven = s.on_driven_axis(s.target)
+    out |= {"P_driven": Close(driven), "P_driven_star": Close(s.reduced(driven))}
     return out | (wall_columns(s) if s.walls else {}) | (rigid_columns(s) if s.rigid else {})
 
 

@@ -5,6 +5,8 @@ import itertools
 import h5py
 import numpy as np
 
+from checks import Close
+
 
 def cross(a, b):
     """a x b; of vectors in a plane the component out of it."""
@@ -89,6 +91,16 @@ class State:
     @property
     def P(self):
         return np.trace(self.stress) / self.dim
+
+    def on_driven_axis(self, stress):
+        """Of the stresses on the axes, that on the driven one; their mean if none is driven."""
+        axis = self.path_attributes.get("axis")
+        return stress[axis - 1] if axis else stress.mean()
+
+    def driven_columns(self):
+        driven = self.on_driven_axis(np.diag(self.stress))
+        return {"P_driven": Close(driven, self.stress_scale),
+                "P_driven_star": Close(self.reduced(driven), self.reduced(self.stress_scale))}
 
     @property
     def stress_scale(self):

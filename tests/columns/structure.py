@@ -165,7 +165,8 @@ def columns(s, row, table):
     names = ("mesh_spacing", "mesh1", "mesh2", "n_pores", "pore_size", "pore_mean_area", "pore_unbounded", "n_voids",
              "local_phi_mean", "local_phi_stddev", "void_radius_mean", "void_radius_largest")
     out = {"file": Same(s.path), "dimension": Same(s.dim), "n_grains": Same(s.n),
-           "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)), "phi": Close(s.phi), "seconds": Exempt("a time")}
+           "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)),
+           "P_driven_star": s.driven_columns()["P_driven_star"], "phi": Close(s.phi), "seconds": Exempt("a time")}
     out |= {name: Same(None) for name in names}
     if s.walls:
         return out | fit_columns(None)

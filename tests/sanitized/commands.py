@@ -80,6 +80,7 @@ fit consolidation {run} --bootstrap 20
 fit elastic {run}
 fit preconsolidation {run}
 fit cycle {run}
+fit strength {run}
 fit force-distribution {state} --draws 20
 fit force-distribution {state} --form tails --draws 5
 """.strip().splitlines()

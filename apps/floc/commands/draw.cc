@@ -131,6 +131,7 @@ struct Drawn {
   std::string file;
   PackingPicture<Dim> picture;
   std::vector<TableValue> cells;  ///< values of the columns P_star, phi and z
+  double driven_stress;           ///< value of the column P_driven_star
 };
 
 void cut_slab(const std::string& file, const DrawArguments& arguments, PackingPicture<3>& picture) {
@@ -164,7 +165,8 @@ Drawn<Dim> drawn_from(const std::string& file, const State<Dim>& state, const Dr
                       other ? picture_of_changes(file, state, arguments.compare, std::get<State<Dim>>(*other))
                             : picture_of(file, state, shown_by(arguments)),
                       {reduced_pressure(state.packing, state.target_stress.mean()),
-                       solid_fraction(state.packing), coordination(state.packing, 0.0).z}};
+                       solid_fraction(state.packing), coordination(state.packing, 0.0).z},
+                      reduced_pressure(state.packing, stress_on_driven_axis<Dim>(state, state.target_stress))};
   if constexpr (Dim == 3)
     if (arguments.cut) cut_slab(file, arguments, drawn.picture);
   return drawn;
@@ -184,6 +186,7 @@ void add_row(const Drawn<Dim>& drawn, const std::string& name, Table& table) {
   for (const LineKind kind : {LineKind::compression, LineKind::tension, LineKind::zero, LineKind::distant,
                               LineKind::background, LineKind::lost, LineKind::gained})
     row.emplace_back(count_kind(drawn.picture, kind));
+  row.emplace_back(drawn.driven_stress);
   table.rows.push_back(std::move(row));
 }
 
@@ -247,7 +250,7 @@ class Drawer {
   const Target& target_;
   std::optional<AnyState> other_;
   Table table_{{"file", "picture", "P_star", "phi", "z", "n_grains", "n_compression", "n_tension", "n_zero",
-                "n_distant", "n_other", "n_lost", "n_gained"},
+                "n_distant", "n_other", "n_lost", "n_gained", "P_driven_star"},
                {}};
   std::tuple<std::vector<PackingPicture<2>>, std::vector<PackingPicture<3>>> strips_;
 };

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "floc/tables/info_row.h"
+#include "floc/tables/size_rows.h"
 #include "process/command.h"
 #include "process/finish_output.h"
 #include "process/output.h"
@@ -16,6 +17,7 @@ struct InfoArguments {
   std::vector<std::string> files;
   Printing printing;
   bool scene = false;
+  std::string sizes;  ///< name of the csv file for the sizes of the grains; if empty, no file is written
 };
 
 /// Prints the table of the states. In the format "table" each value is printed on its own line, after the name of its
@@ -38,15 +40,17 @@ void print(const Table& table, const Printing& printing) {
 }
 
 int info(const InfoArguments& arguments) {
-  Table table;
+  Table table, sizes;
   const int code =
       for_each_state(arguments.files, [&](const std::string& file, const AnyState& state, const Remarks&) {
         if (arguments.scene)
           std::visit([](const auto& s) { std::cout << s.scene; }, state);
         else
           add_info_row(file, state, table);
+        if (!arguments.sizes.empty()) add_size_rows(file, state, sizes);
         return int{kDone};
       });
+  if (!arguments.sizes.empty()) write_csv(arguments.sizes, sizes);
   if (!table.rows.empty()) print(table, arguments.printing);
   finish_output();
   return code;
@@ -61,6 +65,11 @@ Command add_info(CommandLine program) {
   add_states_argument(app, arguments->files);
   add_printing_options(app, arguments->printing);
   app.add_flag("--scene", arguments->scene, "print only the scene file with which the state was made");
+  app.add_option(
+      "--sizes", arguments->sizes,
+      "csv file to write, with one row per interval of diameters (between two sieves of the scene's sieve "
+      "curve, otherwise a quarter of the range): the grains in it and their share of the volume, beside "
+      "the share that the distribution in the scene gives");
   return {app, [arguments] { return info(*arguments); }};
 }
 

@@ -13,6 +13,7 @@
 #include "floc/packing/require_elastic.h"
 #include "floc/picture/drawn_scale.h"
 #include "plots/path_plots.h"
+#include "plots/pressure_text.h"
 #include "plots/state_plots.h"
 #include "plots/test_plots.h"
 #include "process/command.h"
@@ -71,8 +72,10 @@ ModuliPoint moduli_of_state(const std::string& file, const AnyState& any) {
         require_elastic(state.packing, "moduli are plotted", file);
         ModuliOptions options;
         options.unloaded = state.target_stress.isZero(0.0);
-        return moduli_point(reduced_pressure(state.packing, state.target_stress.mean()),
-                            elastic_moduli(state.packing, options));
+        ModuliPoint point = moduli_point(reduced_pressure(state.packing, state.target_stress.mean()),
+                                         elastic_moduli(state.packing, options));
+        point.is_driven = !state.path.turn.empty();
+        return point;
       },
       any);
 }
@@ -199,8 +202,7 @@ std::string name_of_state(const AnyState& any) {
       [](const auto& state) {
         const std::string& branch = state.path.branch;
         const bool loading = branch.empty() || branch == "load" || branch == "assembly" || branch == "imported";
-        return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean())) +
-               (loading ? "" : ", " + branch);
+        return pressure_text(state) + (loading ? "" : ", " + branch);
       },
       any);
 }

@@ -22,6 +22,7 @@
 #include "floc/tables/fit_parameters.h"
 #include "plots/html.h"
 #include "plots/path_plots.h"
+#include "plots/pressure_text.h"
 #include "plots/state_picture.h"
 #include "plots/state_plots.h"
 #include "process/command.h"
@@ -83,6 +84,9 @@ void add_state(const State<Dim>& state, ReportedRun<Dim>& run) {
   const double P_star = reduced_pressure(packing, state.target_stress.mean());
   const std::int64_t step = state.path.step;
   run.moduli.push_back(moduli_point(P_star, m));
+  run.moduli.back().is_driven = !state.path.turn.empty();
+  if (run.moduli.back().is_driven)
+    run.packings.columns[2] = run.elasticity.columns[1] = mean_pressure_label(true);
   run.packings.rows.push_back({step, state.path.branch, P_star, solid_fraction(packing), counted.z,
                                counted.z_plus, counted.z_minus, counted.z_zero, std::int64_t{counted.n_distant},
                                counted.rattler_fraction});
@@ -130,11 +134,6 @@ ReportedRun<Dim> read_run(const std::string& directory) {
     if (shown.contains(k)) run.shown.push_back(state), run.shown_files.push_back(run.files[k]);
   }
   return run;
-}
-
-template <int Dim>
-std::string pressure_text(const State<Dim>& state) {
-  return "P* = " + short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
 template <int Dim>

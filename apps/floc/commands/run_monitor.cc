@@ -59,8 +59,8 @@ void RunMonitor::chunk(const Run<Dim>& run) {
   last_line_ = now;
   const int step = run.point().step;
   std::string line =
-      fmt::format("step {}/{} (branch {}, P = {:.4g}): solid fraction {:.4f}, simulated time {}, {}", step + 1,
-                  n_steps_, run.target().branch, run.pressure(), solid_fraction(run.packing()),
+      fmt::format("step {}/{} (branch {}, {}): solid fraction {:.4f}, simulated time {}, {}", step + 1,
+                  n_steps_, run.target().branch, run.pressure_text(), solid_fraction(run.packing()),
                   time_text(run.point().time + run.point().equilibration_time), phase_of(run));
   if (steps_done_ > 0)
     line += fmt::format("; about {} of wall time left", duration_text(expected_seconds_left(n_steps_ - step)));
@@ -96,10 +96,10 @@ void RunMonitor::equilibrium(const State<Dim>& state, const RelaxationReport& re
     seconds_done_ += seconds;
   }
   fmt::print(stderr,
-             "{}step {}/{} (branch {}, P = {:.4g}): solid fraction {:.5f}, {} contacts, force residual {:.1e} "
+             "{}step {}/{} (branch {}, {}): solid fraction {:.5f}, {} contacts, force residual {:.1e} "
              "(ending: {}), {:.1f} s of wall time\n",
              terminal_ ? "\r\033[K" : "", state.path.step + 1, n_steps_, state.path.branch,
-             state.target_stress.mean(), solid_fraction(state.packing), state.packing.contacts.size(),
+             imposed_pressure_text(state), solid_fraction(state.packing), state.packing.contacts.size(),
              state.residuals.force, ending_of(report), seconds);
   if (const std::string warning = overlap_warning(state.packing); !warning.empty())
     fmt::print(stderr, "  warning: {}\n", warning);

@@ -7,12 +7,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "floc/assembly/size_classes.h"
 #include "floc/base/error.h"
 #include "floc/io/atomic_file.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
 #include "floc/scene/starting_scene.h"
+#include "floc/tables/size_rows.h"
 #include "process/command.h"
 #include "process/output.h"
 #include "process/printing.h"
@@ -23,6 +25,8 @@ namespace {
 struct SceneArguments {
   std::string path;
   std::vector<std::string> overrides;
+  /// Name of the csv file for the sizes of the grains beside those that the scene asks for; if empty, no file is written.
+  std::string sizes;
   Printing printing;
   std::string name;
 };
@@ -32,6 +36,8 @@ int check_scene(const SceneArguments& arguments) {
   Table table{{"group", "value", "meaning"}, {}};
   for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.printing);
+  if (!arguments.sizes.empty())
+    write_csv(arguments.sizes, size_table(size_classes(scene.grains, scene.dimension)));
   if (!scene.start.empty()) spdlog::info("starting state: {}", scene.start);
   if (!scene.accuracy.empty())
     spdlog::info("numerical settings chosen for the accuracy that the scene requires: {}", scene.accuracy);
@@ -85,6 +91,11 @@ Command add_scene(CommandLine program) {
       .add_option("--set", arguments->overrides,
                   "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
+  check.add_option(
+      "--sizes", arguments->sizes,
+      "csv file to write, with one row per interval of diameters (between two sieves of a sieve curve, "
+      "otherwise a quarter of the range): the number of grains that a run draws and their share of the "
+      "volume, beside the share that the distribution gives");
   add_printing_options(check, arguments->printing);
   CommandLine start = app.add_subcommand(
       "new", "write a commented scene of a cohesive powder, as a template for your own, to the file NAME.toml");

@@ -9,6 +9,7 @@
 #include "floc/picture/drawn_scale.h"
 #include "floc/tables/state_moduli.h"
 #include "plots/fit_plot.h"
+#include "plots/pressure_text.h"
 
 namespace floc {
 namespace {
@@ -240,6 +241,15 @@ set title {title} offset 0,0.6
   return plot;
 }
 
+/// Returns whether path.csv has rows in which one axis is driven.
+bool has_driven_rows(const CsvTable& path) {
+  if (!path.has("control")) return false;
+  const int control = path.column("control");
+  for (int row = 0; row < path.n_rows(); ++row)
+    if (!path.is_empty(row, control)) return true;
+  return false;
+}
+
 Plot coordination_plot(const CsvTable& path) {
   const int P = path.column("P_star");
   const std::vector<int> columns = {path.column("z"), path.column("z_plus"), path.column("z_minus"),
@@ -258,7 +268,8 @@ Plot coordination_plot(const CsvTable& path) {
   plot.add("loading: P_star z z_plus z_minus z_zero", rows_going(true, branches, row));
   plot.add("unloading: P_star z z_plus z_minus z_zero", rows_going(false, branches, row));
   plot.script = "set logscale x\n" + range_script(plot, "x", {0, 1}, 0, true) + R"(set format x '%g'
-set xlabel 'P*'
+set xlabel ')" + mean_pressure_label(has_driven_rows(path)) +
+                R"('
 set ylabel 'coordination number'
 set yrange [0:*]
 set key outside top center horizontal maxrows 2
@@ -327,11 +338,12 @@ Plot moduli_plot(const std::vector<ModuliPoint>& points, const std::string& unit
       fmt::format(R"(set logscale xy
 {range}set format x '%g'
 set format y '10^{{%T}}'
-set xlabel 'P*'
+set xlabel '{xlabel}'
 set ylabel {ylabel}
 set key bottom right
 {curves})",
                   fmt::arg("range", range_script(plot, "x", {0, 1}, 0, true)), fmt::arg("curves", curves),
+                  fmt::arg("xlabel", mean_pressure_label(std::ranges::any_of(points, &ModuliPoint::is_driven))),
                   fmt::arg("ylabel", gnuplot_quoted("modulus (" + unit + ")")));
   return plot;
 }

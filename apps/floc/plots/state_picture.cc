@@ -10,6 +10,7 @@
 #include "floc/picture/force_picture.h"
 #include "floc/picture/pressure_picture.h"
 #include "floc/structure/coordination.h"
+#include "plots/pressure_text.h"
 
 namespace floc {
 namespace {
@@ -27,11 +28,6 @@ PackingPicture<Dim> increments_of(const std::string& file, const State<Dim>& sta
                      "forces cannot balance a step of stress: --forces increment expects a packing without "
                      "such mechanisms; floc modes lists them");
   return increment_forces(state.packing, network, *response);
-}
-
-template <int Dim>
-std::string pressure_of(const State<Dim>& state) {
-  return short_number(reduced_pressure(state.packing, state.target_stress.mean()));
 }
 
 /// Returns the largest normal force that counts as zero in the coordination numbers of path.csv.
@@ -65,7 +61,7 @@ PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state,
       picture = grains_of(state.packing);
       break;
   }
-  picture.caption = {"P* = " + pressure_of(state), fmt::format("Φ = {:.4f}", solid_fraction(state.packing)),
+  picture.caption = {pressure_text(state), fmt::format("Φ = {:.4f}", solid_fraction(state.packing)),
                      fmt::format("z = {:.2f}", coordination(state.packing, 0.0).z)};
   return picture;
 }
@@ -78,7 +74,7 @@ PackingPicture<Dim> picture_of_changes(const std::string& before_file, const Sta
   const ContactChanges<Dim> changes = contact_changes(before.packing, after.packing);
   PackingPicture<Dim> picture = contacts_changed(before.packing, after.packing, changes);
   picture.caption = {
-      fmt::format("P* = {} → {}", pressure_of(before), pressure_of(after)),
+      fmt::format("P* = {} → {}", pressure_value(before), pressure_value(after)),
       fmt::format("Φ = {:.4f} → {:.4f}", solid_fraction(before.packing), solid_fraction(after.packing)),
       fmt::format("contacts: {} kept, {} lost, {} gained", changes.kept.size(), changes.lost.size(),
                   changes.gained.size())};

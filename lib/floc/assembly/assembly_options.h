@@ -21,6 +21,10 @@ struct GrainOptions {
   /// the mass d^Dim, so that a grain of diameter 1 has mass 1.
   std::optional<double> density;
   std::optional<ShapeOptions> shape;  ///< shapes of the grains; absent for disks and spheres
+
+  /// Smallest and largest diameter among the grains (length).
+  double smallest() const { return smallest_and_largest(diameter, count).first; }
+  double largest() const { return smallest_and_largest(diameter, count).second; }
 };
 
 /// Kind of the gas (grains that do not touch) from which an assembly starts.

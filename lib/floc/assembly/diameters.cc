@@ -48,14 +48,39 @@ double lognormal_quantile(const DiameterDistribution& d, double share) {
          std::exp(d.sigma * normal_quantile(in_deviations(d, d.min), in_deviations(d, d.max), share));
 }
 
+/// Returns the share of the volume of grains between min and a diameter, if the number of grains goes as d^-exponent:
+/// (d^s - min^s)/(max^s - min^s), with s = Dim + 1 - exponent. No power overflows.
+double power_law_volume_share(const DiameterDistribution& d, int dimension, double diameter) {
+  const double s = dimension + 1.0 - d.exponent, range = std::log(d.max / d.min);
+  if (std::abs(s * range) < 1e-9) return std::log(diameter / d.min) / range;
+  const double part =
+      std::expm1(-std::abs(s) * (s > 0.0 ? std::log(d.max / diameter) : std::log(diameter / d.min))) /
+      std::expm1(-std::abs(s) * range);
+  return s > 0.0 ? 1.0 - part : part;
+}
+
+/// Returns the share of the volume of grains between min and a diameter. Where the numbers of grains are lognormal, so
+/// are the volumes, with the same sigma; the logarithm of their median is larger by Dim sigma^2 [HC1929].
+double lognormal_volume_share(const DiameterDistribution& d, int dimension, double diameter) {
+  const double shift = dimension * d.sigma;
+  const auto share_below = [&](double x) {
+    return normal_share(in_deviations(d, d.min) - shift, in_deviations(d, x) - shift);
+  };
+  return share_below(diameter) / share_below(d.max);
+}
+
 }  // namespace
 
 double diameter_quantile(const DiameterDistribution& d, double share) {
+  using Kind = DiameterDistribution::Kind;
   assert(0.0 <= share && share <= 1.0);
   if (share == 0.0) return d.min;
   if (share == 1.0) return d.max;
-  const bool is_power = d.kind == DiameterDistribution::Kind::power_law;
-  return std::clamp(is_power ? power_law_quantile(d, share) : lognormal_quantile(d, share), d.min, d.max);
+  const double quantile = d.kind == Kind::uniform     ? d.min + (d.max - d.min) * share
+                          : d.kind == Kind::power_law ? power_law_quantile(d, share)
+                          : d.kind == Kind::lognormal ? lognormal_quantile(d, share)
+                                                      : number_quantile(d.curve, d.dimension, share);
+  return std::clamp(quantile, d.min, d.max);
 }
 
 std::vector<double> equally_spaced_diameters(const DiameterDistribution& d, int n) {
@@ -63,16 +88,42 @@ std::vector<double> equally_spaced_diameters(const DiameterDistribution& d, int 
   if (d.kind == Kind::list) return d.values;
   std::vector<double> diameter(n, d.min);
   for (int i = 0; i < n; ++i) {
-    if (d.kind == Kind::uniform) diameter[i] = n == 1 ? d.max : d.min + (d.max - d.min) * i / (n - 1);
-    if (d.kind == Kind::bidisperse) diameter[i] = i < d.share_of_large * n ? d.max : d.min;
-    if (d.kind == Kind::power_law || d.kind == Kind::lognormal)
-      diameter[i] = n == 1 ? d.max : diameter_quantile(d, static_cast<double>(i) / (n - 1));
+    if (d.kind == Kind::constant) continue;
+    if (d.kind == Kind::bidisperse)
+      diameter[i] = i < d.share_of_large * n ? d.max : d.min;
+    else if (d.quantiles == DiameterDistribution::Quantiles::middle)
+      diameter[i] = diameter_quantile(d, (i + 0.5) / n);
+    else if (n == 1)
+      diameter[i] = d.max;
+    else if (d.kind == Kind::uniform)
+      diameter[i] = d.min + (d.max - d.min) * i / (n - 1);
+    else
+      diameter[i] = diameter_quantile(d, static_cast<double>(i) / (n - 1));
   }
   return diameter;
 }
 
+std::pair<double, double> smallest_and_largest(const DiameterDistribution& d, int n) {
+  if (n < 1 || d.quantiles == DiameterDistribution::Quantiles::ends) return {d.min, d.max};
+  return {diameter_quantile(d, 0.5 / n), diameter_quantile(d, (n - 0.5) / n)};
+}
+
 double share_within_bounds(const DiameterDistribution& d) {
   return normal_share(in_deviations(d, d.min), in_deviations(d, d.max));
+}
+
+std::optional<double> volume_share_below(const DiameterDistribution& d, int dimension, double diameter) {
+  using Kind = DiameterDistribution::Kind;
+  const bool is_continuous = d.kind == Kind::uniform || d.kind == Kind::power_law ||
+                             d.kind == Kind::lognormal || d.kind == Kind::sieve;
+  if (!is_continuous || !(d.min < d.max)) return std::nullopt;
+  if (diameter <= d.min) return 0.0;
+  if (diameter >= d.max) return 1.0;
+  // The density of a uniform distribution is the power law with its default exponent, 0.
+  const double share = d.kind == Kind::sieve       ? passing_at(d.curve, diameter)
+                       : d.kind == Kind::lognormal ? lognormal_volume_share(d, dimension, diameter)
+                                                   : power_law_volume_share(d, dimension, diameter);
+  return std::isfinite(share) ? std::optional(share) : std::nullopt;
 }
 
 }  // namespace floc

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
+
+#include "floc/assembly/sieve_curve.h"
 
 namespace floc {
 
-/// Distribution of the diameters of grains (length). It gives the number of grains of each diameter, not their volume.
+/// Distribution of the diameters of grains (length). Apart from sieve curves, it gives the number of grains of each
+/// diameter, not their volume.
 struct DiameterDistribution {
   enum class Kind {
     uniform,     ///< probability density P(d) of the diameter d is constant from min to max
@@ -14,8 +19,15 @@ struct DiameterDistribution {
     power_law,   ///< probability density P(d) ~ d^-exponent from min to max
     /// ln d is normally distributed about ln median; diameters below min and above max are cut off
     lognormal,
+    sieve,  ///< the fraction of the mass below each of some sizes is given
+  };
+  /// Fractions of the number of grains whose quantiles are the diameters of N grains.
+  enum class Quantiles {
+    ends,    ///< i/(N - 1): there is one grain of the smallest and one of the largest diameter
+    middle,  ///< (i + 1/2)/N: each grain stands for an equal share of the number of grains
   };
   Kind kind = Kind::uniform;
+  Quantiles quantiles = Quantiles::ends;
   double min = 0.0;  ///< smallest diameter: the smaller of two if bidisperse, that of all grains if constant
   double max = 0.0;  ///< largest diameter: the larger of two if bidisperse
   /// number of grains with the larger diameter over the number of all grains (bidisperse)
@@ -25,6 +37,8 @@ struct DiameterDistribution {
   double median = 0.0;  ///< median diameter before the distribution is cut off at min and max (lognormal)
   /// standard deviation of ln d before the distribution is cut off at min and max (lognormal)
   double sigma = 0.0;
+  SieveCurve curve;   ///< mass fractions below sizes from min to max (sieve)
+  int dimension = 3;  ///< dimension of the grains, 2 or 3; numbers follow from masses by it (sieve)
 };
 
 /// Exponent of the power law P(d) ~ d^-3 for the number of spheres of diameter d. Equal intervals of diameter between
@@ -34,17 +48,28 @@ inline constexpr double kUniformByVolume = 3.0;
 /// and max then contain equal areas of disks.
 inline constexpr double kUniformByArea = 2.0;
 
-/// Returns a quantile of a power-law or lognormal distribution of diameters: the diameter below which a given fraction
-/// of the grains lies (length). For the fraction 0 it is exactly min, for the fraction 1 exactly max.
-/// @param share  fraction of the grains, 0 to 1
+/// Returns a quantile of a uniform, power-law, lognormal or sieve distribution of diameters: the diameter below which a
+/// given fraction of the number of grains lies (length). For the fraction 0 it is exactly min, for the fraction 1
+/// exactly max.
+/// @param share  fraction of the number of grains, 0 to 1
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 
 /// Returns n diameters that represent a distribution without random scatter (length): its quantiles at equally spaced
-/// fractions of the grains, from min to max. They have the moments of the distribution, and the largest of them is
-/// exactly max, which is the unit of length of dimensionless numbers. A list of diameters is returned unchanged.
+/// fractions of the grains, see DiameterDistribution::Quantiles. With the ends included, the largest diameter is exactly
+/// max. A list of diameters is returned unchanged.
 std::vector<double> equally_spaced_diameters(const DiameterDistribution& distribution, int n);
+
+/// Returns the smallest and the largest of equally_spaced_diameters() (length), min and max for n < 1.
+std::pair<double, double> smallest_and_largest(const DiameterDistribution& distribution, int n);
 
 /// Returns the fraction of a complete lognormal distribution that lies between min and max, where it is cut off.
 double share_within_bounds(const DiameterDistribution& lognormal);
+
+/// Returns the fraction of the volume (area in 2D) of all grains that a continuous distribution gives to the grains
+/// below a diameter. The result is std::nullopt for distributions of single diameters (constant, bidisperse, list), and
+/// for lognormal distributions so wide that it cannot be computed.
+/// @param dimension  2 for disks, 3 for spheres
+std::optional<double> volume_share_below(const DiameterDistribution& distribution, int dimension,
+                                         double diameter);
 
 }  // namespace floc

@@ -1,12 +1,20 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "floc/packing/packing.h"
 
 namespace floc {
+
+/// Stresses that a saved packing bears and that a run keeps at its start.
+struct KeptStress {
+  std::vector<double> stress;  ///< stress on each axis, imposed or carried (force/length^(Dim-1))
+  int axis = 0;                ///< axis along which the packing was driven, counted from 0
+};
 
 /// Saved packing from which a run starts. It replaces the gas from which other runs start.
 struct SavedStart {
@@ -17,6 +25,8 @@ struct SavedStart {
   std::string sha256;
   /// number of copies of the packing that are joined side by side along each axis
   Vec<3, int> copies = Vec<3, int>::Ones();
+  /// Stresses that the packing keeps at first; absent if one pressure acts on all axes.
+  std::optional<KeptStress> kept = {};
 
   /// Reads the packing from its file.
   /// @pre the packing has Dim dimensions

@@ -24,6 +24,7 @@ struct StateChoice {
   std::vector<int> numbers;  ///< numbers of the chosen states, if `kind` is `steps`
   std::string branch;        ///< branch of the load path with the states, if `kind` is `pressures`; empty: any
   std::vector<double> P_star;  ///< reduced imposed pressures of the states, if `kind` is `pressures`
+  bool is_driven = false;      ///< whether `P_star` are pressures on the driven axis, not on all axes alike
   std::string place;           ///< "FILE:LINE" in the campaign file, for messages
 };
 

@@ -43,20 +43,42 @@ std::string blamed_place(const CampaignCase& one, const std::string& fault) {
 /// Returns the reduced pressure P* of an equilibrium that a run will compute. It follows from the imposed pressure, the
 /// contact law and the largest diameter in the scene.
 template <int Dim>
-double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibrium) {
+double planned_pressure(const Scene& scene, const PlannedEquilibrium& equilibrium, double pressure) {
   Packing<Dim> largest;
   largest.law = equilibrium.law;
   largest.grains = Grains<Dim>::with_size(1);
-  largest.grains.radius[0] = 0.5 * scene.grains.diameter.max;
-  return reduced_pressure(largest, equilibrium.pressure);
+  largest.grains.radius[0] = 0.5 * scene.grains.largest();
+  return reduced_pressure(largest, pressure);
+}
+
+/// Returns the stress that an equilibrium imposes on its driven axis, or on all axes. It is not known if a strain is
+/// imposed on the axis.
+/// @param from  stress on each axis at the start of the stage, as far as it is known
+std::optional<double> planned_driven_stress(const KnownStress& from, const PlannedEquilibrium& e) {
+  if (e.is_isotropic()) return e.pressure;
+  const auto axis = static_cast<std::size_t>(e.axis);
+  if (e.axes[axis].load.kind == AxisLoad::strain || !from[axis]) return std::nullopt;
+  StageReference start{e.control, e.axis, std::vector<double>(from.size(), 1.0), {}};
+  for (const std::optional<double>& stress : from) start.stress.push_back(stress.value_or(0.0));
+  return from.size() == 2 ? load_target<2>(e.axes, start).stress[e.axis]
+                          : load_target<3>(e.axes, start).stress[e.axis];
 }
 
 std::vector<PlannedState> states_of(const Scene& scene) {
   std::vector<PlannedState> states;
+  KnownStress from = first_stress(scene.assembly, scene.dimension);
+  int stage = -1;
   for (const PlannedEquilibrium& e : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
+    // A stage has a step at least, so that none is passed over.
+    if (e.stage > stage && stage >= 0) from = after_stage(from, scene.load[static_cast<std::size_t>(stage)]);
+    stage = e.stage;
+    const auto reduced = [&](double pressure) {
+      return scene.dimension == 2 ? planned_pressure<2>(scene, e, pressure)
+                                  : planned_pressure<3>(scene, e, pressure);
+    };
     PlannedState& state = states.emplace_back(PlannedState{e.branch, {}});
-    if (e.is_isotropic())
-      state.P_star = scene.dimension == 2 ? planned_pressure<2>(scene, e) : planned_pressure<3>(scene, e);
+    if (e.is_isotropic()) state.P_star = reduced(e.pressure);
+    if (const auto driven = planned_driven_stress(from, e)) state.P_driven_star = reduced(*driven);
   }
   return states;
 }
@@ -75,7 +97,8 @@ bool same_value(const std::string& a, const std::string& b) {
   return x && y ? *x == *y : a == b;
 }
 
-/// Returns the number of the state of a case whose reduced pressure is P_star or nearest to it, within kSamePressure.
+/// Returns the number of the state of a case whose reduced pressure, on all axes or on the driven one as `choice` says,
+/// is P_star or nearest to it, within kSamePressure.
 /// @throws InputError listing the pressures of the states, if there is no such state
 int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, const CasePlan& plan) {
   int best = -1;
@@ -83,25 +106,32 @@ int state_at(double P_star, const StateChoice& choice, const CampaignCase& one, 
   std::vector<std::string> there;
   for (int k = 0; k < static_cast<int>(plan.states.size()); ++k) {
     const PlannedState& state = plan.states[static_cast<std::size_t>(k)];
-    if (!state.P_star || (!choice.branch.empty() && state.branch != choice.branch)) continue;
-    there.push_back(fmt::format("{:.4g}", *state.P_star));
-    const double off = *state.P_star == P_star ? 0.0 : std::abs(*state.P_star / P_star - 1.0);
+    const std::optional<double>& reached = choice.is_driven ? state.P_driven_star : state.P_star;
+    if (!reached || (!choice.branch.empty() && state.branch != choice.branch)) continue;
+    there.push_back(fmt::format("{:.4g}", *reached));
+    const double off = *reached == P_star ? 0.0 : std::abs(*reached / P_star - 1.0);
     if (off > smallest || (best >= 0 && off == smallest)) continue;
     best = k;
     smallest = off;
   }
   if (best >= 0) return best;
   const std::string where = choice.branch.empty() ? "" : fmt::format(" on branch {}", choice.branch);
+  const char* name = choice.is_driven ? "P_driven_star" : "P_star";
   if (!there.empty())
     throw InputError(choice.place,
-                     fmt::format("P_star = {:g}: expected one of the pressures that case {} reaches{}: {}",
+                     fmt::format("{} = {:g}: expected one of the pressures that case {} reaches{}: {}", name,
                                  P_star, one.label, where, fmt::join(there, ", ")));
   const std::string key =
-      choice.branch.empty() ? fmt::format("P_star = {:g}", P_star) : "branch = " + choice.branch;
-  throw InputError(choice.place,
-                   fmt::format("{}: case {} has no state{} with equal pressures on all axes: P_star "
-                               "selects among such states",
-                               key, one.label, where));
+      choice.branch.empty() ? fmt::format("{} = {:g}", name, P_star) : "branch = " + choice.branch;
+  throw InputError(
+      choice.place,
+      choice.is_driven
+          ? fmt::format("{}: case {} has no state{} whose stress on the driven axis is known before "
+                        "the run: P_driven_star selects among such states; step selects the others",
+                        key, one.label, where)
+          : fmt::format("{}: case {} has no state{} with equal pressures on all axes: P_star "
+                        "selects among such states, P_driven_star by the stress on the driven axis",
+                        key, one.label, where));
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ namespace floc {
 struct PlannedState {
   std::string branch;
   std::optional<double> P_star;  ///< reduced imposed pressure; absent if the axes have unequal pressures
+  /// reduced imposed pressure on the driven axis, or on all axes; absent if it is not known before the run
+  std::optional<double> P_driven_star = {};
 };
 
 /// Plan of the runs of one case: the states, the number of threads and the cost of each run.

@@ -31,7 +31,8 @@ constexpr NumberRule kPressures{[](double x) { return x >= 0.0; },
 constexpr NumberRule kSteps{[](double x) { return x >= 0.0 && x == std::floor(x) && x < 1e6; },
                             "the number of a state, counted from 0, or a list of numbers of states"};
 constexpr const char* kStates =
-    "\"all\", \"last\", {step = [0, 5]} or {branch = \"load\", P_star = [0.1, 1.0]}";
+    "\"all\", \"last\", {step = [0, 5]}, {branch = \"load\", P_star = [0.1, 1.0]} or {branch = \"load\", "
+    "P_driven_star = [0.1, 1.0]}";
 
 /// A table of the campaign file, with the reader of its keys.
 struct Part {
@@ -175,16 +176,17 @@ StateChoice read_states(Part& part, const std::string& key, StateChoice::Kind ot
   TableReader states = part.reader.table(key, kStates, Need::optional);
   if (!states) return choice;
   const toml::table& table = *node->as_table();
-  // A table selects states by one of two keys, their number `step` or their pressure `P_star`. Both keys together, or
-  // neither of them, are an error.
-  if (table.contains("step") == table.contains("P_star")) {
+  // A table selects states by one of three keys: their number `step`, the pressure `P_star` on all axes or the pressure
+  // `P_driven_star` on the driven axis. Several keys together, or none of them, are an error.
+  if (table.contains("step") + table.contains("P_star") + table.contains("P_driven_star") != 1) {
     part.reader.fault(key, fmt::format("{}: expected {}", part.reader.path_of(key), kStates));
     return choice;
   }
   choice.kind = table.contains("step") ? StateChoice::steps : StateChoice::pressures;
   for (const double step : one_or_more(states, table, "step", kSteps))
     choice.numbers.push_back(static_cast<int>(step));
-  choice.P_star = one_or_more(states, table, "P_star", kPressures);
+  choice.is_driven = table.contains("P_driven_star");
+  choice.P_star = one_or_more(states, table, choice.is_driven ? "P_driven_star" : "P_star", kPressures);
   if (choice.kind == StateChoice::pressures)
     choice.branch = states.text("branch", "the name of a branch of the load path", Need::optional).value_or("");
   states.refuse_other_keys();

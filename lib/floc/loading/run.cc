@@ -60,6 +60,11 @@ Run<Dim>::Run(RunOptions options)
     packing_ =
         start_from<Dim>(assembly.saved.read_packing<Dim>(), options_.law, assembly.saved.copies_along<Dim>());
     point_.parent_sha256 = assembly.saved.sha256;
+    if (assembly.saved.kept) {
+      const Vec<Dim> sides = packing_.cell.matrix.diagonal();
+      point_.last_sides.assign(sides.begin(), sides.end());
+      point_.last_stress = assembly.saved.kept->stress;
+    }
     if (assembly.box) take_walls(*assembly.box, options_.law, packing_);
   } else if (assembly.box) {
     packing_ = make_boxed_gas<Dim>(options_.grains, plan_.front().law, *assembly.box, assembly.solid_fraction,
@@ -165,7 +170,7 @@ template <int Dim>
 void Run<Dim>::begin_stage() {
   if (target().is_isotropic())
     point_.turn = {};
-  else if (point_.turn.empty() || plan_[point_.step - 1].stage != target().stage)
+  else if (point_.turn.empty() || point_.step == 0 || plan_[point_.step - 1].stage != target().stage)
     point_.turn = {target().control, target().axis, point_.last_sides, point_.last_stress};
   if (!target().shears()) return;
   point_.turn.shear = target().shear;
@@ -187,6 +192,31 @@ LoadTarget<Dim> Run<Dim>::load() const {
 template <int Dim>
 double Run<Dim>::pressure() const {
   return target().is_isotropic() ? target().pressure : equilibrator_->target_stress().mean();
+}
+
+namespace {
+
+std::string pressure_words(double mean, std::optional<double> driven) {
+  return driven ? fmt::format("P = {:.4g} (mean), {:.4g} (driven)", mean, *driven)
+                : fmt::format("P = {:.4g}", mean);
+}
+
+}  // namespace
+
+template <int Dim>
+std::string imposed_pressure_text(const State<Dim>& state) {
+  const Vec<Dim>& stress = state.target_stress;
+  const StageReference& turn = state.path.turn;
+  return pressure_words(stress.mean(), turn.empty() ? std::nullopt : std::optional(stress[turn.axis]));
+}
+
+template std::string imposed_pressure_text(const State<2>&);
+template std::string imposed_pressure_text(const State<3>&);
+
+template <int Dim>
+std::string Run<Dim>::pressure_text() const {
+  if (target().is_isotropic()) return pressure_words(pressure(), std::nullopt);
+  return pressure_words(pressure(), equilibrator_->target_stress()[target().axis]);
 }
 
 /// Starts the aggregation of the grains, or the relaxation of the packing to the next equilibrium.

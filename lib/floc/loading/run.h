@@ -43,6 +43,11 @@ struct RunPoint {
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const std::string& sha256);
 
+/// Returns the stress that a state bears, imposed or carried, for messages: "P = 1" or, where the load path drives one
+/// axis, "P = 1 (mean), 2 (driven)".
+template <int Dim>
+std::string imposed_pressure_text(const State<Dim>& state);
+
 /// Outcome of one chunk of time steps.
 enum class RunEvent {
   chunk,        ///< no equilibrium yet; the run may be stopped here and continued later, with identical results
@@ -90,6 +95,8 @@ class Run {
   /// Returns the mean over all axes of the imposed stress (force/length^(Dim-1)). For an axis on which a length is
   /// imposed, the mean contains the stress that the packing carries there.
   double pressure() const;
+  /// Returns the stress under which the packing moves, for messages, as imposed_pressure_text() of its state does.
+  std::string pressure_text() const;
   /// Returns a report on how far the packing is from equilibrium under the present load.
   RelaxationReport report() const;
   int n_clusters() const { return aggregation_ ? aggregation_->n_clusters() : 1; }

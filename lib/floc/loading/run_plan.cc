@@ -56,7 +56,22 @@ bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   });
 }
 
+/// Returns the equilibrium of a saved packing under the stresses that it bears.
+PlannedEquilibrium kept_equilibrium(const AssemblyOptions& assembly, const Law& law) {
+  PlannedEquilibrium kept{"assembly", assembly.pressure, law, assembly.cell, {}};
+  kept.control = "axes";
+  kept.axis = assembly.saved.kept->axis;
+  for (const double stress : assembly.saved.kept->stress)
+    kept.axes.push_back({{AxisLoad::stress, stress}, 1.0});
+  return kept;
+}
+
 }  // namespace
+
+KnownStress first_stress(const AssemblyOptions& assembly, int dimension) {
+  if (!assembly.saved.kept) return KnownStress(static_cast<std::size_t>(dimension), assembly.pressure);
+  return {assembly.saved.kept->stress.begin(), assembly.saved.kept->stress.end()};
+}
 
 double* law_number(LawParameters& law, const std::string& key) {
   for (const LawNumber& n : numbers_of(law))
@@ -83,7 +98,9 @@ std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const 
   if (assembly.friction) change_law(assembling, "friction.coefficient", *assembly.friction);
   if (assembly.protocol == AssemblyOptions::Protocol::aggregation)
     plan.push_back({"assembly", 0.0, assembling, assembly.cell, {}});
-  if (plan.empty() || assembly.pressure > 0.0)
+  if (assembly.saved.kept)
+    plan.push_back(kept_equilibrium(assembly, assembling));
+  else if (plan.empty() || assembly.pressure > 0.0)
     plan.push_back({"assembly", assembly.pressure, assembling, assembly.cell, {}});
   if (assembly.vibration) {
     if (assembly.protocol != AssemblyOptions::Protocol::state)
@@ -91,7 +108,9 @@ std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const 
     plan.back().vibration = assembly.vibration;
   }
   Law present = law;
-  KnownStress stress(static_cast<std::size_t>(dimension), plan.back().pressure);
+  KnownStress stress = assembly.saved.kept
+                           ? first_stress(assembly, dimension)
+                           : KnownStress(static_cast<std::size_t>(dimension), plan.back().pressure);
   for (int s = 0; s < static_cast<int>(load.size()); ++s) {
     const LoadStage& stage = load[static_cast<std::size_t>(s)];
     check_axes(stage, dimension);

@@ -30,11 +30,18 @@ struct PlannedEquilibrium {
   bool shears() const { return shear_step != 0.0; }
 };
 
+/// Returns the stress on each axis in the last equilibrium of the assembly, with which the load path begins.
+/// @param dimension  number of axes, 2 or 3
+KnownStress first_stress(const AssemblyOptions& assembly, int dimension);
+
 /// Returns all equilibria that a run will make, in order:
 /// 1. those of the assembly: one at the first pressure, preceded by one at zero pressure if the grains are aggregated.
 /// If the assembly has a friction coefficient of its own, it replaces that of the contact law.
 /// 2. every step of every stage of the load path. If a stage ends at equal stresses on all axes but starts from
 /// different ones, its steps have a load for each axis.
+///
+/// A saved packing that keeps its stresses (SavedStart::kept) has these in the equilibrium of the assembly, whose control
+/// is "axes".
 ///
 /// A vibration acts on the saved packing from which the run starts. If the run starts from a gas instead, the vibration
 /// acts on the last equilibrium of the assembly, and one more equilibrium at the same pressure follows it.

@@ -80,6 +80,13 @@ struct State {
   Provenance provenance;
 };
 
+/// Returns the stress on the axis along which the load path drives a state, from the stress on each axis. It is the mean
+/// over the axes if the state belongs to no stage that drives one of them.
+template <int Dim>
+double stress_on_driven_axis(const State<Dim>& state, const Vec<Dim>& stress) {
+  return state.path.turn.empty() ? stress.mean() : stress[state.path.turn.axis];
+}
+
 /// Sets the stress and the residuals of a state, from the contact forces of its packing and its target stress.
 template <int Dim>
 void measure(State<Dim>& state);

@@ -58,14 +58,14 @@ class Driver {
 
   /// Names the present step of the run, its branch and its pressure, for messages.
   std::string present_step() const {
-    return fmt::format("step {} (branch {}, P = {:.4g})", run_.point().step, run_.target().branch,
-                       run_.pressure());
+    return fmt::format("step {} (branch {}, {})", run_.point().step, run_.target().branch,
+                       run_.pressure_text());
   }
 
   void save() {
     const double seconds = seconds_since(step_began_);
     const State<Dim> state = run_.state();
-    require_small_overlaps(fmt::format("step {}, P = {:.4g}", state.path.step, state.target_stress.mean()),
+    require_small_overlaps(fmt::format("step {}, {}", state.path.step, imposed_pressure_text(state)),
                            state.packing);
     directory_.require_held();
     if (table_ != nullptr) table_->finish_step(run_);

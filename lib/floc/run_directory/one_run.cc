@@ -10,6 +10,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
 #include "floc/io/state_file.h"
+#include "floc/scene/scene_changes.h"
 
 namespace floc {
 namespace fs = std::filesystem;
@@ -38,7 +39,10 @@ std::optional<Origin> origin_of(const std::string& file) {
 
 void require_same_scene(const Origin& found, const Origin& expected, const std::string& file,
                         const std::string& reference) {
-  if (found.dimension != expected.dimension || found.scene != expected.scene)
+  // A run may have been resumed with a longer load path.
+  const bool same = found.scene == expected.scene || (!found.scene.empty() && !expected.scene.empty() &&
+                                                      continues_path(found.scene, expected.scene));
+  if (found.dimension != expected.dimension || !same)
     throw InputError(
         file, fmt::format("this state was made from a different scene than {}: expected the states of one run",
                           reference));

@@ -63,6 +63,7 @@ std::vector<std::string> columns_of(int dimension, bool boxed, bool rigid) {
   if (rigid)
     for (const char* name : {"z_pairs", "n_sweeps", "n_unfinished", "deepest_overlap", "force_freedom"})
       columns.emplace_back(name);
+  columns.insert(columns.end(), {"P_driven", "P_driven_star"});
   return columns;
 }
 
@@ -203,6 +204,8 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   add_axes(state, reference, table.rows[0]);
   if (boxed) add_walls(state, c, table.rows[0]);
   if (rigid) add_rigid(state, table.rows[0]);
+  const double driven = stress_on_driven_axis<Dim>(state, state.target_stress);
+  table.rows[0].insert(table.rows[0].end(), {driven, reduced_pressure(state.packing, driven)});
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;

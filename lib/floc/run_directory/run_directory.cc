@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <sstream>
 
@@ -11,6 +13,7 @@
 #include "floc/io/atomic_file.h"
 #include "floc/run_directory/checkpoint.h"
 #include "floc/run_directory/path_row.h"
+#include "floc/scene/scene_changes.h"
 
 namespace floc {
 namespace fs = std::filesystem;
@@ -37,6 +40,28 @@ State<Dim> read_run_state(const std::string& file) {
                                      Dim == 2 ? 3 : 2, Dim));
 }
 
+/// Returns whether two stresses, lengths or strains are equal up to rounding. The steps of a longer stage divide its
+/// change by another number.
+bool same_load(double a, double b) {
+  constexpr double kRounding = 1e-9;
+  return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
+}
+
+/// Returns whether a state was made under the load of an equilibrium of a plan.
+template <int Dim>
+bool is_load_of(const PlannedEquilibrium& planned, const State<Dim>& state) {
+  const StageReference& turn = state.path.turn;
+  if (planned.branch != state.path.branch || planned.is_isotropic() != turn.empty()) return false;
+  if (planned.is_isotropic()) return same_load(state.target_stress.mean(), planned.pressure);
+  if (planned.axis != turn.axis || !same_load(planned.shear, turn.shear)) return false;
+  const LoadTarget<Dim> load = load_target<Dim>(planned.axes, turn);
+  for (int a = 0; a < Dim; ++a)
+    if (!same_load(load.side[a], state.target_side[a]) ||
+        (!load.strained(a) && !same_load(load.stress[a], state.target_stress[a])))
+      return false;
+  return true;
+}
+
 }  // namespace
 
 RunDirectory::RunDirectory(const std::string& path, Existing existing, const RunOptions& options)
@@ -56,22 +81,48 @@ RunDirectory::RunDirectory(const std::string& path, Existing existing, const Run
     remove_checkpoint();
   }
   require_one_run(path);
-  if (count_states() > 0)
+  if (count_states() > 0) {
     check_scene(state_path(0), options);
-  else if (fs::exists(checkpoint_path()))
+    check_scene(state_path(count_states() - 1), options);
+  } else if (fs::exists(checkpoint_path())) {
     check_scene(checkpoint_path(), options);
+  }
 }
 
 void RunDirectory::check_scene(const std::string& file, const RunOptions& options) const {
   std::visit(
       [&](const auto& state) {
-        if (state.scene != options.text || state.provenance.seed != options.seed)
-          throw InputError(file, fmt::format("this state was made with another scene or seed (the given seed "
-                                             "is {}, and the seed of the state is {}): a run can only be "
-                                             "continued with the scene, settings and seed with which it began",
-                                             options.seed, state.provenance.seed));
+        const bool same_seed = state.provenance.seed == options.seed;
+        if (same_seed && state.scene == options.text) return;
+        if (same_seed && continues_path(options.text, state.scene)) return check_longer_path(options);
+        throw InputError(file, fmt::format("this state was made with another scene or seed (the given seed "
+                                           "is {}, and the seed of the state is {}): a run can only be "
+                                           "continued with the scene, settings and seed with which it began, "
+                                           "but for a longer load path",
+                                           options.seed, state.provenance.seed));
       },
       read_state(file));
+}
+
+void RunDirectory::check_longer_path(const RunOptions& options) const {
+  const std::vector<PlannedEquilibrium> plan =
+      plan_run(options.assembly, options.law, options.load, options.dimension);
+  std::vector<std::string> files;
+  for (const auto& [step, file] : numbered_states(path_)) files.push_back(file);
+  if (fs::exists(checkpoint_path())) files.push_back(checkpoint_path());
+  for (const std::string& file : files)
+    std::visit(
+        [&](const auto& state) {
+          const auto step = static_cast<std::size_t>(state.path.step);
+          if (step >= plan.size() || !is_load_of(plan[step], state))
+            throw InputError(
+                file, fmt::format("step {} of the load path in the scene differs from the one that led to "
+                                  "this state: a run is continued with a longer load path only if the "
+                                  "steps that it has made stay as they are, so that the last stage keeps "
+                                  "the size of its steps",
+                                  step));
+        },
+        read_state(file));
 }
 
 std::string RunDirectory::state_path(int step) const {

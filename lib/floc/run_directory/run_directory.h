@@ -64,6 +64,8 @@ class RunDirectory {
  private:
   int count_states() const;
   void check_scene(const std::string& file, const RunOptions& options) const;
+  /// Checks that the states and the checkpoint are those of the first steps of the load path of `options`.
+  void check_longer_path(const RunOptions& options) const;
   template <int Dim>
   std::string row_of(const State<Dim>& state, std::optional<double> seconds);
   template <int Dim>

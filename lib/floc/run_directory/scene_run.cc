@@ -110,10 +110,10 @@ std::string ending_of(const DriveReport& report, const Run<Dim>& run) {
       return "the run was interrupted; --resume continues it from here";
     case DriveReport::gave_up:
       if (!run.packing().walls.empty())
-        return fmt::format("step {} (branch {}, P = {:.4g}) ended without an equilibrium: {}", run.point().step,
-                           run.target().branch, run.pressure(), report.relaxation.blocking);
-      return fmt::format("step {} (branch {}, P = {:.4g}) did not converge: {}{}", run.point().step,
-                         run.target().branch, run.pressure(), report.relaxation.blocking,
+        return fmt::format("step {} (branch {}, {}) ended without an equilibrium: {}", run.point().step,
+                           run.target().branch, run.pressure_text(), report.relaxation.blocking);
+      return fmt::format("step {} (branch {}, {}) did not converge: {}{}", run.point().step,
+                         run.target().branch, run.pressure_text(), report.relaxation.blocking,
                          trend_of(report.relaxation));
     case DriveReport::done:
       break;

@@ -41,9 +41,9 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
 /// Records a fault for every pressure that is not larger than the tolerance of a stress, because it cannot be
 /// distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
-  if (!scene.law.adheres() || scene.assembly.box || !(scene.grains.diameter.max > 0)) return;
+  if (!scene.law.adheres() || scene.assembly.box || !(scene.grains.largest() > 0)) return;
   // Area (in 2D length) that turns a stress into a force on a grain.
-  const double area = std::pow(scene.grains.diameter.max, scene.dimension - 1);
+  const double area = std::pow(scene.grains.largest(), scene.dimension - 1);
   const double least = scene.relaxation.tolerance.stress * pull_off_force(scene) / area;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
     if (pressure > 0 && pressure <= least)
@@ -67,7 +67,7 @@ void check_pressures(TableReader& root, const Scene& scene) {
 /// tolerance, or rounding errors of positions cause net forces above their tolerance.
 void check_stiffness(TableReader& root, const Scene& scene) {
   constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
-  const double a = scene.grains.diameter.max;
+  const double a = scene.grains.largest();
   // area (in 2D length) that turns a stress into a force on a grain
   const double area = std::pow(a, scene.dimension - 1);
   const double F1 = std::max(pull_off_force(scene), scene.assembly.pressure * area);
@@ -127,7 +127,7 @@ void check_overlaps(TableReader& root, const Scene& scene) {
 void check_cohesive_overlap(TableReader& root, const Scene& scene) {
   constexpr double kLargest = 0.1;
   if (!scene.assembly.box || !scene.law.has_adhesion() || scene.law.force_exponent() != 1.0) return;
-  const double a = scene.grains.diameter.max;
+  const double a = scene.grains.largest();
   const double stiffness = a * scene.law.contact_modulus(scene.dimension, a) * std::pow(a, scene.dimension - 2);
   const double overlap = scene.law.pull_off_force() / stiffness;
   TableReader contact = root.table("contact", "", Need::optional);

@@ -7,8 +7,10 @@
 #include <numbers>
 #include <optional>
 
+#include "floc/assembly/size_classes.h"
 #include "floc/contact/law_description.h"
 #include "floc/contact/law_parameters.h"
+#include "floc/loading/run_plan.h"
 #include "floc/packing/liquid/liquid.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/scene/rigid_groups.h"
@@ -22,13 +24,9 @@ double time_step(const Scene& scene) {
   Packing<Dim> smallest;
   smallest.law = scene.law;
   smallest.grains = Grains<Dim>::with_size(1);
-  smallest.grains.radius[0] = 0.5 * scene.grains.diameter.min;
-  smallest.grains.mass[0] = mass_of(scene, scene.grains.diameter.min);
+  smallest.grains.radius[0] = 0.5 * scene.grains.smallest();
+  smallest.grains.mass[0] = mass_of(scene, scene.grains.smallest());
   return time_step_of(smallest, scene.relaxation.time_step, scene.assembly.pressure);
-}
-
-KnownStress first_stress(const Scene& scene) {
-  return KnownStress(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
 }
 
 int steps_of(const KnownStress& from, const LoadStage& stage) {
@@ -44,7 +42,7 @@ struct Steps {
 
 Steps count_steps(const Scene& scene) {
   Steps steps;
-  KnownStress from = first_stress(scene);
+  KnownStress from = first_stress(scene.assembly, scene.dimension);
   for (const LoadStage& stage : scene.load) {
     const bool down = stage.is_isotropic() && is_isotropic(from) && stage.to < *from.front();
     (down ? steps.down : steps.up) += steps_of(from, stage);
@@ -58,7 +56,7 @@ using Groups = std::vector<DerivedGroup>;
 void add_pressures(const Scene& scene, double unit, const char* name, const char* meaning, Groups& groups) {
   groups.push_back(
       {name, scene.assembly.pressure / unit, fmt::format("{}, first pressure of the scene", meaning)});
-  KnownStress from = first_stress(scene);
+  KnownStress from = first_stress(scene.assembly, scene.dimension);
   for (const LoadStage& stage : scene.load) {
     const int n = steps_of(from, stage);
     const AxisLoad driven = stage.is_isotropic() ? AxisLoad{AxisLoad::stress, stage.to}
@@ -106,7 +104,7 @@ void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
 /// Adds the dimensionless numbers of elastic spheres. The overlap of two spheres is proportional to 1/kappa, and the
 /// largest pressure between their surfaces to kappa^(-1/2).
 void add_spheres(const Scene& scene, Groups& groups) {
-  const double E = scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max);
+  const double E = scene.law.contact_modulus(scene.dimension, scene.grains.largest());
   double highest = scene.assembly.pressure;
   for (const LoadStage& stage : scene.load) {
     highest = std::max(highest, stage.to);
@@ -249,6 +247,31 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
+/// Adds the shares of the volume that grains of different sizes hold, beside those that their distribution asks for.
+void add_sizes(const Scene& scene, Groups& groups) {
+  // With more grains the shares drawn and asked for are equal to six digits.
+  constexpr int kMostGrains = 1'000'000;
+  using Kind = DiameterDistribution::Kind;
+  const Kind kind = scene.grains.diameter.kind;
+  if (kind == Kind::bidisperse || scene.grains.count < 1 || scene.grains.count > kMostGrains) return;
+  const auto asked = [](const std::optional<double>& share) {
+    return share ? fmt::format("; the distribution gives {:.4g}", *share) : "";
+  };
+  const char* volume = scene.dimension == 2 ? "area" : "volume";
+  for (int k = 0; const SizeClass& c : size_quarters(scene.grains, scene.dimension))
+    groups.push_back(
+        {fmt::format("V_{}/V", ++k), c.share,
+         fmt::format("share of the {} of all grains that those with diameters from {:.4g} to {:.4g} have{}",
+                     volume, c.from, c.to, asked(c.share_asked))});
+  if (kind != Kind::sieve) return;
+  for (const SizeClass& c : size_classes(scene.grains, scene.dimension))
+    groups.push_back(
+        {fmt::format("passing({:.4g})", c.to), c.passing,
+         fmt::format("share of the mass of all grains that passes a sieve of this size; the sieve curve "
+                     "gives {:.4g}",
+                     c.passing_asked.value_or(c.passing))});
+}
+
 /// Adds the pressures and the unit of time of a scene of rigid grains. Rigid contacts have no stiffness to which
 /// pressures could be compared: without adhesion, only their ratios count.
 /// @param a  largest diameter
@@ -266,7 +289,7 @@ void add_rigid_contacts(const Scene& scene, double a, Groups& groups) {
 /// dense packings.
 double steps_of_compaction(const Scene& scene) {
   constexpr double kUsual = 30.0;
-  const double a = scene.grains.diameter.max;
+  const double a = scene.grains.largest();
   return scene.relaxation.compaction.longest.value_or(kUsual) * compaction_time(scene, a, mass_of(scene, a)) /
          time_step_of_scene(scene);
 }
@@ -275,7 +298,7 @@ double steps_of_compaction(const Scene& scene) {
 /// force under the first pressure P: 0.665 kappa P a, for z Phi = 4 (stiffness number kappa, largest diameter a,
 /// coordination number z, solid fraction Phi).
 double typical_stiffness(const Scene& scene) {
-  const double a = scene.grains.diameter.max, modulus = scene.law.contact_modulus(scene.dimension, a);
+  const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);
   return 0.665 * hertz_kappa(scene, scene.assembly.pressure) * scene.assembly.pressure * a;
 }
@@ -283,7 +306,7 @@ double typical_stiffness(const Scene& scene) {
 }  // namespace
 
 double hertz_kappa(const Scene& scene, double pressure) {
-  return std::pow(scene.law.contact_modulus(scene.dimension, scene.grains.diameter.max) / pressure, 2.0 / 3.0);
+  return std::pow(scene.law.contact_modulus(scene.dimension, scene.grains.largest()) / pressure, 2.0 / 3.0);
 }
 
 double time_step_of_scene(const Scene& scene) {
@@ -312,8 +335,8 @@ double expected_cost(const Scene& scene) {
   // Time step in the run with which kSecondsPerGrainAndStep was measured, in units of sqrt(m/K_N) (mass m of the
   // largest grain, normal stiffness K_N).
   constexpr double kTimedStep = 0.1;
-  const double step = time_step_of_scene(scene) /
-                      std::sqrt(mass_of(scene, scene.grains.diameter.max) / typical_stiffness(scene));
+  const double step =
+      time_step_of_scene(scene) / std::sqrt(mass_of(scene, scene.grains.largest()) / typical_stiffness(scene));
   const Steps steps = count_steps(scene);
   const double start = scene.starts_from_state() ? 1.0 : kAssembly;
   return kSecondsPerGrainAndStep * scene.grains.count * (start + steps.up + kUnloading * steps.down) *
@@ -321,11 +344,12 @@ double expected_cost(const Scene& scene) {
 }
 
 std::vector<DerivedGroup> derived_groups(const Scene& scene) {
-  const double a = scene.grains.diameter.max;
+  const double a = scene.grains.largest();
   const double m = mass_of(scene, a);
   Groups groups;
   groups.push_back({"N", static_cast<double>(scene.grains.count), "number of grains"});
-  groups.push_back({"d_min/a", scene.grains.diameter.min / a, "smallest diameter over the largest diameter a"});
+  groups.push_back({"d_min/a", scene.grains.smallest() / a, "smallest diameter over the largest diameter a"});
+  add_sizes(scene, groups);
   if (scene.grains.shape) add_shape_groups(scene, groups);
   if (scene.law.is_rigid()) {
     add_rigid_contacts(scene, a, groups);

@@ -18,7 +18,7 @@ constexpr NumberRule kRelativeError{positive, "a positive number (relative error
 /// std::nullopt without adhesion.
 std::optional<double> stiffness_number(const Scene& scene) {
   if (!scene.law.adheres()) return std::nullopt;
-  const double a = scene.grains.diameter.max;
+  const double a = scene.grains.largest();
   return a * scene.law.contact_modulus(scene.dimension, a) / pull_off_force(scene);
 }
 

@@ -77,7 +77,7 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
 
 /// Checks that the box is so large that its grains can be placed in it at random.
 void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
-  const double d = scene.grains.diameter.max;
+  const double d = scene.grains.largest();
   if (scene.starts_from_state() || !(d > 0) || scene.grains.count == 0) return;
   if (scene.assembly.solid_fraction == 0.0)
     for (int a = 0; a < scene.dimension; ++a)
@@ -88,7 +88,7 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
                 "box.sides: the side {} along axis {} is too short; expected more than the largest diameter {}",
                 box.sides[a], a + 1, d));
   // Lower bound on the volume of the grains: all of them are counted with the smallest diameter.
-  const double least = std::pow(scene.grains.diameter.min, scene.dimension) * std::numbers::pi /
+  const double least = std::pow(scene.grains.smallest(), scene.dimension) * std::numbers::pi /
                        (scene.dimension == 2 ? 4.0 : 6.0) * scene.grains.count;
   const double volume = box.sides.head(scene.dimension).prod();
   const double densest = scene.dimension == 2 ? kDensestGasOfDisks : kDensestGasOfSpheres;

@@ -13,11 +13,13 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
+#include "floc/scene/read_sieve.h"
 
 namespace floc {
 namespace {
 
 using Kind = DiameterDistribution::Kind;
+using Need = TableReader::Need;
 
 constexpr NumberRule kDiameter{positive, "a positive number (length)"};
 
@@ -85,37 +87,53 @@ void read_sizes(TableReader& t, const char* small, const char* large, DiameterDi
                                d.min, large, d.max));
 }
 
-void read_lognormal(TableReader& t, DiameterDistribution& d) {
-  d.median = t.number("median", kDiameter).value_or(0);
+void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
+  const double median = t.number("median", kDiameter).value_or(0);
   d.sigma =
       t.number("sigma", {positive, "a positive number (standard deviation of the logarithm of the diameter)"})
           .value_or(0);
+  // [HC1929]: if the masses of grains are lognormal, so are their numbers,
+  // with the same sigma and a median that is smaller by the factor exp(-Dim sigma^2).
+  const bool by_mass = t.choice("by", {"number", "mass"}, Need::optional) == 1;
+  d.median = by_mass ? median * std::exp(-dimension * d.sigma * d.sigma) : median;
   // Smallest share of the complete lognormal distribution that must lie between min and max. With a smaller share, its
   // quantiles would lose more than half of their digits.
   constexpr double kLeastShare = 1e-12;
-  if (!(d.min > 0 && d.min < d.max && d.median > 0 && d.sigma > 0)) return;
-  const double share = share_within_bounds(d);
+  if (!(d.min > 0 && d.min < d.max && median > 0 && d.sigma > 0)) return;
+  const double share = d.median > 0.0 ? share_within_bounds(d) : 0.0;
   if (!(share >= kLeastShare))
-    t.fault("median", fmt::format("grains.diameter.median = {}: only the fraction {:.2g} of this distribution "
+    t.fault("median", fmt::format("grains.diameter.median = {}: only the fraction {:.2g} of {} "
                                   "lies between min = {} and max = {}; expected a fraction of at least {:.0e}",
-                                  d.median, share, d.min, d.max, kLeastShare));
+                                  median, share,
+                                  by_mass ? "the number of grains of this distribution" : "this distribution",
+                                  d.min, d.max, kLeastShare));
+}
+
+/// Reads the key that says at which fractions of the number of grains the diameters are quantiles.
+void read_quantiles(TableReader& t, DiameterDistribution& d) {
+  if (t.choice("quantiles", {"ends", "middle"}, Need::optional) == 1)
+    d.quantiles = DiameterDistribution::Quantiles::middle;
 }
 
 }  // namespace
 
-DiameterDistribution read_diameters(TableReader t, SceneSource& source, const std::string& directory) {
+DiameterDistribution read_diameters(TableReader t, SceneSource& source, const std::string& directory,
+                                    int dimension, const std::string& units) {
   DiameterDistribution d;
+  d.dimension = dimension;
+  const std::size_t n_faults = source.n_faults();
   const auto chosen = t.choice("distribution", {"uniform", "constant", "bidisperse", "list", "power_law",
-                                                "lognormal", "uniform_by_volume", "uniform_by_area"});
+                                                "lognormal", "uniform_by_volume", "uniform_by_area", "sieve"});
   if (!chosen) return d;
-  d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list,
-                      Kind::power_law, Kind::lognormal, Kind::power_law,  Kind::power_law}[*chosen];
+  d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list, Kind::power_law,
+                      Kind::lognormal, Kind::power_law, Kind::power_law,  Kind::sieve}[*chosen];
   // Three keywords stand for power laws: "power_law", and "uniform_by_volume" and "uniform_by_area", which fix the
-  // exponent. kByVolume is the index of the first of the latter two.
-  constexpr std::size_t kByVolume = 6;
+  // exponent.
+  constexpr std::size_t kByVolume = 6, kByArea = 7;
   switch (d.kind) {
     case Kind::uniform:
       read_sizes(t, "min", "max", d);
+      read_quantiles(t, d);
       break;
     case Kind::constant:
       d.min = d.max = t.number("value", kDiameter).value_or(0);
@@ -132,7 +150,8 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       break;
     case Kind::power_law:
       read_sizes(t, "min", "max", d);
-      if (*chosen >= kByVolume)
+      read_quantiles(t, d);
+      if (*chosen == kByVolume || *chosen == kByArea)
         d.exponent = *chosen == kByVolume ? kUniformByVolume : kUniformByArea;
       else
         d.exponent =
@@ -142,10 +161,18 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       break;
     case Kind::lognormal:
       read_sizes(t, "min", "max", d);
-      read_lognormal(t, d);
+      read_quantiles(t, d);
+      read_lognormal(t, dimension, d);
+      break;
+    case Kind::sieve:
+      // A single grain of the size that just passes the coarsest sieve may hold much of the mass.
+      d.quantiles = DiameterDistribution::Quantiles::middle;
+      read_sieve(t, source, directory, units, d);
       break;
   }
   t.refuse_other_keys();
+  // Later checks read the ends of the distribution, but only a valid one has quantiles.
+  if (source.n_faults() > n_faults) d.quantiles = DiameterDistribution::Quantiles::ends;
   return d;
 }
 

@@ -9,7 +9,10 @@ namespace floc {
 
 /// Reads the table grains.diameter of a scene: the distribution of the diameters of grains. Faults are recorded for
 /// invalid values.
-/// @param directory  directory to which the name of a file with diameters is relative
-DiameterDistribution read_diameters(TableReader table, SceneSource& source, const std::string& directory);
+/// @param directory  directory to which the names of files with diameters or sieves are relative
+/// @param dimension  2 or 3, dimension of the scene
+/// @param units  units of the scene, "reduced" or "SI"
+DiameterDistribution read_diameters(TableReader table, SceneSource& source, const std::string& directory,
+                                    int dimension, const std::string& units);
 
 }  // namespace floc

@@ -430,7 +430,7 @@ CellResponse read_rate_caps(TableReader& t) {
 
 void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene) {
   Law law = scene.law;
-  KnownStress from(static_cast<std::size_t>(scene.dimension), scene.assembly.pressure);
+  KnownStress from = first_stress(scene.assembly, scene.dimension);
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
     scene.load.push_back(read_stage(t, scene, from, law));
     scene.load.back().cell = scene.load.back().cell.or_else(unsaid);

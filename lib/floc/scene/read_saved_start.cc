@@ -64,9 +64,13 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
     return has_walls ? "the state has walls: expected a table [box] in the scene"
                      : "the state has no walls: expected a table [cell] in the scene";
   const Cell<Dim>& cell = state.packing.cell;
-  if (!cell.rectangular() || cell.matrix.diagonal().minCoeff() <= 0.0)
-    return "the cell of the state (cell/matrix) is skewed or rotated: expected a rectangular cell along the "
-           "axes, whose sides can follow the load";
+  if (!cell.matrix.isLowerTriangular(0.0) || cell.matrix.diagonal().minCoeff() <= 0.0)
+    return "the cell of the state (cell/matrix) is rotated: expected a first lattice vector along the first "
+           "axis and a "
+           "second one in the plane of the first two, so that its sides can follow the load";
+  if (scene.law.is_rigid() && !cell.rectangular())
+    return "the cell of the state (cell/matrix) is skewed: rigid grains need a rectangular cell in this "
+           "version of floc";
   return "";
 }
 
@@ -102,6 +106,28 @@ std::string start_description(const State<Dim>& state, const std::string& file, 
                        : "of the scene, in place of the contact law in the state file: " + law_text(law));
 }
 
+/// Takes the stresses of a state as those with which the run begins, if the scene gives no pressure.
+/// @param has_pressure  whether the scene gives a pressure
+template <int Dim>
+void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Scene& scene) {
+  if (has_pressure || scene.assembly.box) return;
+  const Vec<Dim>& stress = state.target_stress;
+  if (!(stress.mean() > 0.0))
+    return t.fault("pressure",
+                   fmt::format("assembly.pressure is missing: expected a positive number (first pressure of "
+                               "the packing), because the mean stress of the state is {:g}",
+                               stress.mean()));
+  scene.assembly.pressure = stress.mean();
+  if (stress.isConstant(stress.mean())) return;
+  if (scene.law.is_rigid())
+    return t.fault("pressure",
+                   "assembly.pressure is missing: expected a positive number (first pressure of the "
+                   "packing), because the state bears different stresses on its axes, which rigid grains "
+                   "cannot keep in this version of floc");
+  scene.assembly.saved.kept =
+      KeptStress{{stress.begin(), stress.end()}, state.path.turn.empty() ? Dim - 1 : state.path.turn.axis};
+}
+
 /// Fills in the data that a scene which starts from a saved state does not give itself: grains, solid fraction, and a
 /// description of the start in words.
 /// @param file  name of the state file
@@ -131,6 +157,9 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
       t.text("state_sha256", "the SHA-256 of the state file, which floc writes", Need::optional);
   SavedStart& start = scene.assembly.saved;
   start.copies = read_copies(t, scene.dimension);
+  // Without a state, later checks find no stress and would report that too.
+  const bool has_pressure = t.has("pressure");
+  if (!has_pressure && !scene.assembly.box) scene.assembly.pressure = 1.0;
   if (!name) return;
   const std::string file = (std::filesystem::path(directory) / *name).string();
   try {
@@ -144,7 +173,12 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
       t.fault("state_sha256", fmt::format("assembly.state_sha256 = {}: the file {} has the SHA-256 {}; "
                                           "expected the file with the given SHA-256, or remove the key",
                                           *expected, file, start.sha256));
-    std::visit([&](const auto& state) { describe_start(t, state, file, scene); }, any);
+    std::visit(
+        [&](const auto& state) {
+          describe_start(t, state, file, scene);
+          keep_stress(t, state, has_pressure, scene);
+        },
+        any);
     start.read = [file, sha256 = start.sha256] { return read_again(file, sha256); };
   } catch (const InputError& error) {
     t.fault("state", fmt::format("assembly.state: {}", error.what()));

@@ -14,7 +14,8 @@ namespace floc {
 ///
 /// Writes the number, sizes and density of the grains, the solid fraction, and a description of the start into the
 /// scene. The packing itself is read when the run begins. Faults are recorded if the file is not a state file; if its
-/// unit system, dimension or checksum is another; if its cell is not rectangular; and if there are too many grains.
+/// unit system, dimension or checksum is another; if its cell is rotated; and if there are too many grains. Without the
+/// key `pressure` the run begins with the stresses of the state.
 /// @param t  table [assembly]
 /// @param directory  directory to which the name of the state file is relative
 /// @param scene  scene that is completed

@@ -69,7 +69,7 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
                scene.units == "SI" ? Need::required : Need::optional);
   scene.grains.diameter =
       read_diameters(t.table("diameter", "a table, e.g. {distribution = \"uniform\", min = 0.5, max = 1.0}"),
-                     source, directory);
+                     source, directory, scene.dimension, scene.units);
   scene.grains.shape = read_shape(t, source, directory);
   const std::size_t listed = scene.grains.diameter.values.size();
   if (listed > 0 && count && listed != static_cast<std::size_t>(*count))
@@ -152,9 +152,11 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
   if (boxed) {
     read_boxed_gas(t, scene);
   } else {
+    // Without a pressure, a saved packing keeps the stresses that it bears.
     scene.assembly.pressure =
         t.number("pressure",
-                 {positive, "a positive number (first pressure of the packing, compression positive)"})
+                 {positive, "a positive number (first pressure of the packing, compression positive)"},
+                 scene.starts_from_state() ? Need::optional : Need::required)
             .value_or(0);
     for (const char* key : {"kinetic_pressure", "solid_fraction"})
       t.refuse(key, fmt::format("assembly.{} is not allowed here: it describes the gas between walls, but the "
@@ -303,19 +305,27 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
     assembly.fault("inertial_number_cap", fmt::format(kNothingMoves, "assembly.inertial_number_cap"));
 }
 
-/// Writes the diameters of the grains into the TOML tables of a scene, in place of the name of the file that gives
-/// them. The text of the scene is then complete.
+/// Writes the content of the file of diameters or sieves into the TOML tables of a scene, in place of the name of the
+/// file. The text of the scene is then complete.
 /// @param root  root table of the scene
-/// @param values  diameters that have been read from the file
 /// @return whether the scene names such a file
-bool inline_list(toml::table& root, const std::vector<double>& values) {
-  if (values.empty()) return false;
-  toml::table& diameter = *root["grains"]["diameter"].as_table();
-  if (!diameter.contains("file")) return false;
-  toml::array array;
-  for (const double v : values) array.push_back(v);
-  diameter.erase("file");
-  diameter.insert("values", array);
+bool inline_diameters(toml::table& root, const DiameterDistribution& d) {
+  toml::table* diameter = root["grains"]["diameter"].as_table();
+  if (!diameter || !diameter->contains("file")) return false;
+  const auto insert = [&](const char* key, const std::vector<double>& values) {
+    toml::array array;
+    for (const double v : values) array.push_back(v);
+    diameter->insert(key, array);
+  };
+  if (d.kind == DiameterDistribution::Kind::sieve) {
+    insert("sizes", d.curve.sizes);
+    insert("passing", d.curve.passing);
+    // The curve has been multiplied by the scale already, and cut off at its ends.
+    for (const char* key : {"scale", "min", "max"}) diameter->erase(key);
+  } else {
+    insert("values", d.values);
+  }
+  diameter->erase("file");
   return true;
 }
 
@@ -373,7 +383,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   check_shapes(root, source, scene);
   root.refuse_other_keys();
   source.throw_faults();
-  const bool has_list = inline_list(source.root(), scene.grains.diameter.values);
+  const bool has_list = inline_diameters(source.root(), scene.grains.diameter);
   const bool has_state = name_state(source.root(), scene);
   const bool has_shape_file = name_shape_file(source.root(), scene);
   scene.text = has_list || has_state || has_shape_file || has_chosen || !overrides.empty()

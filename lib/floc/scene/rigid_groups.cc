@@ -61,7 +61,7 @@ void add_shape_groups(const Scene& scene, std::vector<DerivedGroup>& groups) {
 }
 
 double time_unit_of_rigid_grains(const Scene& scene) {
-  const double a = scene.grains.diameter.max;
+  const double a = scene.grains.largest();
   const double m = !scene.grains.shape    ? mass_of(scene, a)
                    : scene.dimension == 2 ? largest_mass_of<2>(scene)
                                           : largest_mass_of<3>(scene);

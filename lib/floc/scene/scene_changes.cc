@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <string_view>
 
+#include "floc/base/parse_number.h"
 #include "floc/scene/scene_source.h"
 
 namespace floc {
@@ -44,6 +47,18 @@ std::string value_or_absent(const Values& values, const std::string& key) {
   return found == values.end() ? "absent" : "= " + found->second;
 }
 
+/// Returns the number of the stage of the load path that a key belongs to, as 3 for "load.3.to"; -1 for other keys.
+int stage_of(const std::string& key) {
+  constexpr std::string_view kLoad = "load.";
+  if (!key.starts_with(kLoad)) return -1;
+  return parse_number<int>(key.substr(kLoad.size(), key.find('.', kLoad.size()) - kLoad.size())).value_or(-1);
+}
+
+bool is_end_of_stage(const std::string& key) {
+  const std::string name = key.substr(key.rfind('.') + 1);
+  return name == "to" || name == "strain" || name == "stress" || name == "steps";
+}
+
 }  // namespace
 
 std::vector<std::string> scene_changes(const std::string& first, const std::string& here,
@@ -57,6 +72,24 @@ std::vector<std::string> scene_changes(const std::string& first, const std::stri
     if (in_a != in_b) changes.push_back(fmt::format("{} {} {}, {} {}", key, in_a, here, in_b, there));
   }
   return changes;
+}
+
+bool continues_path(const std::string& longer, const std::string& begun) {
+  const Values now = values_of(longer, ""), before = values_of(begun, "");
+  int last = -1;
+  for (const auto& [key, value] : before) last = std::max(last, stage_of(key));
+  bool differ = false;
+  Values keys = now;
+  keys.insert(before.begin(), before.end());
+  for (const auto& [key, value] : keys) {
+    if (value_or_absent(now, key) == value_or_absent(before, key)) continue;
+    differ = true;
+    const int stage = stage_of(key);
+    const bool is_longer =
+        stage == last && stage >= 0 && is_end_of_stage(key) && now.contains(key) && before.contains(key);
+    if (stage <= last && !is_longer) return false;
+  }
+  return differ;
 }
 
 }  // namespace floc

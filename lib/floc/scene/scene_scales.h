@@ -16,7 +16,7 @@ inline double mass_of(const Scene& scene, double diameter) {
 
 /// Returns the pull-off force F0 between two grains of the largest diameter of a scene (force); 0 without adhesion.
 inline double pull_off_force(const Scene& scene) {
-  return scene.law.pull_off_force(0.5 * scene.grains.diameter.max);
+  return scene.law.pull_off_force(0.5 * scene.grains.largest());
 }
 
 }  // namespace floc

@@ -125,7 +125,7 @@ void SceneSource::fault(const std::string& key, const toml::node* node, const st
 }
 
 void SceneSource::fault_at(const std::string& place, const std::string& problem) {
-  faults_.push_back({0, "", place + ": " + problem});
+  faults_.push_back({0, "", place.empty() ? problem : place + ": " + problem});
 }
 
 bool SceneSource::is_faulty(const std::string& key) const {

@@ -34,7 +34,7 @@ class SceneSource {
   /// @param problem  message without the place, which is added
   void fault(const std::string& key, const toml::node* node, const std::string& problem);
   /// Records a fault in another file than the scene file, for example in a file of diameters that the scene names.
-  /// @param place  name of the other file, with the number of the line
+  /// @param place  name of the other file, with the number of the line; empty if `problem` contains it
   void fault_at(const std::string& place, const std::string& problem);
 
   /// Whether a fault has been recorded for a key. Faults of keys in its table, if it has one, do not count.

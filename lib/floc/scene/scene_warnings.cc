@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "floc/assembly/size_classes.h"
 #include "floc/contact/law_parameters.h"
 #include "floc/loading/run_plan.h"
 #include "floc/packing/liquid/liquid.h"
@@ -65,7 +66,7 @@ double largest_stress(const LoadStage& stage) {
 /// @param pressure  pressure P
 /// @param times_mean  number by which the mean force is multiplied
 double overlap_under(const Scene& scene, const Law& law, double pressure, double times_mean) {
-  const double a = scene.grains.diameter.max;
+  const double a = scene.grains.largest();
   const double mean = 0.25 * std::numbers::pi * pressure * std::pow(a, scene.dimension - 1);
   const double elastic = times_mean * mean + law.pull_off_force(0.5 * a);
   const PairGeometry<> pair(0.0, 0.25 * a);
@@ -85,7 +86,7 @@ double overlap_under(const Scene& scene, const Law& law, double pressure, double
 void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
   // a few percent of the contacts carry more than this multiple of the mean contact force
   constexpr double kLoaded = 3.0;
-  if (!(scene.grains.diameter.max > 0.0)) return;
+  if (!(scene.grains.largest() > 0.0)) return;
   Law law = scene.law, softest = law;
   double deepest = overlap_under(scene, law, scene.assembly.pressure, kLoaded), at = scene.assembly.pressure;
   for (const LoadStage& stage : scene.load) {
@@ -101,7 +102,7 @@ void warn_of_overlaps(const Scene& scene, Warnings& warnings) {
 }
 
 void warn_of_range(const Scene& scene, Warnings& warnings) {
-  const double radius = 0.5 * scene.grains.diameter.min;
+  const double radius = 0.5 * scene.grains.smallest();
   if (scene.law.range() > radius && radius > 0.0)
     warnings.push_back(
         fmt::format("contact.adhesion.range = {}: the range is longer than the smallest radius, {}, so that "
@@ -155,7 +156,7 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
 /// diameter, and the typical force F1 (the larger of the pull-off force and the pressure times a^(d-1), in d
 /// dimensions); 0 if F1 is zero.
 double time_unit(const Scene& scene, double pressure) {
-  const double a = scene.grains.diameter.max, m = mass_of(scene, a);
+  const double a = scene.grains.largest(), m = mass_of(scene, a);
   const double F1 = std::max(pull_off_force(scene), pressure * std::pow(a, scene.dimension - 1));
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
@@ -199,7 +200,7 @@ double packed_side(const Scene& scene) {
 
 /// Returns the mass of the smallest grain over that of the largest grain.
 double lightest(const Scene& scene) {
-  return std::pow(scene.grains.diameter.min / scene.grains.diameter.max, scene.dimension);
+  return std::pow(scene.grains.smallest() / scene.grains.largest(), scene.dimension);
 }
 
 /// Warns if the cell is so light that it makes the time step much smaller: a cell that weighs less than a few grains
@@ -281,6 +282,7 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   if (scene.starts_from_state() || scene.grains.count < 1) return;
   if (d.kind != DiameterDistribution::Kind::power_law && d.kind != DiameterDistribution::Kind::lognormal)
     return;
+  if (d.quantiles == DiameterDistribution::Quantiles::middle) return;
   double sum = 0.0;
   for (const double diameter : equally_spaced_diameters(d, scene.grains.count))
     sum += std::pow(diameter / d.max, scene.dimension);
@@ -288,8 +290,32 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
     warnings.push_back(
         fmt::format("grains.diameter: the largest of the {} grains has {:.2g} % of their total {}, more than "
                     "the distribution gives to its size, because a grain of the largest diameter is always "
-                    "included; expected more grains, or a list of diameters",
+                    "included; expected more grains, or grains.diameter.quantiles = \"middle\"",
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
+}
+
+/// Warns if quantiles at the middle of equal shares of the number of grains do not have the volumes that their
+/// distribution asks for: of rare large grains there may be none, or one that counts too much.
+void warn_of_sizes(const Scene& scene, Warnings& warnings) {
+  constexpr double kMuch = 0.02;
+  if (scene.grains.diameter.quantiles != DiameterDistribution::Quantiles::middle || scene.grains.count < 1)
+    return;
+  const SizeClass* worst = nullptr;
+  const auto error = [](const SizeClass& c) {
+    return std::abs(c.passing - c.passing_asked.value_or(c.passing));
+  };
+  const std::vector<SizeClass> classes = size_classes(scene.grains, scene.dimension);
+  for (const SizeClass& c : classes)
+    if (!worst || error(c) > error(*worst)) worst = &c;
+  if (worst && error(*worst) > kMuch)
+    warnings.push_back(
+        fmt::format("grains.diameter: of the {} grains, those with diameters up to {:.4g} have {:.3g} % of the "
+                    "total {}, but the "
+                    "distribution gives {:.3g} %, because there are too few large grains; expected more "
+                    "grains, or a larger "
+                    "smallest diameter (grains.diameter.min)",
+                    scene.grains.count, worst->to, 100.0 * worst->passing,
+                    scene.dimension == 2 ? "area" : "volume", 100.0 * *worst->passing_asked));
 }
 
 void warn_of_cost(const Scene& scene, Warnings& warnings) {
@@ -305,6 +331,7 @@ std::vector<std::string> scene_warnings(const Scene& scene) {
   warn_of_tolerances(scene, warnings);
   warn_of_overlaps(scene, warnings);
   warn_of_largest_grain(scene, warnings);
+  warn_of_sizes(scene, warnings);
   warn_of_range(scene, warnings);
   warn_of_liquid(scene, warnings);
   warn_of_slow_compression(scene, warnings);

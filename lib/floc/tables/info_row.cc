@@ -94,6 +94,13 @@ void add_shapes(const Grains<Dim>& grains, std::vector<Entry>& entries) {
   entries.push_back({"rounding", or_undefined(rounding)});
 }
 
+template <int Dim>
+void add_driven_stress(const State<Dim>& state, std::vector<Entry>& entries) {
+  const double driven = stress_on_driven_axis<Dim>(state, static_stress(state.packing).diagonal());
+  entries.push_back({"P_driven", driven});
+  entries.push_back({"P_driven_star", reduced_pressure(state.packing, driven)});
+}
+
 }  // namespace
 
 void add_info_row(const std::string& file, const AnyState& any, Table& table) {
@@ -109,6 +116,7 @@ void add_info_row(const std::string& file, const AnyState& any, Table& table) {
       {"p_wall",
        std::visit([](const auto& state) { return or_undefined(mean_wall_pressure(state.packing)); }, any)});
   std::visit([&](const auto& state) { add_shapes(state.packing.grains, entries); }, any);
+  std::visit([&](const auto& state) { add_driven_stress(state, entries); }, any);
   if (table.columns.empty())
     for (const Entry& entry : entries) table.columns.emplace_back(entry.name);
   auto& row = table.rows.emplace_back();

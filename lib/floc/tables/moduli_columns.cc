@@ -220,6 +220,8 @@ std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
   columns.emplace_back("bounds_hold", [](const ModuliRow& r) { return r.moduli.bounds_hold(); });
   columns.emplace_back("bounds_hold_B_S", [](const ModuliRow& r) { return r.moduli.bounds_hold_B_S(); });
   columns.emplace_back("seconds_row", [](const ModuliRow& r) { return r.seconds_row; });
+  columns.emplace_back("P_driven", [](const ModuliRow& r) { return r.driven_stress; });
+  columns.emplace_back("P_driven_star", [](const ModuliRow& r) { return r.reduced_driven_stress; });
   return columns;
 }
 

@@ -31,6 +31,8 @@ struct ModuliRow {
   double z;
   double pressure;  ///< mean normal stress that the contacts carry (stress)
   double reduced_pressure;
+  double driven_stress;  ///< stress that the contacts carry on the driven axis, see stress_on_driven_axis()
+  double reduced_driven_stress;
   std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Moduli moduli;

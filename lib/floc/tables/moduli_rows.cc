@@ -38,6 +38,8 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   row.solid_fraction = solid_fraction(packing);
   row.pressure = static_stress(packing).trace() / Dim;
   row.reduced_pressure = reduced_pressure(packing, row.pressure);
+  row.driven_stress = stress_on_driven_axis<Dim>(state, static_stress(packing).diagonal());
+  row.reduced_driven_stress = reduced_pressure(packing, row.driven_stress);
   row.wall_pressure = mean_wall_pressure(packing);
   return row;
 }

@@ -124,6 +124,8 @@ std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& optio
   for (const auto& [name, value] : bond_columns(options.bonds))
     columns.emplace_back(name, [value = value](const NetworkRow& r) { return value(r.bonds); });
   columns.emplace_back("p_wall", [](const NetworkRow& r) { return or_undefined(r.wall_pressure); });
+  columns.emplace_back("P_driven", [](const NetworkRow& r) { return r.driven_stress; });
+  columns.emplace_back("P_driven_star", [](const NetworkRow& r) { return r.reduced_driven_stress; });
   return columns;
 }
 

@@ -167,6 +167,8 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.n_grains = packing.grains.size();
   row.pressure = static_stress(packing).trace() / Dim;
   row.reduced_pressure = reduced_pressure(packing, row.pressure);
+  row.driven_stress = stress_on_driven_axis<Dim>(state, static_stress(packing).diagonal());
+  row.reduced_driven_stress = reduced_pressure(packing, row.driven_stress);
   row.wall_pressure = mean_wall_pressure(packing);
   row.solid_fraction = solid_fraction(packing);
   const double tolerance = options.zero_force.value_or(state.tolerance.force);

@@ -46,6 +46,8 @@ struct NetworkRow {
   int n_grains;
   double pressure;
   double reduced_pressure;
+  double driven_stress;  ///< stress that the contacts carry on the driven axis, see stress_on_driven_axis()
+  double reduced_driven_stress;
   std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Coordination coordination;

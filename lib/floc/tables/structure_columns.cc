@@ -57,6 +57,7 @@ std::vector<Column<StructureRow>> structure_columns() {
   columns.emplace_back("n_voids", of_voids([](const LocalStructure& l) { return l.n_voids; }));
   columns.emplace_back("void_radius_mean", of_voids([](const LocalStructure& l) { return l.mean_void; }));
   columns.emplace_back("void_radius_largest", of_voids([](const LocalStructure& l) { return l.largest_void; }));
+  columns.emplace_back("P_driven_star", [](const Row& r) { return r.reduced_driven_stress; });
   return columns;
 }
 

@@ -341,6 +341,8 @@ StructureRow structure_row(const std::string& file, const State<Dim>& state,
   row.dimension = Dim;
   row.n_grains = packing.grains.size();
   row.reduced_pressure = reduced_pressure(packing, static_stress(packing).trace() / Dim);
+  row.reduced_driven_stress =
+      reduced_pressure(packing, stress_on_driven_axis<Dim>(state, static_stress(packing).diagonal()));
   row.solid_fraction = solid_fraction(packing);
   if (packing.walls.empty())
     add_periodic_structure(packing, options, series, row, remarks);
@@ -365,6 +367,7 @@ StructureRow averaged(const std::vector<StructureRow>& rows, const StructureTabl
     mean.dimension = row.dimension;
     mean.n_grains += row.n_grains;
     mean.reduced_pressure += row.reduced_pressure / n;
+    mean.reduced_driven_stress += row.reduced_driven_stress / n;
     mean.solid_fraction += row.solid_fraction / n;
     mean.unbounded = mean.unbounded || row.unbounded;
     mean.seconds += row.seconds;

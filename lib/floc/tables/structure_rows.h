@@ -51,7 +51,7 @@ struct StructureRow {
   std::string file;
   int dimension = 0;
   std::int64_t n_grains = 0;
-  double reduced_pressure = 0.0, solid_fraction = 0.0;
+  double reduced_pressure = 0.0, reduced_driven_stress = 0.0, solid_fraction = 0.0;
   std::optional<double> mesh_spacing;
   Vec<2, int> mesh = Vec<2, int>::Zero();
   std::optional<ScatteringFit> fit;

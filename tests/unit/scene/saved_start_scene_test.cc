@@ -4,6 +4,7 @@
 #include "floc/base/error.h"
 #include "floc/base/sha256.h"
 #include "floc/io/state_file.h"
+#include "floc/loading/run_plan.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
@@ -167,11 +168,53 @@ TEST_F(SceneOfAState, RefusesWhatContradictsTheState) {
   }
 }
 
-TEST_F(SceneOfAState, RefusesSpheresAndSkewedCells) {
+TEST_F(SceneOfAState, WithoutAPressureKeepsItsStresses) {
+  std::string text = kSavedStartScene;
+  const std::size_t at = text.find("pressure = ");
+  text.erase(at, text.find('\n', at) - at);
+  saved_.target_stress << 0.3, 0.5;
+  saved_.path.turn.control = "oedometric";
+  saved_.path.turn.axis = 1;
+  save(saved_);
+  const Scene kept = read({}, text);
+  EXPECT_DOUBLE_EQ(kept.assembly.pressure, 0.4);
+  ASSERT_TRUE(kept.assembly.saved.kept.has_value());
+  EXPECT_EQ(kept.assembly.saved.kept->stress, (std::vector<double>{0.3, 0.5}));
+  const PlannedEquilibrium first = plan_run(kept.assembly, kept.law, {}, 2).front();
+  EXPECT_EQ(first.control, "axes");
+  EXPECT_EQ(first.axis, 1);
+  EXPECT_EQ(first.axes[0].load, (AxisLoad{AxisLoad::stress, 0.3}));
+  EXPECT_EQ(first.axes[1].load, (AxisLoad{AxisLoad::stress, 0.5}));
+  // One stress on all axes is a pressure.
+  saved_.target_stress << 0.4, 0.4;
+  save(saved_);
+  EXPECT_FALSE(read({}, text).assembly.saved.kept.has_value());
+  EXPECT_DOUBLE_EQ(read({}, text).assembly.pressure, 0.4);
+  // A pressure in the scene is what acts.
+  EXPECT_FALSE(read({}).assembly.saved.kept.has_value());
+  saved_.target_stress << 0.4, -0.5;
+  save(saved_);
+  try {
+    read({}, text);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("assembly.pressure is missing: expected a positive number (first pressure of the "
+                          "packing), because the mean stress of the state is -0.05"));
+  }
+}
+
+TEST_F(SceneOfAState, TakesSkewedCellsButNoRotatedOnes) {
   saved_.packing.cell.matrix(1, 0) = 0.1;
   save(saved_);
+  EXPECT_EQ(read({}).grains.count, 3 * 2 * 30);
+  saved_.packing.cell.matrix(0, 1) = 0.1;
+  save(saved_);
   EXPECT_THAT(faults(), AllOf(HasSubstr("s.toml:15: assembly.state: "),
-                              HasSubstr("the cell of the state (cell/matrix) is skewed")));
+                              HasSubstr("the cell of the state (cell/matrix) is rotated")));
+}
+
+TEST_F(SceneOfAState, RefusesSpheres) {
   State<3> spheres;
   spheres.packing.law = test::cohesive_law();
   spheres.packing.cell.matrix *= 3.0;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/fitting/fitted_parameter.h"
+
+namespace floc {
+
+/// Largest and smallest principal stress of a sample that fails (stress, compression positive).
+struct FailureStress {
+  double major = 0.0;
+  double minor = 0.0;
+};
+
+/// Mohr-Coulomb line through the stresses of several samples at failure, or the reason why there is none.
+struct MohrCoulombFit {
+  std::string failure_reason;  ///< reason why there is no fit; empty if there is one
+  FittedParameter angle;       ///< friction angle (degrees)
+  FittedParameter cohesion;    ///< cohesion (unit of the stresses)
+  /// Root mean square of the relative residuals of the major stress.
+  double rms = 0.0;
+  std::vector<std::string> warnings;
+
+  bool found() const { return failure_reason.empty(); }
+};
+
+/// Fits the Mohr-Coulomb criterion tau = c + sigma tan(phi) in the form of its principal stresses,
+///
+///   sigma_1 = N sigma_3 + 2 c sqrt(N),   N = (1 + sin phi)/(1 - sin phi),
+///
+/// to the stresses of at least three samples. The errors of sigma_1 count relative to its value: samples under one lateral
+/// stress differ by a share of their strength. Intervals are those of Student's distribution, that of the angle
+/// symmetric in ln N.
+/// @param suffix  end of the names of both parameters, such as "_peak"
+[[nodiscard]] MohrCoulombFit fit_mohr_coulomb(const std::vector<FailureStress>& stresses,
+                                              const std::string& suffix);
+
+/// Returns the friction angle of a cohesionless sample, asin[(major - minor)/(major + minor)] (degrees), that of the
+/// line through the origin.
+double secant_angle(const FailureStress& stress);
+
+/// Returns the angle whose sine is `sine` (degrees), with the interval of the sine.
+FittedParameter angle_of_sine(const FittedParameter& sine);
+
+}  // namespace floc

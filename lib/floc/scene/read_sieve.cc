@@ -1,0 +1,239 @@
+#include "floc/scene/read_sieve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <numeric>
+#include <optional>
+#include <string_view>
+
+#include "floc/base/error.h"
+#include "floc/io/csv.h"
+#include "floc/io/table_units.h"
+
+namespace floc {
+namespace {
+
+using Need = TableReader::Need;
+
+/// Rows of a sieve analysis as they are given, and their place in messages.
+struct Sieves {
+  std::string place;
+  std::vector<double> sizes;    ///< sizes of the openings (unit of the scene)
+  std::vector<double> passing;  ///< percentage of the mass that passes each
+  std::vector<int> lines;       ///< line of each row in the file; empty for arrays in the scene
+
+  std::string place_of(std::size_t row) const {
+    return lines.empty() ? place : fmt::format("{}:{}", place, lines[row]);
+  }
+};
+
+constexpr auto kSizeNames =
+    std::to_array<std::string_view>({"size", "sieve", "sieve_size", "diameter", "d", "opening", "aperture"});
+constexpr auto kPassingNames = std::to_array<std::string_view>(
+    {"passing", "percent_passing", "finer", "percent_finer", "undersize", "q3"});
+
+/// Returns the name of a column in lower case, with underscores in place of spaces.
+std::string plain_name(std::string name) {
+  for (char& c : name) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
+/// Returns the index of the column with one of the given names.
+/// @throws InputError listing the columns of the table if there is none
+template <std::size_t N>
+int column_of(const CsvTable& table, const std::array<std::string_view, N>& names, const char* content) {
+  for (int c = 0; const std::string& header : table.columns()) {
+    if (std::find(names.begin(), names.end(), plain_name(name_and_unit(header).first)) != names.end()) return c;
+    ++c;
+  }
+  throw InputError(table.place(),
+                   fmt::format("there is no column with {}: expected one with the name {}, but the "
+                               "columns are {}",
+                               content, fmt::join(names, ", "), fmt::join(table.columns(), ", ")));
+}
+
+/// Returns the factor from the unit of a column of sizes to the unit of length of the scene.
+/// @param scaled  whether the key `scale` is given
+double length_factor(const CsvTable& table, int column, const std::string& units, bool scaled) {
+  const auto [name, unit] = name_and_unit(table.columns()[static_cast<std::size_t>(column)]);
+  const std::string place = fmt::format("{}, column {}", table.place(), name);
+  if (units == "SI") return unit_factor(place, unit, "the scene", "m");
+  if (!unit.empty() && !scaled)
+    throw InputError(place,
+                     fmt::format("the sizes are in {}, but the scene is in reduced units: expected the key "
+                                 "grains.diameter.scale, the number by which sizes are multiplied, for "
+                                 "example the reciprocal of the largest size",
+                                 unit));
+  return 1.0;
+}
+
+/// Returns the factor from the numbers of a column of passing masses to percent.
+double percent_factor(const CsvTable& table, int column) {
+  const auto [name, unit] = name_and_unit(table.columns()[static_cast<std::size_t>(column)]);
+  const std::string& header = table.columns()[static_cast<std::size_t>(column)];
+  if (unit == "%" || unit == "percent" || plain_name(header).find("percent") != std::string::npos) return 1.0;
+  if (!unit.empty())
+    throw InputError(table.place(), fmt::format("the column {} is in {}: expected percent of the mass, [%], or "
+                                                "fractions of it, [-]",
+                                                name, unit));
+  // Brackets that say "no unit" mean fractions; a name without brackets means percent.
+  return header == name ? 1.0 : 100.0;
+}
+
+Sieves read_sieve_file(const std::string& path, const std::string& units, bool scaled) {
+  const CsvTable table = CsvTable::read(path);
+  const int size = column_of(table, kSizeNames, "the sizes of the sieves");
+  const int passing = column_of(table, kPassingNames, "the percentage of the mass that passes");
+  const double length = length_factor(table, size, units, scaled), percent = percent_factor(table, passing);
+  Sieves sieves{path, {}, {}, {}};
+  for (int row = 0; row < table.n_rows(); ++row) {
+    sieves.sizes.push_back(length * table.number(row, size));
+    sieves.passing.push_back(percent * table.number(row, passing));
+    sieves.lines.push_back(table.line(row));
+  }
+  return sieves;
+}
+
+std::optional<Sieves> read_rows(TableReader& t, SceneSource& source, const std::string& directory,
+                                const std::string& units, bool scaled) {
+  if (!t.has("sizes") && !t.has("passing")) {
+    const auto file = t.text("file",
+                             "the name of a table of sieve sizes and the percentage of the mass that passes "
+                             "each, or the arrays sizes and passing");
+    if (!file) return std::nullopt;
+    const std::string path = (std::filesystem::path(directory) / *file).string();
+    try {
+      return read_sieve_file(path, units, scaled);
+    } catch (const InputError& error) {
+      source.fault_at("", error.what());
+      return std::nullopt;
+    }
+  }
+  Sieves sieves;
+  sieves.place = t.path();
+  for (const auto& [key, values] : {std::pair{"sizes", &sieves.sizes}, {"passing", &sieves.passing}}) {
+    if (!t.has(key)) t.fault(key, fmt::format("{} is missing: expected an array of numbers", t.path_of(key)));
+    *values = t.numbers(key, {[](double) { return true; }, "an array of numbers"});
+  }
+  if (sieves.sizes.empty() || sieves.passing.empty()) return std::nullopt;
+  if (sieves.sizes.size() != sieves.passing.size()) {
+    t.fault("passing", fmt::format("{} has {} numbers, but {} has {}: expected as many", t.path_of("passing"),
+                                   sieves.passing.size(), t.path_of("sizes"), sieves.sizes.size()));
+    return std::nullopt;
+  }
+  return sieves;
+}
+
+/// Sorts the rows by size: tables of sieves begin with the finest or with the coarsest.
+void sort_by_size(Sieves& sieves) {
+  std::vector<std::size_t> order(sieves.sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return sieves.sizes[i] < sieves.sizes[j]; });
+  Sieves sorted{sieves.place, {}, {}, {}};
+  for (const std::size_t row : order) {
+    sorted.sizes.push_back(sieves.sizes[row]);
+    sorted.passing.push_back(sieves.passing[row]);
+    if (!sieves.lines.empty()) sorted.lines.push_back(sieves.lines[row]);
+  }
+  sieves = std::move(sorted);
+}
+
+/// Returns the place and the words of the first fault of rows sorted by size; std::nullopt if they are a grading curve.
+std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
+  const auto at = [&](std::size_t row, std::string words) {
+    return std::pair{s.place_of(row), std::move(words)};
+  };
+  for (std::size_t k = 0; k < s.sizes.size(); ++k) {
+    if (!(s.sizes[k] > 0.0))
+      return at(k,
+                fmt::format("the size of a sieve is {:g}: expected a positive size. Between sizes the curve is "
+                            "linear in the logarithm of the size, so a pan has to be given as the size that "
+                            "no grain is finer than, with 0 % passing",
+                            s.sizes[k]));
+    if (!(s.passing[k] >= 0.0 && s.passing[k] <= 100.0))
+      return at(
+          k, fmt::format("{:g} % of the mass pass the sieve of size {:g}: expected a percentage from 0 to 100",
+                         s.passing[k], s.sizes[k]));
+    if (k == 0) continue;
+    if (s.sizes[k] == s.sizes[k - 1])
+      return at(k, fmt::format("two rows have the size {:g}: expected one row for each sieve", s.sizes[k]));
+    if (s.passing[k] < s.passing[k - 1])
+      return at(
+          k, fmt::format("{:g} % of the mass pass the sieve of size {:g}, but {:g} % pass the finer sieve of "
+                         "size {:g}: expected the percentage of the whole mass that is finer than each sieve, "
+                         "which does not decrease with the size (not what each sieve retains)",
+                         s.passing[k], s.sizes[k], s.passing[k - 1], s.sizes[k - 1]));
+  }
+  if (s.sizes.size() < 2)
+    return std::pair{s.place, std::string("there is one sieve: expected at least two rows")};
+  return std::nullopt;
+}
+
+/// Records a fault for each end of the curve that does not reach 0 or 100 % and is not cut off by a key.
+/// @return whether there is such an end
+bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& source) {
+  const std::size_t last = s.sizes.size() - 1;
+  if (s.passing.front() > 0.0 && !has_min)
+    source.fault_at(
+        s.place_of(0),
+        fmt::format("{:g} % of the mass are finer than the finest sieve, {:g}: expected a row for the "
+                    "size that no grain is finer than, with 0 % passing, or the key grains.diameter.min, "
+                    "below which grains are left out",
+                    s.passing.front(), s.sizes.front()));
+  if (s.passing.back() < 100.0 && !has_max)
+    source.fault_at(
+        s.place_of(last),
+        fmt::format("only {:g} % of the mass pass the coarsest sieve, {:g}: expected a row for the size "
+                    "that all grains pass, with 100 % (fractions need the header [-]), or the key "
+                    "grains.diameter.max, above which grains are left out",
+                    s.passing.back(), s.sizes.back()));
+  return (s.passing.front() > 0.0 && !has_min) || (s.passing.back() < 100.0 && !has_max);
+}
+
+/// Returns the last size with 0 % or the first with 100 %: the ends of the range of sizes that have mass.
+std::pair<double, double> ends_of(const Sieves& s) {
+  double low = s.sizes.front(), high = s.sizes.back();
+  for (std::size_t k = 0; k < s.sizes.size(); ++k)
+    if (s.passing[k] <= s.passing.front()) low = s.sizes[k];
+  for (std::size_t k = s.sizes.size(); k-- > 0;)
+    if (s.passing[k] >= s.passing.back()) high = s.sizes[k];
+  return {low, high};
+}
+
+}  // namespace
+
+void read_sieve(TableReader& t, SceneSource& source, const std::string& directory, const std::string& units,
+                DiameterDistribution& d) {
+  constexpr NumberRule kLength{positive, "a positive number (length)"};
+  const auto scale = t.number(
+      "scale", {positive, "a positive number, by which the sizes of sieves are multiplied"}, Need::optional);
+  const auto min = t.number("min", kLength, Need::optional), max = t.number("max", kLength, Need::optional);
+  std::optional<Sieves> sieves = read_rows(t, source, directory, units, scale.has_value());
+  if (!sieves) return;
+  for (double& size : sieves->sizes) size *= scale.value_or(1.0);
+  sort_by_size(*sieves);
+  if (const auto fault = fault_of(*sieves)) return source.fault_at(fault->first, fault->second);
+  if (has_open_end(*sieves, min.has_value(), max.has_value(), source)) return;
+  d.curve = {sieves->sizes, sieves->passing};
+  const auto [low, high] = ends_of(*sieves);
+  for (const auto& [key, cut] : {std::pair{"min", min}, {"max", max}})
+    if (cut && !(*cut >= low && *cut <= high)) {
+      t.fault(key, fmt::format("{} = {:g}: expected a size within the curve, from {:g} to {:g}", t.path_of(key),
+                               *cut, low, high));
+      return;
+    }
+  d.min = min.value_or(low);
+  d.max = max.value_or(high);
+  if (!(d.min < d.max) || passing_at(d.curve, d.min) >= passing_at(d.curve, d.max))
+    return t.fault("min", fmt::format("no grains are between the sizes {:g} and {:g}: expected a wider range",
+                                      d.min, d.max));
+  // A complete curve stays as it is, bit by bit, so that a scene with the content of the file gives the same grains.
+  if (min || max) d.curve = cut_curve(d.curve, d.min, d.max);
+}
+
+}  // namespace floc

@@ -1,0 +1,175 @@
+#include "floc/tables/strength_fits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "floc/fitting/correlated_mean.h"
+#include "floc/fitting/mohr_coulomb.h"
+#include "floc/fitting/oedometer_test.h"
+
+namespace floc {
+namespace {
+
+/// Stresses of all tests of one kind at failure, and their parameters, for the fits of all together.
+struct Pool {
+  int n_tests = 0;
+  std::vector<FailureStress> peak, critical;
+  std::vector<double> lateral;                        ///< lateral stress at the beginning of each test
+  std::map<std::string, std::vector<double>> values;  ///< values of each parameter
+  std::vector<std::string> names;                     ///< names of the parameters, in order
+
+  void add(const std::vector<FittedParameter>& parameters) {
+    for (const FittedParameter& p : parameters) {
+      if (!p.value) continue;
+      if (!values.contains(p.name)) names.push_back(p.name);
+      values[p.name].push_back(*p.value);
+    }
+  }
+};
+
+/// Converts the stresses of a test to the unit of the first one.
+void convert_stresses(const StrengthTest& to, StrengthTest& test) {
+  const double factor = unit_factor(test.sample, test.unit, to.sample, to.unit);
+  test.unit = to.unit;
+  for (ShearPoint& p : test.points) {
+    p.axial_stress *= factor;
+    p.lateral_stress *= factor;
+  }
+}
+
+/// Adds the states of a table in which each row is a sample at failure.
+void add_failures(const StrengthTest& test, Pool& pool) {
+  for (const ShearPoint& p : test.points) {
+    ++pool.n_tests;
+    pool.peak.push_back(p.failure());
+    pool.lateral.push_back(p.failure().minor);
+    pool.add({held_at("secant_angle_peak", secant_angle(p.failure()))});
+  }
+}
+
+StrengthFit evaluate_shear(const StrengthTest& test, const StrengthOptions& options, Pool& pool) {
+  StrengthFit fit;
+  const ShearTest result =
+      evaluate_shear_test(test.points, {options.critical_from, test.kind == TestKind::undrained});
+  fit.failure_reason = result.failure_reason;
+  fit.parameters = result.parameters;
+  fit.warnings = result.warnings;
+  if (!result.found()) return fit;
+  ++pool.n_tests;
+  pool.peak.push_back(result.peak_stress);
+  if (result.critical_stress) pool.critical.push_back(*result.critical_stress);
+  pool.lateral.push_back(test.points.front().lateral_stress);
+  pool.add(result.parameters);
+  return fit;
+}
+
+StrengthFit evaluate_oedometer(const StrengthTest& test, const StrengthOptions& options, Pool& pool) {
+  StrengthFit fit;
+  const OedometerTest result = evaluate_oedometer_test(test.points, options.modulus_range);
+  fit.failure_reason = result.failure_reason;
+  fit.parameters = result.parameters;
+  if (!result.found()) return fit;
+  ++pool.n_tests;
+  pool.add(result.parameters);
+  return fit;
+}
+
+/// Whether all tests began under one lateral stress, to 5 %.
+bool have_one_lateral_stress(const std::vector<double>& lateral) {
+  constexpr double kSame = 0.05;
+  const auto [least, most] = std::ranges::minmax(lateral);
+  return most - least <= kSame * std::abs(most);
+}
+
+void add_line(const std::vector<FailureStress>& stresses, const std::string& suffix, StrengthFit& fit) {
+  if (stresses.empty()) return;
+  const MohrCoulombFit line = fit_mohr_coulomb(stresses, suffix);
+  if (!line.found()) {
+    fit.warnings.push_back(fmt::format("no Mohr-Coulomb line was fitted to the states of the {}: {}",
+                                       suffix == "_peak" ? "peak" : "critical state", line.failure_reason));
+    return;
+  }
+  fit.parameters.insert(fit.parameters.end(), {line.angle, line.cohesion});
+  fit.warnings.insert(fit.warnings.end(), line.warnings.begin(), line.warnings.end());
+}
+
+StrengthFit pooled(TestKind kind, const Pool& pool) {
+  StrengthFit fit;
+  fit.sample = "pooled";
+  fit.kind = kind;
+  fit.n = pool.n_tests;
+  if (pool.lateral.empty() || have_one_lateral_stress(pool.lateral)) {
+    for (const std::string& name : pool.names)
+      fit.parameters.push_back(mean_of_samples(name, pool.values.at(name)));
+    return fit;
+  }
+  add_line(pool.peak, "_peak", fit);
+  add_line(pool.critical, "_critical", fit);
+  return fit;
+}
+
+TableValue unit_of(const std::string& parameter, const std::string& stress_unit) {
+  if (parameter.find("angle") != std::string::npos) return std::string("degree");
+  const bool is_stress = parameter.starts_with("cohesion") || parameter.starts_with("undrained_strength") ||
+                         parameter == "constrained_modulus";
+  return is_stress ? or_undefined(stress_unit) : TableValue{};
+}
+
+}  // namespace
+
+std::vector<StrengthFit> strength_fits(std::vector<StrengthTest> tests, const StrengthOptions& options) {
+  std::vector<StrengthFit> fits;
+  std::map<TestKind, Pool> pools;
+  for (StrengthTest& test : tests) {
+    convert_stresses(tests.front(), test);
+    Pool& pool = pools[test.kind];
+    if (test.kind == TestKind::failure) {
+      add_failures(test, pool);
+      continue;
+    }
+    StrengthFit fit = test.kind == TestKind::oedometer ? evaluate_oedometer(test, options, pool)
+                                                       : evaluate_shear(test, options, pool);
+    fit.sample = test.sample;
+    fit.rows = ranges(test.rows);
+    fit.kind = test.kind;
+    fit.n = static_cast<int>(test.points.size());
+    fits.push_back(std::move(fit));
+  }
+  for (const auto& [kind, pool] : pools)
+    if (pool.n_tests > 1) fits.push_back(pooled(kind, pool));
+  for (StrengthFit& fit : fits) fit.unit = tests.front().unit;
+  return fits;
+}
+
+Table strength_table(const std::vector<StrengthFit>& fits) {
+  Table table{
+      {"sample", "rows", "test", "parameter", "value", "stderr", "low95", "high95", "identified", "unit", "n"},
+      {}};
+  for (const StrengthFit& fit : fits)
+    for (const FittedParameter& p : fit.parameters) {
+      std::vector<TableValue> row = {fit.sample, or_undefined(fit.rows), std::string(name_of(fit.kind)),
+                                     p.name};
+      for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
+      row.push_back(unit_of(p.name, fit.unit));
+      row.emplace_back(std::int64_t{fit.n});
+      table.rows.push_back(std::move(row));
+    }
+  return table;
+}
+
+Json as_json(const StrengthFit& fit) {
+  Json object;
+  object["sample"] = fit.sample;
+  object["rows"] = fit.rows.empty() ? Json(nullptr) : Json(fit.rows);
+  object["test"] = name_of(fit.kind);
+  object["refusal"] = fit.failure_reason.empty() ? Json(nullptr) : Json(fit.failure_reason);
+  object["n"] = fit.n;
+  object["stress_unit"] = fit.unit.empty() ? Json(nullptr) : Json(fit.unit);
+  object["parameters"] = parameters_as_json(fit.parameters);
+  object["warnings"] = fit.warnings;
+  return object;
+}
+
+}  // namespace floc

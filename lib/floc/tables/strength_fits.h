@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "floc/fitting/fitted_parameter.h"
+#include "floc/tables/fit_parameters.h"
+#include "floc/tables/strength_tests.h"
+
+namespace floc {
+
+struct StrengthOptions {
+  std::optional<double> critical_from;  ///< see ShearTestOptions::critical_from
+  /// axial stresses between which the constrained modulus is taken, see evaluate_oedometer_test()
+  std::optional<std::pair<double, double>> modulus_range;
+};
+
+/// What follows from one test, or from all tests of one kind together.
+struct StrengthFit {
+  std::string sample;  ///< name of the table; "pooled" for all tests of a kind
+  std::string rows;    ///< rows of the table, as text; empty for all tests of a kind
+  TestKind kind = TestKind::drained;
+  std::string unit;  ///< unit of stresses; empty if the tables have none
+  int n = 0;         ///< number of states of the test, or number of tests
+  std::vector<FittedParameter> parameters;
+  std::string failure_reason;  ///< reason why there are no parameters; empty if there are
+  std::vector<std::string> warnings;
+};
+
+/// Evaluates every test by itself, then all tests of each kind together: the Mohr-Coulomb lines of peak and critical
+/// state through tests under different lateral stresses, and means over tests under one lateral stress. K0 and
+/// constrained modulus of oedometers are means over the samples.
+/// @throws InputError if the stresses of two tables are in units that cannot be converted
+std::vector<StrengthFit> strength_fits(std::vector<StrengthTest> tests, const StrengthOptions& options);
+
+/// Returns the table of `floc fit strength`, with a row for each parameter.
+Table strength_table(const std::vector<StrengthFit>& fits);
+
+/// Returns a fit as the json object that `floc fit strength --format json` prints.
+Json as_json(const StrengthFit& fit);
+
+}  // namespace floc

@@ -1,0 +1,136 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "floc/io/csv.h"
+#include "support/places.h"
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+double degrees_of_sine(double sine) {
+  return std::asin(sine) * 180.0 / std::numbers::pi;
+}
+
+/// Value of a parameter of the first test of a kind in the csv table that `fit strength` prints.
+double value_of(const std::string& printed, const std::string& sample, const std::string& kind,
+                const std::string& parameter) {
+  std::istringstream in(printed);
+  const CsvTable table = CsvTable::parse("printed", in);
+  for (int row = 0; row < table.n_rows(); ++row)
+    if (table.text(row, table.column("sample")).starts_with(sample) &&
+        table.text(row, table.column("test")) == kind &&
+        table.text(row, table.column("parameter")) == parameter)
+      return table.number(row, table.column("value"));
+  ADD_FAILURE() << "no " << parameter << " of " << sample << ", " << kind << " in\n" << printed;
+  return std::nan("");
+}
+
+/// Table of a drained test under a lateral stress (kPa): a line to the peak, then a plateau, on which the volume grows.
+std::string drained_table(double lateral, double peak, const std::string& unit, double scale, double percent) {
+  std::string text = fmt::format("eps [{}],s1 [{}],s3 [{}],eps_v\n", percent == 1 ? "-" : "%", unit, unit);
+  for (int k = 0; k <= 40; ++k)
+    text += fmt::format("{},{},{},{}\n", percent * 0.005 * k,
+                        scale * (lateral + (peak - lateral) * std::min(1.0, k / 10.0)), scale * lateral,
+                        -0.0002 * std::min(k, 20));
+  return text;
+}
+
+TEST(FitStrength, OfTestsInDifferentUnitsIsOneMohrCoulombLine) {
+  const ScratchDirectory dir;
+  // sin(30 degrees) = 1/2: N = 3, and a cohesion of 10 kPa adds 20 sqrt(3).
+  const auto peak = [](double lateral) { return 3 * lateral + 20 * std::sqrt(3.0); };
+  write_text(dir.file("a.csv"), drained_table(50, peak(50), "kPa", 1, 1));
+  write_text(dir.file("b.csv"), drained_table(100, peak(100), "MPa", 1e-3, 100));
+  write_text(dir.file("c.csv"), drained_table(400, peak(400), "Pa", 1e3, 1));
+  const Outcome o = run_floc(
+      "fit strength a.csv b.csv c.csv "
+      "--columns sigma1=s1,sigma3=s3,strain=eps,volumetric_strain=eps_v --format csv",
+      dir.path());
+  ASSERT_EQ(o.code, 0) << o.err;
+  for (const char* state : {"peak", "critical"}) {
+    EXPECT_NEAR(value_of(o.out, "pooled", "drained", std::string("friction_angle_") + state), 30, 1e-6);
+    EXPECT_NEAR(value_of(o.out, "pooled", "drained", std::string("cohesion_") + state), 10, 1e-5);
+  }
+  EXPECT_NEAR(value_of(o.out, "b.csv", "drained", "strain_peak"), 0.05, 1e-12);
+  EXPECT_NEAR(value_of(o.out, "b.csv", "drained", "secant_angle_peak"),
+              degrees_of_sine((peak(100) - 100) / (peak(100) + 100)), 1e-9);
+  EXPECT_THAT(o.out, HasSubstr(",kPa,3\n"));
+}
+
+TEST(FitStrength, OfSamplesAtFailureIsTheLineThroughTheRows) {
+  const Outcome o = run_floc("fit strength - --format json", ScratchDirectory().path(),
+                             "sigma1,sigma3\n200,50\n350,100\n650,200\n");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json parameters = json::parse(o.out).at(0).at("parameters");
+  // N = 3 and 2 c sqrt(3) = 50.
+  EXPECT_NEAR(parameters.at("friction_angle_peak").at("value").get<double>(), 30, 1e-9);
+  EXPECT_NEAR(parameters.at("cohesion_peak").at("value").get<double>(), 25 / std::sqrt(3.0), 1e-9);
+}
+
+TEST(FitStrength, OfRunsAgreesWithTheColumnsOfTheirPaths) {
+  const ScratchDirectory dir;
+  const std::string scenes = source_directory() + "/data/scenes/";
+  const std::string small = " --set grains.count=60 --set load.0.strain_step=0.01 --set load.0.strain=0.1";
+  ASSERT_EQ(run_floc("run " + scenes + "biaxial_dense.toml -o drained" + small, dir.path()).code, 0);
+  ASSERT_EQ(run_floc("run " + scenes + "constant_volume.toml -o undrained" + small, dir.path()).code, 0);
+  const Outcome o = run_floc("fit strength drained undrained --critical-from 0.05 --format csv", dir.path());
+  EXPECT_EQ(o.code, 0) << o.err;
+  for (const std::string kind : {"drained", "undrained"}) {
+    const CsvTable path = CsvTable::read(dir.file(kind + "/path.csv"));
+    double largest = 0, q = 0;
+    for (int row = 1; row < path.n_rows(); ++row) {
+      largest = std::max(largest, path.number(row, path.column("mobilised_friction")));
+      q = std::max(q, path.number(row, path.column("q")));
+    }
+    EXPECT_NEAR(value_of(o.out, kind, kind, "secant_angle_peak"), degrees_of_sine(largest), 1e-9);
+    if (kind == "undrained") {
+      EXPECT_NEAR(value_of(o.out, kind, kind, "undrained_strength_peak"), 0.5 * q, 1e-12);
+    }
+  }
+}
+
+TEST(FitStrength, OfAnOedometerIsItsK0AndModulus) {
+  std::string table = "sigma1 [kPa],sigma3 [kPa],strain [%]\n";
+  for (int k = 0; k <= 20; ++k) {
+    const double stress = 10 * std::pow(10, 0.1 * k);
+    table += fmt::format("{},{},{}\n", stress, 0.45 * stress, 100 * (stress - 10) / 8000);
+  }
+  const Outcome o = run_floc("fit strength - --kind oedometer --modulus 100,1000 --format csv",
+                             ScratchDirectory().path(), table);
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_NEAR(value_of(o.out, "stdin", "oedometer", "K0"), 0.45, 1e-9);
+  EXPECT_NEAR(value_of(o.out, "stdin", "oedometer", "constrained_modulus"), 8000, 1e-3);
+}
+
+TEST(FitStrength, OfWhatIsNoTestIsRefusedInWords) {
+  const auto fit = [](const std::string& table, const std::string& options = "") {
+    return run_floc("fit strength - " + options, ScratchDirectory().path(), table);
+  };
+  EXPECT_EQ(fit("P,phi\n1,0.5\n").code, 4);
+  EXPECT_THAT(fit("P,phi\n1,0.5\n").err, HasSubstr("sigma1"));
+  EXPECT_THAT(fit("sigma1 [kPa],sigma3 [m]\n1,0.5\n").err,
+              HasSubstr("expected two known units of one quantity"));
+  EXPECT_THAT(fit("sigma1,sigma3,strain [mm],volumetric_strain\n1,0.5,1,1\n").err,
+              HasSubstr("expected strains without unit or in percent"));
+  EXPECT_THAT(fit("sigma1,sigma3\n2,1\n", "--modulus 3,2").err,
+              HasSubstr("--modulus: 3,2: expected two stresses"));
+  const Outcome two = fit("sigma1,sigma3\n3,1\n6,2\n");
+  EXPECT_THAT(two.err,
+              HasSubstr("no Mohr-Coulomb line was fitted to the states of the peak: there are 2 tests"));
+  const Outcome isotropic = run_floc("fit strength " + source_directory() + "/data/tables/demo/seed-1");
+  EXPECT_EQ(isotropic.code, 3);
+  EXPECT_THAT(isotropic.err, HasSubstr("the table has no test that strains the sample along one axis"));
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -2,8 +2,7 @@
 
 #include "support/random_rigid_scenes.h"
 
-/// Relaxations of rigid grains with a parameter at an end of its range. Those that need more steps than a test may take
-/// end with a reason.
+/// Relaxations of rigid grains with a parameter at an end of its range.
 namespace floc::test {
 namespace {
 
@@ -12,7 +11,7 @@ TEST(RigidGrains, RandomScenesEndAtRestOrWithAReason) {
 }
 
 TEST(RigidGrains, SizesFromOneToFortyNine) {
-  expect_at_rest_or_reason(relaxed(make_rigid_gas<2>({.count = 100, .least = 1.0 / 49.0, .friction = 0.5})));
+  expect_at_rest(relaxed(make_rigid_gas<2>({.count = 100, .least = 1.0 / 49.0, .friction = 0.5})));
 }
 
 TEST(RigidGrains, Needles) {
@@ -24,7 +23,7 @@ TEST(RigidGrains, Needles) {
 
 TEST(RigidGrains, Plates) {
   const ShapeOptions shape{.kind = BoxShapeOptions{{10.0, 10.0, 1.0}}};
-  expect_at_rest_or_reason(
+  expect_at_rest(
       relaxed(make_rigid_gas<3>({.count = 10, .shape = shape, .friction = 0.5}), rigid_options(), false, 6000));
 }
 

@@ -19,9 +19,8 @@ import h5py
 import numpy as np
 
 BALANCED = 1e-10  # largest error of the balance, over the mean normal force
-# Largest error of the condition above, over the mean normal force. The energy is flat at its minimum, so that rounding of
-# 1e-16 in it leaves errors of 1e-8 to 1e-7 in the directions of forces at Coulomb's limit.
-OPTIMAL = 1e-6
+# Largest error of the condition above, over the mean normal force.
+OPTIMAL = 1e-10
 AT_LIMIT = 1e-5   # share of Coulomb's limit
 
 

@@ -25,6 +25,11 @@ class InteriorPoint {
   /// @throws std::runtime_error when memory runs out
   ConeSolution<Dim> solve(const ConeProgram<Dim>& program, double tolerance = 1e-8);
 
+  /// Makes the solution of a program with positive compliances as accurate as rounding allows, by Newton's method on the
+  /// faces of the cones on which it lies. Interior points end at errors of the square root of rounding where a force
+  /// lies on the surface of its cone. The solution stays as it is if its faces are not clear.
+  void polish(const ConeProgram<Dim>& program, ConeSolution<Dim>& solution);
+
   /// Minimises the linear part c' x of the objective, by proximal points: each is the solution of a program with the
   /// compliance w and the last point as its origin, and w falls from point to point. In 2D, where the sides of the
   /// cones are planes, one of the first points is the minimum. [R1976].

@@ -66,10 +66,11 @@ BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& prefe
     program_.compliance[k][0] = 1.0 / (u.kn * mean);
     program_.linear[k] = -program_.compliance[k].cwiseProduct(preferred[k]);
   }
-  const ConeSolution<Dim> solution = method_.solve(program_);
+  ConeSolution<Dim> solution = method_.solve(program_);
   const bool nearly = solution.status == ConeStatus::kFailed && solution.residual < kNearlySolved &&
                       solution.gap < kNearlySolved;
   if (solution.status != ConeStatus::kSolved && !nearly) fail(solution);
+  method_.polish(program_, solution);
   return forces(solution.x, solution.n_factorizations);
 }
 

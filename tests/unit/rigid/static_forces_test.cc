@@ -103,8 +103,8 @@ TYPED_TEST(StaticForcesOf, CanonicalForcesComeBackFromTheirGeometry) {
   const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, under_pressure<Dim>(2.0)).canonical();
   give_forces(forces, packing);
   StaticForces<Dim> again("s.h5", packing, {});
-  EXPECT_LT(force_distance(forces, again.canonical()), 1e-8);
-  EXPECT_LT(force_distance(forces, again.closest()), 1e-8);
+  EXPECT_LT(force_distance(forces, again.canonical()), 1e-12);
+  EXPECT_LT(force_distance(forces, again.closest()), 1e-12);
 }
 
 TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
@@ -117,7 +117,7 @@ TYPED_TEST(StaticForcesOf, ClosestForcesToBalancedOnesAreThose) {
   const BalancedForces<Dim> forces = StaticForces<Dim>("s.h5", packing, options).canonical();
   give_forces(forces, packing);
   StaticForces<Dim> again("s.h5", packing, {});
-  EXPECT_LT(force_distance(forces, again.closest()), 1e-8);
+  EXPECT_LT(force_distance(forces, again.closest()), 1e-12);
   EXPECT_GT(force_distance(forces, again.canonical()), 1e-3);
 }
 

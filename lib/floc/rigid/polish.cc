@@ -1,0 +1,161 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/rigid/interior_point.h"
+#include "floc/rigid/second_order_cone.h"
+
+namespace floc {
+namespace {
+
+constexpr int kMostSteps = 8;
+/// Largest violation of the conditions that were left out of Newton's method, in the units of the program.
+constexpr double kViolation = 1e-9;
+
+/// Face of the cone on which the solution of a block lies.
+enum class Face {
+  interior,  ///< z = 0: the contact sticks
+  surface,   ///< x and z lie on opposite rays of the surface: the contact slides
+  apex,      ///< x = 0: the contact carries nothing
+};
+
+/// Returns the face by the eigenvalues of x and z: x_- with z_+ and x_+ with z_-, of each pair the smaller one vanishes.
+template <int Dim>
+Face face_of(const Vec<Dim>& x, const Vec<Dim>& z) {
+  const double tx = x.template tail<Dim - 1>().norm(), tz = z.template tail<Dim - 1>().norm();
+  if (x[0] - tx > z[0] + tz) return Face::interior;
+  if (x[0] + tx < z[0] - tz) return Face::apex;
+  return Face::surface;
+}
+
+/// Returns J v with J = diag(1, -1, ..).
+template <int Dim>
+Vec<Dim> reflected(Vec<Dim> v) {
+  v.template tail<Dim - 1>() *= -1.0;
+  return v;
+}
+
+/// Newton's method on the conditions of a solution for blocks whose faces are known:
+/// Q x + c - A' y = z, with z = 0 inside the cone and z = l J x, x' J x = 0 on its surface, and A x = b.
+template <int Dim>
+struct KnownFaces {
+  const ConeProgram<Dim>& program;
+  std::vector<Vec<Dim>> x;
+  Eigen::VectorXd y;
+  std::vector<Face> face;
+  std::vector<double> multiplier;  ///< l
+  std::vector<Mat<Dim>> flexibility;
+  std::vector<Vec<Dim>> shift;  ///< change of x at constant y
+  double error = 0.0;           ///< largest violation of the equations before the last step
+
+  KnownFaces(const ConeProgram<Dim>& of, const ConeSolution<Dim>& start)
+      : program(of), x(start.x), y(start.motion), flexibility(x.size()), shift(x.size()) {
+    const std::vector<Vec<Dim>> z = gradient();
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      face.push_back(face_of<Dim>(x[k], z[k]));
+      if (face[k] == Face::apex) x[k].setZero();
+      multiplier.push_back(face[k] == Face::surface ? std::max(0.0, z[k][0]) / x[k][0] : 0.0);
+    }
+  }
+
+  /// Returns Q x + c - A' y, which is z in a solution.
+  std::vector<Vec<Dim>> gradient() const {
+    std::vector<Vec<Dim>> out = program.relative_motion(y);
+    for (std::size_t k = 0; k < x.size(); ++k)
+      out[k] = program.compliance[k].cwiseProduct(x[k]) + program.linear[k] - out[k];
+    return out;
+  }
+
+  /// Linearises the conditions of the blocks: x changes by flexibility A' dy + shift.
+  void linearise() {
+    const std::vector<Vec<Dim>> z = gradient();
+    error = (program.balance(x) - program.load).template lpNorm<Eigen::Infinity>();
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      flexibility[k].setZero();
+      shift[k].setZero();
+      // Tangential forces without friction have no coefficients and no compliance.
+      const bool slippery = program.compliance[k].template tail<Dim - 1>().isZero(0.0);
+      if (face[k] == Face::apex) continue;
+      if (slippery) {
+        x[k].template tail<Dim - 1>().setZero();
+        flexibility[k](0, 0) = 1.0 / program.compliance[k][0];
+        shift[k][0] = -flexibility[k](0, 0) * z[k][0];
+        error = std::max(error, std::abs(z[k][0]));
+      } else if (face[k] == Face::interior) {
+        flexibility[k] = program.compliance[k].cwiseInverse().asDiagonal();
+        shift[k] = -flexibility[k] * z[k];
+        error = std::max(error, z[k].template lpNorm<Eigen::Infinity>());
+      } else {
+        linearise_surface(static_cast<int>(k), z[k]);
+      }
+    }
+  }
+
+ private:
+  void linearise_surface(int k, const Vec<Dim>& z) {
+    const Vec<Dim> normal = reflected<Dim>(x[k]);
+    const Vec<Dim> off = z - multiplier[k] * normal;
+    const double outside = 0.5 * x[k].dot(normal);
+    Eigen::Matrix<double, Dim + 1, Dim + 1> system = Eigen::Matrix<double, Dim + 1, Dim + 1>::Zero();
+    system.diagonal().template head<Dim>() =
+        program.compliance[k] - multiplier[k] * reflected<Dim>(Vec<Dim>::Ones());
+    system.template topRightCorner<Dim, 1>() = normal;
+    system.template bottomLeftCorner<1, Dim>() = normal.transpose();
+    const Eigen::Matrix<double, Dim + 1, Dim + 1> inverse = system.inverse();
+    flexibility[k] = inverse.template topLeftCorner<Dim, Dim>();
+    shift[k] = -flexibility[k] * off - inverse.template topRightCorner<Dim, 1>() * outside;
+    error = std::max({error, off.template lpNorm<Eigen::Infinity>(), std::abs(outside)});
+  }
+
+ public:
+  /// Changes y, x and the multipliers.
+  void step(const Eigen::VectorXd& dy) {
+    const std::vector<Vec<Dim>> motion = program.relative_motion(dy);
+    y += dy;
+    const std::vector<Vec<Dim>> before = x;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += flexibility[k] * motion[k] + shift[k];
+    // The multiplier that fits the new x best: z = l J x.
+    const std::vector<Vec<Dim>> z = gradient();
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (face[k] == Face::surface) multiplier[k] = z[k].dot(reflected<Dim>(x[k])) / x[k].squaredNorm();
+  }
+
+  /// Returns the largest violation of the inequalities.
+  double violation() const {
+    const std::vector<Vec<Dim>> z = gradient();
+    double most = 0.0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      most = std::max(most, face[k] == Face::apex ? -cone::margin<Dim>(z[k]) : -cone::margin<Dim>(x[k]));
+      if (face[k] == Face::surface) most = std::max(most, -multiplier[k]);
+    }
+    return most;
+  }
+};
+
+}  // namespace
+
+template <int Dim>
+void InteriorPoint<Dim>::polish(const ConeProgram<Dim>& program, ConeSolution<Dim>& solution) {
+  KnownFaces<Dim> newton(program, solution);
+  double best = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < kMostSteps; ++n) {
+    newton.linearise();
+    if (!(newton.error < 0.5 * best)) break;
+    best = newton.error;
+    if (newton.violation() < kViolation) {
+      solution.x = newton.x;
+      solution.motion = newton.y;
+    }
+    if (!factorize(program, newton.flexibility)) break;
+    ++solution.n_factorizations;
+    const Eigen::VectorXd rest = program.load - program.balance(newton.x) - program.balance(newton.shift);
+    newton.step(factor_.solve(rest, 3).col(0));
+  }
+  solution.residual = (program.balance(solution.x) - program.load).template lpNorm<Eigen::Infinity>();
+}
+
+template void InteriorPoint<2>::polish(const ConeProgram<2>&, ConeSolution<2>&);
+template void InteriorPoint<3>::polish(const ConeProgram<3>&, ConeSolution<3>&);
+
+}  // namespace floc

@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const char* const kContacts = R"([scene]
+const char* const kDiskContacts = R"([scene]
 dimension = 2
 units = "reduced"
 [contact]
@@ -21,7 +21,7 @@ normal = {law = "linear", stiffness = 1.0}
 damping = {restitution = 0.015, mass = "effective"}
 friction = {coefficient = 0.5, stiffness = 1.0}
 )";
-const char* const kGrains = R"([grains]
+const char* const kSixtyDisks = R"([grains]
 count = 60
 diameter = {distribution = "uniform", min = 0.5, max = 1.0}
 [cell]
@@ -42,7 +42,7 @@ state = "a/state-0002.h5"
 copies = [1, 1]
 )";
 
-std::string stage(const std::string& control, double strain, int steps) {
+std::string driven_stage(const std::string& control, double strain, int steps) {
   return fmt::format("[[load]]\ncontrol = \"{}\"\naxis = 2\nstrain = {}\nsteps = {}\n", control, strain, steps);
 }
 
@@ -67,9 +67,9 @@ void expect_same(const CsvTable& a, int row_a, const CsvTable& b, int row_b, con
 }
 
 TEST_F(ContinuedState, KeepsItsStressesAndGoesOnAsIfItHadNotEnded) {
-  run("a", std::string(kContacts) + kGrains + stage("triaxial", 0.008, 2));
-  run("whole", std::string(kContacts) + kGrains + stage("triaxial", 0.012, 3));
-  run("b", std::string(kContacts) + kFromState + stage("triaxial", 0.004, 1));
+  run("a", std::string(kDiskContacts) + kSixtyDisks + driven_stage("triaxial", 0.008, 2));
+  run("whole", std::string(kDiskContacts) + kSixtyDisks + driven_stage("triaxial", 0.012, 3));
+  run("b", std::string(kDiskContacts) + kFromState + driven_stage("triaxial", 0.004, 1));
   const CsvTable a = path("a"), b = path("b"), whole = path("whole");
   ASSERT_EQ(b.n_rows(), 2);
   EXPECT_EQ(b.text(0, b.column("ending")), "static");
@@ -82,9 +82,9 @@ TEST_F(ContinuedState, KeepsItsStressesAndGoesOnAsIfItHadNotEnded) {
 }
 
 TEST_F(ContinuedState, GoesOnInASkewedCell) {
-  run("a", std::string(kContacts) + kGrains + stage("simple_shear", 0.02, 2));
-  run("b", std::string(kContacts) + kFromState + stage("simple_shear", 0.01, 1));
-  run("whole", std::string(kContacts) + kGrains + stage("simple_shear", 0.03, 3));
+  run("a", std::string(kDiskContacts) + kSixtyDisks + driven_stage("simple_shear", 0.02, 2));
+  run("b", std::string(kDiskContacts) + kFromState + driven_stage("simple_shear", 0.01, 1));
+  run("whole", std::string(kDiskContacts) + kSixtyDisks + driven_stage("simple_shear", 0.03, 3));
   const auto printed = [&](const std::string& state, const std::string& column) {
     return run_floc("info " + state + " --format csv --columns " + column, scratch_.path()).out;
   };
@@ -95,7 +95,7 @@ TEST_F(ContinuedState, GoesOnInASkewedCell) {
   for (const char* column : {"P", "phi", "stress_1", "stress_2"}) expect_same(b, 1, whole, 3, column, 5e-2);
   EXPECT_EQ(run_floc("verify b", scratch_.path()).code, 0);
   // Under one pressure it relaxes in its skewed cell.
-  run("c", std::string(kContacts) + kFromState + "pressure = 1e-3\n");
+  run("c", std::string(kDiskContacts) + kFromState + "pressure = 1e-3\n");
   EXPECT_NEAR(path("c").number(0, path("c").column("stress_1")), 1e-3, 1e-7);
   EXPECT_EQ(run_floc("verify c", scratch_.path()).code, 0);
 }

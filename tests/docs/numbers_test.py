@@ -84,6 +84,7 @@ UNCHECKED_TABLES = {
     "| key | meaning |": "words",
     "| You want | Use |": "words",
     "| `control` | driven axis |": "words",
+    "| test | parameter |": "words",
     "| normal | adhesion |": "words",
     "| setting | Phi | z | beta | time |": "36 runs of a quarter of a minute and more",
     "| place | holds |": "words",

@@ -9,11 +9,11 @@
 namespace floc {
 namespace {
 
-using Points = std::vector<ShearPoint>;
+using TestPoints = std::vector<ShearPoint>;
 
 /// Returns the points whose axial stress is larger than that of all points before.
-Points first_loading_of(const Points& points) {
-  Points loading;
+TestPoints first_loading_of(const TestPoints& points) {
+  TestPoints loading;
   for (const ShearPoint& p : points)
     if (p.axial_stress > 0.0 && (loading.empty() || p.axial_stress > loading.back().axial_stress))
       loading.push_back(p);
@@ -21,7 +21,7 @@ Points first_loading_of(const Points& points) {
 }
 
 /// Returns the axial strain at an axial stress between those of the first and the last point.
-double strain_at(const Points& loading, double stress) {
+double strain_at(const TestPoints& loading, double stress) {
   std::size_t k = 1;
   while (k + 1 < loading.size() && loading[k].axial_stress < stress) ++k;
   const ShearPoint &below = loading[k - 1], &above = loading[k];
@@ -31,10 +31,10 @@ double strain_at(const Points& loading, double stress) {
 
 }  // namespace
 
-OedometerTest evaluate_oedometer_test(const Points& points,
+OedometerTest evaluate_oedometer_test(const TestPoints& points,
                                       const std::optional<std::pair<double, double>>& range) {
   OedometerTest test;
-  const Points loading = first_loading_of(points);
+  const TestPoints loading = first_loading_of(points);
   if (loading.size() < 2) {
     test.failure_reason = "its axial stress does not grow";
     return test;

@@ -13,21 +13,21 @@
 namespace floc {
 namespace {
 
-using Points = std::vector<ShearPoint>;
+using TestPoints = std::vector<ShearPoint>;
 
 double deviator(const ShearPoint& p) {
   return p.failure().major - p.failure().minor;
 }
 
 /// Returns the axial strain of a point, positive in the direction in which the test goes.
-double progress(const Points& points, std::size_t k) {
+double progress(const TestPoints& points, std::size_t k) {
   return points.back().axial_strain < 0.0 ? -points[k].axial_strain : points[k].axial_strain;
 }
 
 /// Returns the sine of the dilatancy angle at the peak, from the slope s of the volumetric strain against the length of
 /// the axial strain at the points around it. Under the potential of Mohr and Coulomb sin psi is -s/(2 - s) where the
 /// sample shortens along the axis and -s/(2 + s) where it lengthens, in two dimensions and in three.
-FittedParameter dilatancy_sine(const Points& points, std::size_t peak) {
+FittedParameter dilatancy_sine(const TestPoints& points, std::size_t peak) {
   constexpr double kNear = 0.95;
   std::size_t first = peak, last = peak;
   const double enough = kNear * points[peak].mobilised();
@@ -62,7 +62,7 @@ FittedParameter named(const char* name, FittedParameter p) {
 
 /// Adds the parameters of the last part of the test, or the reason why there are none.
 /// @param first  index of the first point of this part
-void add_critical(const Points& points, std::size_t first, bool undrained, ShearTest& test) {
+void add_critical(const TestPoints& points, std::size_t first, bool undrained, ShearTest& test) {
   std::vector<double> sines, strengths;
   FailureStress sum;
   for (std::size_t k = first; k < points.size(); ++k) {
@@ -104,7 +104,7 @@ double ShearPoint::mobilised() const {
   return f.major + f.minor > 0.0 ? (f.major - f.minor) / (f.major + f.minor) : 0.0;
 }
 
-ShearTest evaluate_shear_test(const Points& points, const ShearTestOptions& options) {
+ShearTest evaluate_shear_test(const TestPoints& points, const ShearTestOptions& options) {
   ShearTest test;
   constexpr std::size_t kLeast = 4;
   if (points.size() < kLeast || points.back().axial_strain == 0.0) {

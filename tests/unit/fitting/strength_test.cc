@@ -15,23 +15,23 @@ namespace {
 
 using testing::HasSubstr;
 
-double radians(double degrees) {
+double in_radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
 }
 
 /// Largest stress at failure under the lateral stress `minor`.
-double strength(double angle, double cohesion, double minor) {
-  const double sine = std::sin(radians(angle)), N = (1 + sine) / (1 - sine);
+double failure_stress(double angle, double cohesion, double minor) {
+  const double sine = std::sin(in_radians(angle)), N = (1 + sine) / (1 - sine);
   return N * minor + 2 * cohesion * std::sqrt(N);
 }
 
-const FittedParameter& parameter(const std::vector<FittedParameter>& all, const std::string& name) {
+const FittedParameter& parameter_named(const std::vector<FittedParameter>& all, const std::string& name) {
   for (const FittedParameter& p : all)
     if (p.name == name) return p;
   throw std::runtime_error("no parameter " + name);
 }
 
-bool holds(const FittedParameter& p, double truth) {
+bool contains_truth(const FittedParameter& p, double truth) {
   return *p.low95 <= truth && truth <= *p.high95;
 }
 
@@ -40,7 +40,7 @@ TEST(MohrCoulomb, ExactStressesGiveBackAngleAndCohesion) {
     for (const double cohesion : {0.0, 15.0}) {
       std::vector<FailureStress> stresses;
       for (const double minor : {50.0, 100.0, 200.0, 400.0})
-        stresses.push_back({strength(angle, cohesion, minor), minor});
+        stresses.push_back({failure_stress(angle, cohesion, minor), minor});
       const MohrCoulombFit fit = fit_mohr_coulomb(stresses, "_peak");
       ASSERT_TRUE(fit.found()) << fit.failure_reason;
       EXPECT_EQ(fit.angle.name, "friction_angle_peak");
@@ -60,10 +60,10 @@ TEST(MohrCoulomb, IntervalsHoldTheTruthAsOftenAsTheySay) {
       std::vector<FailureStress> stresses;
       for (const double minor : {50.0, 100.0, 200.0, 400.0})
         for (int k = 0; k < per_stress; ++k)
-          stresses.push_back({strength(33, 12, minor) * (1 + 0.03 * normal(random)), minor});
+          stresses.push_back({failure_stress(33, 12, minor) * (1 + 0.03 * normal(random)), minor});
       const MohrCoulombFit fit = fit_mohr_coulomb(stresses, "");
-      angle += holds(fit.angle, 33);
-      cohesion += holds(fit.cohesion, 12);
+      angle += contains_truth(fit.angle, 33);
+      cohesion += contains_truth(fit.cohesion, 12);
     }
     for (const int held : {angle, cohesion}) {
       EXPECT_GE(held, 0.935 * kDraws) << per_stress;
@@ -92,7 +92,7 @@ TEST(MohrCoulomb, SecantAngleOfAThreefoldStressIsThirtyDegrees) {
 /// `critical`, while the sample dilates by the angle psi up to a strain of 0.1. @param sign  1 to shorten, -1 to lengthen
 std::vector<ShearPoint> drained_test(double peak, double critical, double psi, double sign = 1.0) {
   std::vector<ShearPoint> points;
-  const double sine = std::sin(radians(psi));
+  const double sine = std::sin(in_radians(psi));
   const double slope = sign > 0 ? -2 * sine / (1 - sine) : -2 * sine / (1 + sine);
   for (int k = 0; k <= 200; ++k) {
     const double strain = 0.001 * k;
@@ -114,12 +114,12 @@ TEST(ShearTest, GivesBackItsAnglesInCompressionAndExtension) {
   for (const double sign : {1.0, -1.0}) {
     const ShearTest test = evaluate_shear_test(drained_test(0.6, 0.4, 12, sign), {});
     ASSERT_TRUE(test.found()) << test.failure_reason;
-    EXPECT_NEAR(*parameter(test.parameters, "secant_angle_peak").value, std::asin(0.6) * 180 / std::numbers::pi,
-                1e-9);
-    EXPECT_NEAR(*parameter(test.parameters, "strain_peak").value, 0.02, 1e-12);
-    EXPECT_NEAR(*parameter(test.parameters, "dilatancy_angle").value, 12, 1e-9);
+    EXPECT_NEAR(*parameter_named(test.parameters, "secant_angle_peak").value,
+                std::asin(0.6) * 180 / std::numbers::pi, 1e-9);
+    EXPECT_NEAR(*parameter_named(test.parameters, "strain_peak").value, 0.02, 1e-12);
+    EXPECT_NEAR(*parameter_named(test.parameters, "dilatancy_angle").value, 12, 1e-9);
     // From a strain of 0.15 on, exp(-6.5) of the softening is left.
-    EXPECT_NEAR(*parameter(test.parameters, "secant_angle_critical").value,
+    EXPECT_NEAR(*parameter_named(test.parameters, "secant_angle_critical").value,
                 std::asin(0.4) * 180 / std::numbers::pi, 0.02);
     ASSERT_TRUE(test.critical_stress.has_value());
     EXPECT_NEAR(test.critical_stress->major / test.critical_stress->minor, 1.4 / 0.6, 2e-3);
@@ -149,10 +149,10 @@ TEST(ShearTest, UndrainedHasItsStrengthAndPorePressure) {
     points.push_back(p);
   }
   const ShearTest test = evaluate_shear_test(points, {{}, true});
-  EXPECT_NEAR(*parameter(test.parameters, "undrained_strength_peak").value, 30, 1e-12);
-  EXPECT_NEAR(*parameter(test.parameters, "undrained_strength_critical").value, 30, 1e-12);
-  EXPECT_NEAR(*parameter(test.parameters, "pore_pressure_coefficient").value, 1.0, 1e-12);
-  EXPECT_NEAR(*parameter(test.parameters, "secant_angle_peak").value, secant_angle({100, 40}), 1e-12);
+  EXPECT_NEAR(*parameter_named(test.parameters, "undrained_strength_peak").value, 30, 1e-12);
+  EXPECT_NEAR(*parameter_named(test.parameters, "undrained_strength_critical").value, 30, 1e-12);
+  EXPECT_NEAR(*parameter_named(test.parameters, "pore_pressure_coefficient").value, 1.0, 1e-12);
+  EXPECT_NEAR(*parameter_named(test.parameters, "secant_angle_peak").value, secant_angle({100, 40}), 1e-12);
 }
 
 TEST(OedometerTest, GivesBackK0AndItsModulus) {
@@ -164,13 +164,13 @@ TEST(OedometerTest, GivesBackK0AndItsModulus) {
   points.push_back({200, 180, 0.19, 0.19});
   const OedometerTest test = evaluate_oedometer_test(points, {});
   ASSERT_TRUE(test.found());
-  EXPECT_NEAR(*parameter(test.parameters, "K0").value, 0.5, 1e-12);
-  EXPECT_TRUE(holds(parameter(test.parameters, "K0"), 0.5));
+  EXPECT_NEAR(*parameter_named(test.parameters, "K0").value, 0.5, 1e-12);
+  EXPECT_TRUE(contains_truth(parameter_named(test.parameters, "K0"), 0.5));
   EXPECT_NEAR(test.modulus_range.second, 1000, 1e-9);
-  EXPECT_NEAR(*parameter(test.parameters, "constrained_modulus").value, 5e3, 10);
+  EXPECT_NEAR(*parameter_named(test.parameters, "constrained_modulus").value, 5e3, 10);
   // Between two rows it is exact.
   const OedometerTest decade = evaluate_oedometer_test(points, std::pair(100.0, 1000.0));
-  EXPECT_NEAR(*parameter(decade.parameters, "constrained_modulus").value, 5e3, 1e-6);
+  EXPECT_NEAR(*parameter_named(decade.parameters, "constrained_modulus").value, 5e3, 1e-6);
   EXPECT_THAT(evaluate_oedometer_test(points, std::pair(100.0, 2000.0)).failure_reason,
               HasSubstr("from 10 to 1000, which does not contain the range 100 to 2000"));
   EXPECT_THAT(evaluate_oedometer_test({{10, 10, 0, 0}, {9, 9, 0, 0}}, {}).failure_reason,
@@ -186,8 +186,8 @@ TEST(MeanAlongPath, HoldsTheTruthOfCorrelatedFluctuations) {
     std::vector<double> values;
     double x = normal(random) / std::sqrt(1 - 0.25);
     for (int k = 0; k < kLength; ++k) values.push_back(3 + (x = 0.5 * x + normal(random)));
-    held += holds(mean_along_path("", values), 3);
-    naive += holds(mean_of_samples("", values), 3);
+    held += contains_truth(mean_along_path("", values), 3);
+    naive += contains_truth(mean_of_samples("", values), 3);
   }
   EXPECT_GE(held, 0.92 * kDraws);
   EXPECT_LE(held, 0.97 * kDraws);

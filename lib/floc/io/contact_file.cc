@@ -13,7 +13,8 @@ std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions&
   const bool on_stdin = options.contacts == "-";  // stdin can be read only once, so its format is not guessed
   if (!on_stdin && is_lammps_dump(options.contacts)) return read_dump_contacts(options, dimension, timestep);
   if (!on_stdin && is_yade_interactions(options.contacts)) return read_yade_contacts(options, dimension);
-  const CsvTable table = CsvTable::read(options.contacts);
+  const CsvTable table =
+      CsvTable::read(options.contacts, wanted_names(contact_names(), options.contact_columns));
   return read_contacts(NamedColumns(table, options.contact_columns), dimension);
 }
 

@@ -128,7 +128,7 @@ int fit_tables(const ConsolidationArguments& arguments) {
   const ConsolidationOptions options = consolidation_options(arguments.fit);
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P_star", "branch"}), printing);
   std::vector<ConsolidationSample> read;
   std::optional<PathTable> first;
   int code = for_each_table(arguments.inputs, [&](const std::string& file) {

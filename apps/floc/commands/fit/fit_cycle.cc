@@ -20,7 +20,7 @@ struct CycleArguments {
 int run_cycles(const CycleArguments& arguments) {
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P", "P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P", "P_star", "branch"}), printing);
   Table table = cycle_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const PathTable path = read_path(file, columns, {"P", "P_star"});

@@ -21,7 +21,7 @@ struct ElasticArguments {
 int fit_tables(const ElasticArguments& arguments) {
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P", "P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P", "P_star", "branch"}), printing);
   Json array = Json::array();
   Table table = elastic_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {

@@ -9,6 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/tables/path_density.h"
 #include "process/command.h"
 #include "process/finish_output.h"
 #include "process/output.h"
@@ -48,9 +49,19 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
   return columns;
 }
 
+std::vector<std::string> names_with_densities(std::vector<std::string> names) {
+  for (const std::string& name : density_names()) names.push_back(name);
+  return names;
+}
+
 void log_notes(const PathTable& path) {
+  if (!path.reading.empty()) spdlog::info("{}: {}", path.name, path.reading);
   for (const std::string& note : path.notes) spdlog::info("{}: {}", path.name, note);
-  for (const std::string& doubt : path.inconsistencies) spdlog::warn("{}: warning: {}", path.name, doubt);
+}
+
+void log_description(const CsvTable& table) {
+  if (const std::string words = table.description(); !words.empty())
+    spdlog::info("{}: read {} rows: {}", table.place(), table.n_rows(), words);
 }
 
 int for_each_table(const std::vector<std::string>& inputs,

@@ -20,7 +20,7 @@ struct PreconsolidationArguments {
 int fit_tables(const PreconsolidationArguments& arguments) {
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P_star", "branch"}), printing);
   Json array = Json::array();
   Table table = preconsolidation_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {

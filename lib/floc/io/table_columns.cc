@@ -29,9 +29,18 @@ std::optional<int> only_column(const std::vector<std::string>& headers,
 
 }  // namespace
 
-UnitColumn NamedColumns::with_unit(int index, const std::string& header) const {
+std::string NamedColumns::unit_of(int index) const {
   const std::string in_row = unit_in_cell(table_.unit_cell(index));
-  return {index, in_row.empty() ? name_and_unit(header).second : in_row};
+  if (!in_row.empty()) return in_row;
+  if (const std::string unit = name_and_unit(table_.columns()[static_cast<std::size_t>(index)]).second;
+      !unit.empty())
+    return unit;
+  for (const std::vector<std::string>& headers : table_.other_names())
+    if (static_cast<std::size_t>(index) < headers.size())
+      if (const std::string unit = name_and_unit(headers[static_cast<std::size_t>(index)]).second;
+          !unit.empty())
+        return unit;
+  return "";
 }
 
 std::optional<UnitColumn> NamedColumns::with_header(const std::string& name, const std::string& header) const {
@@ -48,7 +57,7 @@ std::optional<UnitColumn> NamedColumns::with_header(const std::string& name, con
     if (!found)
       found = only_column(
           headers, [&](const std::string& h) { return name_and_unit(h).first == header; }, refuse);
-    return found ? std::optional(with_unit(*found, headers[static_cast<std::size_t>(*found)])) : std::nullopt;
+    return found ? std::optional(UnitColumn{*found, unit_of(*found)}) : std::nullopt;
   };
   if (const auto found = in(table_.columns())) return found;
   for (const std::vector<std::string>& headers : table_.other_names())
@@ -81,10 +90,9 @@ std::optional<UnitColumn> NamedColumns::find(const std::string& name) const {
                                  table_.columns()[static_cast<std::size_t>(other)], name, name));
   };
   if (const auto found = only_column(table_.columns(), is_usual, refuse))
-    return with_unit(*found, table_.columns()[static_cast<std::size_t>(*found)]);
+    return UnitColumn{*found, unit_of(*found)};
   for (const std::vector<std::string>& headers : table_.other_names())
-    if (const auto found = only_column(headers, is_usual, refuse))
-      return with_unit(*found, table_.columns()[static_cast<std::size_t>(*found)]);
+    if (const auto found = only_column(headers, is_usual, refuse)) return UnitColumn{*found, unit_of(*found)};
   return std::nullopt;
 }
 

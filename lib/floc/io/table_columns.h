@@ -56,12 +56,14 @@ class NamedColumns {
   UnitColumn unit_column(const std::string& name) const;
   int column(const std::string& name) const { return unit_column(name).index; }
 
+  /// Returns the unit of a column by its index: that of the row of units or of the header; empty if there is none.
+  std::string unit_of(int index) const;
+
   /// Returns the number that the user gave in place of a column for `name`; nothing if the user gave none.
   std::optional<GivenNumber> given_number(const std::string& name) const;
 
  private:
   std::optional<UnitColumn> with_header(const std::string& name, const std::string& header) const;
-  UnitColumn with_unit(int index, const std::string& header) const;
 
   const CsvTable& table_;
   ColumnNames names_;

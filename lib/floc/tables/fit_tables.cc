@@ -125,11 +125,6 @@ void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure)
                                table.columns()[static_cast<std::size_t>(pressure.index)], pressure.unit));
 }
 
-/// Whether a table is that of a run of floc, whose columns need no explanation.
-bool is_of_run(const CsvTable& table) {
-  return table.has("state") && table.has("branch") && table.has("P_star");
-}
-
 /// Says in one line what was read from a table.
 std::string reading_of(const PathTable& path, const std::string& density) {
   const int n_reversals = count_reversals(path.rows);
@@ -208,7 +203,8 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
                          load, driven_over_mean});
   }
   require_path(path.rows, name, [&table](int row) { return table.place(row); });
-  if (!is_of_run(table)) path.reading = reading_of(path, density.words);
+  path.is_of_run = table.has("state") && table.has("branch") && table.has("P_star");
+  path.reading = reading_of(path, density.words);
   add_notes(path);
   return path;
 }

@@ -55,7 +55,7 @@ std::vector<std::string> names_with_densities(std::vector<std::string> names) {
 }
 
 void log_notes(const PathTable& path) {
-  if (!path.reading.empty()) spdlog::info("{}: {}", path.name, path.reading);
+  if (!path.is_of_run) spdlog::info("{}: {}", path.name, path.reading);
   for (const std::string& note : path.notes) spdlog::info("{}: {}", path.name, note);
 }
 

@@ -51,12 +51,16 @@ std::optional<UnitColumn> NamedColumns::with_header(const std::string& name, con
                     "them, or choose one by its whole header with --columns",
                     one + 1, other + 1, header));
   };
+  const auto is_whole = [&](const std::string& h) { return h == header; };
+  const auto is_bare = [&](const std::string& h) { return name_and_unit(h).first == header; };
+  // A word in round brackets may be a unit that floc does not know, or a remark.
+  const auto is_before_bracket = [&](const std::string& h) {
+    return h.ends_with(')') && trimmed(std::string_view(h).substr(0, h.rfind('('))) == header;
+  };
   const auto in = [&](const std::vector<std::string>& headers) -> std::optional<UnitColumn> {
-    auto found = only_column(
-        headers, [&](const std::string& h) { return h == header; }, refuse);
-    if (!found)
-      found = only_column(
-          headers, [&](const std::string& h) { return name_and_unit(h).first == header; }, refuse);
+    auto found = only_column(headers, is_whole, refuse);
+    if (!found) found = only_column(headers, is_bare, refuse);
+    if (!found) found = only_column(headers, is_before_bracket, refuse);
     return found ? std::optional(UnitColumn{*found, unit_of(*found)}) : std::nullopt;
   };
   if (const auto found = in(table_.columns())) return found;

@@ -135,10 +135,11 @@ std::string_view without_brackets(std::string_view text) {
   return enclosed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-/// Whether a text in round brackets at the end of a header is a remark, as in "sigma (effective)", and not a unit.
+/// Whether a text in round brackets at the end of a header is a remark or a symbol, as in "sigma (effective)" and "Void
+/// ratio (e)", and not a unit.
 bool is_remark(const std::string& text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.'; };
-  return text.size() >= 3 && !unit_of(text) && std::all_of(text.begin(), text.end(), is_letter);
+  return !unit_of(text) && std::all_of(text.begin(), text.end(), is_letter);
 }
 
 /// Splits a header that ends with a unit in brackets. Returns nothing if it does not.

@@ -10,7 +10,8 @@ namespace floc {
 /// Splits the header of a column of a table into name and unit. The unit is in brackets, as in "sigma' [kPa]" and
 /// "sigma' (kPa)", or it is a known unit behind the name, as in "sigma', kPa", "sigma' in kPa", "sigma'/kPa", "sigma' kPa"
 /// and "sigma_kPa"; behind a blank or an underscore only if it is no part of names, as "bar" and "N" are. The unit is
-/// empty if the header has none, or if brackets say that the column contains pure numbers, as in "P [-]" and "P [1]".
+/// empty if the header has none, or if brackets say that the column contains pure numbers, as in "P [-]" and "P [1]". A word
+/// in round brackets that is no known unit is part of the name.
 std::pair<std::string, std::string> name_and_unit(const std::string& header);
 
 /// Returns the unit in a cell of a row of units, such as "kPa" or "[kPa]": a known unit, or any text in brackets. Empty if

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
@@ -186,45 +187,49 @@ class DensityReader {
   /// Refuses numbers that contradict the unit of their column: shares that seem to be in percent although the table does
   /// not say so, or percentages that are too small. Nothing is refused if the user gave the unit.
   void require_plausible_unit() {
-    const std::string place = place_of(main_.column);
-    if (main_.density.is_share) main_.factor = share_of_one(place, main_.column.unit);
-    if (!main_.density.is_share || main_.column.unit_is_given) return;
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (int row = 0; row < table_.n_rows(); ++row) {
+    if (!main_.density.is_share) return;
+    main_.factor = share_of_one(place_of(main_.column), main_.column.unit);
+    if (table_.n_rows() == 0) return;
+    auto [least, most] = range();
+    if (main_.is("axial_strain") && most <= 0.0 && least < 0.0) {
+      main_.factor *= -1.0;
+      reference_words_.emplace_back("negative in compression");
+      std::tie(least, most) = std::pair(-most, -least);
+    }
+    if (main_.column.unit_is_given) return;
+    const bool is_percent = std::abs(main_.factor) != 1.0;
+    // Even the loosest soils have void ratios of only about 5. A solid fraction above one is refused with its row.
+    constexpr double kLoosest = 10.0;
+    const bool has_no_bound = main_.is("void_ratio") || main_.is("specific_volume");
+    if (!is_percent && has_no_bound && least >= kLoosest)
+      throw InputError(table_.place(0), fmt::format("{} is {:.4g} and more in every row: {}",
+                                                    main_.density.name, least, question()));
+    if (!is_percent && !has_no_bound && !main_.is("phi") && most > 1.0)
+      throw InputError(table_.place(0),
+                       fmt::format("{} is {:.4g} in some row: {}", main_.density.name, most, question()));
+    // A strain of less than one percent is possible, a solid fraction of less than one percent is not.
+    if (is_percent && !main_.is("axial_strain") && most <= 1.0)
+      throw InputError(table_.place(0), fmt::format("{} is at most {:.4g} {}, as the table says: {}",
+                                                    main_.density.name, most, main_.column.unit, question()));
+  }
+
+  /// Smallest and largest number in the column.
+  std::pair<double, double> range() const {
+    double least = table_.number(0, main_.column.index), most = least;
+    for (int row = 1; row < table_.n_rows(); ++row) {
       const double value = table_.number(row, main_.column.index);
       least = std::min(least, value);
       most = std::max(most, value);
     }
-    if (main_.is("axial_strain") && most <= 0.0 && least < 0.0) {
-      main_.factor *= -1.0;
-      reference_words_.emplace_back("negative in compression");
-      std::swap(least, most);
-      least = -least;
-      most = -most;
-    }
-    // Even the loosest soils have void ratios of only about 5; porosities and strains are below one.
-    const bool has_no_bound = main_.is("void_ratio") || main_.is("specific_volume");
-    constexpr double kLoosest = 10.0;
-    const bool seems_percent = has_no_bound ? least >= kLoosest : most > 1.0 && !main_.is("phi");
-    if (std::abs(main_.factor) == 1.0 && seems_percent && table_.n_rows() > 0)
-      throw InputError(table_.place(0),
-                       fmt::format("{} is {:.4g} {}: {}", main_.density.name, has_no_bound ? least : most,
-                                   has_no_bound ? "and more in every row" : "in some row", question()));
-    // A strain of less than one percent is possible, a solid fraction of less than one percent is not.
-    if (main_.factor < 1.0 && !main_.is("axial_strain") && most <= 1.0 && table_.n_rows() > 0)
-      throw InputError(table_.place(0),
-                       fmt::format("{} is at most {:.4g} {}: is it in {} as the table says? Answer yes with "
-                                   "--columns \"{}={} [%]\", "
-                                   "or no with --columns \"{}={} [1]\"",
-                                   main_.density.name, most, main_.column.unit, main_.column.unit,
-                                   main_.density.name, bare_header(), main_.density.name, bare_header()));
+    return {least, most};
   }
 
   std::string question() const {
     if (!main_.density.is_share) return "are its unit and the numbers it is compared with right?";
+    const std::string item =
+        fmt::format("{}={}", main_.density.name, name_and_unit(header(main_.column)).first);
     return fmt::format(
-        "is it in percent? Answer yes with --columns \"{}={} [%]\", or no with --columns \"{}={} [1]\"",
-        main_.density.name, bare_header(), main_.density.name, bare_header());
+        "is it in percent? Answer yes with --columns \"{} [%]\", or no with --columns \"{} [1]\"", item, item);
   }
 
   void require_same(int row, double phi, const DensityColumn& void_ratio) const {
@@ -245,7 +250,6 @@ class DensityReader {
   const std::string& header(const UnitColumn& column) const {
     return table_.columns()[static_cast<std::size_t>(column.index)];
   }
-  std::string bare_header() const { return name_and_unit(header(main_.column)).first; }
   std::string place_of(const UnitColumn& column) const {
     return fmt::format("{}, column {}", table_.place(), header(column));
   }

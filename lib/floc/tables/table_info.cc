@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <map>
 
+#include "floc/base/error.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/table_cells.h"
 #include "floc/tables/column.h"
@@ -113,11 +115,16 @@ TableInfo add_table_info(const std::string& file, const ColumnNames& names, Tabl
   const CsvTable read = CsvTable::read(file, wanted_names(names_of_quantities(), names));
   const NamedColumns columns(read, names);
   TableInfo info;
+  std::exception_ptr refusal;  // thrown after the columns were added, among which the user may have to choose
   std::map<int, std::string> quantities;
   if (is_path(columns)) {
-    const PathTable path = read_path(file, names);
     quantities = quantities_of(columns, path_quantities());
-    info = {path.reading, path.notes};
+    try {
+      const PathTable path = read_path(file, names);
+      info = {path.reading, path.notes};
+    } catch (const InputError&) {
+      refusal = std::current_exception();
+    }
   } else {
     const auto is_kind = [&](const TableKind& kind) {
       return std::all_of(kind.required.begin(), kind.required.end(),
@@ -135,6 +142,7 @@ TableInfo add_table_info(const std::string& file, const ColumnNames& names, Tabl
   Table added = to_table(columns_of_info(), rows);
   table.columns = added.columns;
   for (auto& row : added.rows) table.rows.push_back(std::move(row));
+  if (refusal) std::rethrow_exception(refusal);
   return info;
 }
 

@@ -213,7 +213,7 @@ Command add_fit_consolidation(CommandLine fit) {
                  "stress from which the reduced pressure P* of an oedometer test is computed: driven (stress "
                  "along the driven axis) or mean (mean stress) [driven]")
       .one_of({"driven", "mean"});
-  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");
   app.add_option("--plot", arguments->plot,
                  "plot to write (F.svg, F.pdf or F.png): data points, fitted curve, window of the fit and "
                  "residuals; the data F.dat and the gnuplot script F.gp are written to the same directory");

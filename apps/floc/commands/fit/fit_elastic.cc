@@ -74,7 +74,7 @@ Command add_fit_elastic(CommandLine fit) {
       "--state", arguments->state,
       "state file whose computed moduli are printed for comparison [if its file exists, the state of the first "
       "row of the branch or, for a curved branch, of the middle row of its straight part]");
-  add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
+  add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }

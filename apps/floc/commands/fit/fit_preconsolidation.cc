@@ -71,7 +71,7 @@ Command add_fit_preconsolidation(CommandLine fit) {
                  "tables with the columns P_star (reduced pressure), phi (solid fraction) or void_ratio, and "
                  "optionally branch; or directories of `floc run`; - for a table on stdin")
       .required();
-  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }

@@ -649,7 +649,7 @@ class Test:
         virgin = f"floc fit consolidation {table} --loading virgin --law log --window 200,6400"
         rows = [(virgin, "lambda", made["LAMBDA"]), (f"floc fit preconsolidation {table}", "kappa", made["KAPPA"]),
                 (f"floc fit preconsolidation {table}", "P_c", max(made["LOADS"]))]
-        self.fits_beside_truth("| constant | made with | fitted |", 1, rows)
+        self.fits_beside_truth("| constant of the clay | made with |", 1, rows)
         table = "data/tables/your-test/"
         german = f"floc fit consolidation {table}oedometer.csv --law log --loading virgin --window 100,1600"
         polish = (f"floc fit consolidation {table}edometr.csv --law log --window 100,1600 --columns "

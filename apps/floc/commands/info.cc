@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "commands/fit/fit_input.h"
-#include "floc/io/import.h"
+#include "floc/base/read_file.h"
 #include "floc/tables/info_row.h"
 #include "floc/tables/table_info.h"
 #include "process/command.h"
@@ -47,7 +47,7 @@ void print(const Table& table, const Printing& printing) {
 bool is_table(const std::string& file) {
   const std::filesystem::path path(file);
   if (file == "-" || !std::filesystem::is_regular_file(path)) return false;
-  return path.extension() != ".h5" && path.extension() != ".toml" && !begins_with(file, "\x89HDF");
+  return path.extension() != ".h5" && path.extension() != ".toml" && !read_file(file).starts_with("\x89HDF");
 }
 
 /// Prints what floc understands of tables: a line on stderr, and a row for each of their columns.

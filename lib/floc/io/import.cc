@@ -13,6 +13,7 @@
 #include "floc/io/lammps_data.h"
 #include "floc/io/lammps_dump.h"
 #include "floc/io/listed_columns.h"
+#include "floc/io/table_text.h"
 #include "floc/io/vtu.h"
 #include "floc/io/yade_text.h"
 
@@ -55,7 +56,8 @@ Imported read_own_state(const std::string& path, const ImportOptions& options) {
 }  // namespace
 
 bool begins_with(const std::string& path, const std::string& text) {
-  return without_byte_order_mark(read_file(path)).starts_with(text);
+  constexpr std::size_t kBeginning = 4096;
+  return decoded_table(path, read_file(path).substr(0, kBeginning)).text.starts_with(text);
 }
 
 const std::vector<ImportFormat>& import_formats() {

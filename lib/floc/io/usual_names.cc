@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <span>
+#include <set>
 #include <string_view>
 
 #include "floc/base/parse_number.h"
@@ -11,9 +11,9 @@
 namespace floc {
 namespace {
 
-using Names = std::vector<std::string_view>;
+using Names = std::set<std::string_view>;
 
-/// Usual names of each quantity, as plain() writes them.
+/// Usual names of each quantity, as without_capitals(plain()) writes them.
 const std::map<std::string, Names>& usual_names() {
   static const std::map<std::string, Names> names = {
       {"pressure",
@@ -193,8 +193,8 @@ const std::map<std::string, Names>& usual_names() {
       {"diameter", {"diameter", "durchmesser", "diametre", "diametro", "srednica", "prumer"}},
       {"mass", {"mass", "masse", "masa", "massa"}},
       {"id", {"ID", "Id", "particleid", "grainid", "idparticle"}},
-      {"id1", {"ID1", "Id1", "idi"}},
-      {"id2", {"ID2", "Id2", "idj"}},
+      {"id1", {"id1", "idi"}},
+      {"id2", {"id2", "idj"}},
       {"normal_force", {"fn", "Fn", "FN", "normalforce", "normalkraft", "forcenormale", "fuerzanormal"}},
   };
   return names;
@@ -246,9 +246,7 @@ std::string without_capitals(std::string name) {
 }
 
 bool is_one_of(const Names& names, std::string_view part) {
-  const std::string name = without_capitals(plain(part));
-  return std::any_of(names.begin(), names.end(),
-                     [&](std::string_view known) { return name == without_capitals(std::string(known)); });
+  return names.contains(without_capitals(plain(part)));
 }
 
 /// Splits a name at brackets, commas, colons and signs of equality.
@@ -283,12 +281,6 @@ bool is_usual_name(const std::string& quantity, const std::string& header) {
   const std::size_t blank = header.find_last_of(' ');
   return blank != std::string::npos && is_one_of(names, std::string_view(header).substr(0, blank)) &&
          is_one_of(names, std::string_view(header).substr(blank + 1));
-}
-
-std::vector<std::string> quantities_with_usual_names() {
-  std::vector<std::string> quantities;
-  for (const auto& [quantity, names] : usual_names()) quantities.push_back(quantity);
-  return quantities;
 }
 
 }  // namespace floc

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 namespace floc {
 
@@ -11,8 +10,5 @@ namespace floc {
 /// both have to be names of the quantity.
 /// @param quantity  name that floc uses: P or P_star (both stand for any pressure), phi, void_ratio, porosity, ...
 bool is_usual_name(const std::string& quantity, const std::string& header);
-
-/// Returns the quantities that have usual names, by the names that floc uses.
-std::vector<std::string> quantities_with_usual_names();
 
 }  // namespace floc

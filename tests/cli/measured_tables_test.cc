@@ -154,6 +154,12 @@ TEST(MeasuredTables, InPercentOrNotAreAskedAboutWhereTheNumbersContradict) {
   EXPECT_EQ(fit("cycle", loose, {"--columns", "void_ratio=e [1]"}).code, 0);
 }
 
+TEST(MeasuredTables, AreNotMistakenWhereTheUnitSaysThatANameMeansSomethingElse) {
+  const Outcome o = fit("cycle", "p [MPa],D [mm],e\n1,10,0.9\n2,10,0.8\n1,10,0.82\n");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, HasSubstr("pressure in MPa, void ratio; 1 reversal"));
+}
+
 TEST(MeasuredTables, ThatLackANumberAreRefusedWithTheOptionThatGivesIt) {
   const auto refused = [](const std::string& table, const std::string& words,
                           std::vector<std::string> options = {}) {
@@ -170,7 +176,9 @@ TEST(MeasuredTables, ThatLackANumberAreRefusedWithTheOptionThatGivesIt) {
           "stdin:3: bulk_density = 2.8: expected a density up to that of the particles",
           {"--columns", "particle_density=2.7"});
   refused("p [mm],e\n1,0.9\n2,0.8\n", "have the unit mm: expected a unit of pressure");
-  refused("p,e [kPa]\n1,0.9\n2,0.8\n", "found the unit kPa here: expected a number without unit, or in %");
+  refused("p,e [kPa]\n1,0.9\n2,0.8\n", "the column \"e [kPa]\" has the name of a void ratio, but not its unit");
+  refused("p,e [kPa]\n1,0.9\n2,0.8\n", "found the unit kPa here: expected a number without unit, or in %",
+          {"--columns", "void_ratio=e"});
 }
 
 TEST(MeasuredTables, AreShownByInfoWithoutAFit) {

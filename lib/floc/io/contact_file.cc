@@ -15,7 +15,7 @@ std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions&
   if (!on_stdin && is_yade_interactions(options.contacts)) return read_yade_contacts(options, dimension);
   const CsvTable table =
       CsvTable::read(options.contacts, wanted_names(contact_names(), options.contact_columns));
-  return read_contacts(NamedColumns(table, options.contact_columns), dimension);
+  return read_contacts(NamedColumns(table, options.contact_columns), dimension, options.units);
 }
 
 }  // namespace floc

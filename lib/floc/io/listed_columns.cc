@@ -118,6 +118,27 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   return c;
 }
 
+/// Refuses a column whose unit is not `expected`. @param why  where `expected` comes from, for messages
+void require_unit(const CsvTable& table, const UnitColumn& column, const std::string& expected,
+                  const char* why) {
+  if (column.unit == expected) return;
+  throw InputError(table.place(), fmt::format("column \"{}\" is in {}: expected {}, {}",
+                                              table.columns()[static_cast<std::size_t>(column.index)],
+                                              column.unit.empty() ? "no unit" : column.unit,
+                                              expected.empty() ? "no unit" : expected, why));
+}
+
+void require_one_unit_of_force(const NamedColumns& names, const std::string& units) {
+  std::optional<std::string> first;
+  for (const std::string& name : contact_names()) {
+    if (name.find("force") == std::string::npos || !names.has(name)) continue;
+    const UnitColumn column = names.unit_column(name);
+    if (units == "SI" && !column.unit.empty()) require_unit(names.table(), column, "N", "the unit of SI");
+    if (first) require_unit(names.table(), column, *first, "as the other forces are");
+    first = column.unit;
+  }
+}
+
 void check_columns(const std::string& option, const std::string& what, const std::vector<std::string>& known,
                    const std::map<std::string, std::string>& given) {
   for (const auto& [name, column] : given)
@@ -169,6 +190,8 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
   // If no column gives the size, this call throws the error that the column "radius" is missing.
   if (sizes.empty()) columns.column("radius");
   const int mass = column_if(columns, "mass");
+  if (units == "SI" && mass >= 0 && !columns.unit_of(mass).empty())
+    require_unit(table, columns.unit_column("mass"), "kg", "the unit of SI");
   const int id = column_if(columns, "id");
   std::vector<ListedGrain> grains;
   grains.reserve(table.n_rows());
@@ -195,9 +218,10 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
   return grains;
 }
 
-std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimension) {
+std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimension, const std::string& units) {
   const ContactColumns columns(names, dimension);
   const CsvTable& table = names.table();
+  require_one_unit_of_force(names, units);
   std::vector<ListedContact> contacts;
   contacts.reserve(table.n_rows());
   const auto file = std::make_shared<const std::string>(table.place() + ":");

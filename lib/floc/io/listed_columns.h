@@ -36,7 +36,7 @@ void require_same_size(const FileLine& place, const SizeColumn& one, double radi
 /// are mass, id (default: number of the row, from 0) and x_low, y_low[, z_low], small numbers that are added to x, y, z
 /// to give the position with more digits than one double has.
 /// Lengths whose columns have units, as in "radius [um]", are converted to the unit of the column x or, in SI units, to
-/// metres; masses to kilograms in SI units.
+/// metres. In SI units a mass with a unit has to be in kg.
 /// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column for a missing column, a value that is not a number, a radius or mass
 /// that is not positive, a radius and a diameter that contradict each other, or units that contradict each other
@@ -53,8 +53,11 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
 ///   twisting_moment  (3D) twisting moment on grain id1 about the normal from id1 to id2
 ///   kn, kt, kr, ktw  normal, tangential, rolling and twisting stiffness
 ///   bridge_volume    volume of the liquid bridge (length^3)
+/// Units in the headers are not converted: all forces have to be in one unit, in SI units in N.
+/// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column
-std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
+std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension,
+                                         const std::string& units = "reduced");
 
 /// Names of the columns that every table of grains and every table of contacts has, which help to find its header.
 std::vector<std::string> grain_names();

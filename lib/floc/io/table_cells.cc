@@ -11,7 +11,7 @@ namespace {
 bool take_quoted(std::string_view& line, std::string& cell) {
   std::size_t at = 1;
   for (; at < line.size() && !(line[at] == '"' && (at + 1 == line.size() || line[at + 1] != '"')); ++at) {
-    cell += line[at];
+    if (line[at] != '\r') cell += line[at] == '\n' ? ' ' : line[at];
     if (line[at] == '"') ++at;
   }
   if (at >= line.size()) return false;

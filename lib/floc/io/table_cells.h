@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Splits a line of a table into its cells. A cell may be enclosed in double quotes; it may then contain separators, and
-/// two double quotes that stand for one.
+/// two double quotes that stand for one, and line ends, which become blanks.
 /// @param separator  character between the cells; a blank stands for any number of blanks and tabs
 /// @return the cells; nothing if a cell has no closing quotation mark
 std::optional<std::vector<std::string>> split_cells(std::string_view line, char separator);

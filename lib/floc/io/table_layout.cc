@@ -179,12 +179,19 @@ SplitLines split_at_best_separator(const TableLines& lines, const std::vector<st
   return best->share_of_numbers() > 0.0 ? *best : SplitLines(lines, separator_of_words(lines), wanted);
 }
 
+/// Whether a row below the names gives units: all of its cells do, or half of them, one of which is no single letter.
 bool is_units_row(const Cells& cells) {
-  const auto is_unit = [](const std::string& cell) {
-    return is_missing(cell) || !unit_in_cell(cell).empty() || states_no_unit(cell);
-  };
-  return std::all_of(cells.begin(), cells.end(), is_unit) &&
-         !std::all_of(cells.begin(), cells.end(), [](const std::string& cell) { return cell.empty(); });
+  std::size_t n_words = 0, n_units = 0, n_clear = 0;
+  for (const std::string& cell : cells) {
+    if (is_missing(cell) || states_no_unit(cell)) continue;
+    const std::string unit = unit_in_cell(cell);
+    ++n_words;
+    n_units += !unit.empty();
+    n_clear += unit.size() > 1 || unit == "%";
+  }
+  const bool any_cell =
+      std::any_of(cells.begin(), cells.end(), [](const std::string& cell) { return !cell.empty(); });
+  return any_cell && (n_units == n_words || (n_clear > 0 && 2 * n_units >= n_words));
 }
 
 /// Takes the names from the lines `begin` to `end - 1`, of which those below the names are rows of data or of units.
@@ -211,19 +218,44 @@ void take_names(const SplitLines& split, const TableLines& lines, std::size_t be
   }
 }
 
+/// Whether a line ends within a quoted cell: it has an odd number of quotation marks, of which the last one begins a cell.
+bool ends_within_quotes(std::string_view line) {
+  const std::size_t last = line.rfind('"');
+  if (last == std::string_view::npos || std::count(line.begin(), line.end(), '"') % 2 == 0) return false;
+  return last == 0 || std::string_view(",; \t").find(line[last - 1]) != std::string_view::npos;
+}
+
+/// Returns where the first row of a text ends: at the end of its first line or, if this line ends within a quoted cell,
+/// at the end of the line that closes the cell, if that is one of the next few.
+std::size_t end_of_row(std::string_view text) {
+  constexpr int kMostLines = 5;  // of a name of a column in a spreadsheet
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  if (!ends_within_quotes(text.substr(0, end))) return end;
+  std::size_t later = end;
+  for (int k = 1; k < kMostLines && later < text.size(); ++k) {
+    const std::size_t begin = later + 1;
+    later = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, later - begin);
+    if (std::count(line.begin(), line.end(), '"') % 2 == 1) return later;
+  }
+  return end;
+}
+
 }  // namespace
 
 TableLines table_lines(std::string_view text) {
   TableLines lines;
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+  for (int number = 1; !text.empty();) {
+    const std::size_t end = end_of_row(text);
     const std::string_view line = text.substr(0, end), words = trimmed(line);
+    const int here = number;
+    number += 1 + static_cast<int>(std::count(line.begin(), line.end(), '\n'));
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (words.empty() || (number == 1 && words.size() == 5 && words.starts_with("sep="))) continue;
+    if (words.empty() || (here == 1 && words.size() == 5 && words.starts_with("sep="))) continue;
     if (!words.starts_with('#'))
-      lines.rows.push_back({number, line});
+      lines.rows.push_back({here, line});
     else if (lines.rows.empty())
-      lines.comments.push_back({number, words.substr(std::min(words.find_first_not_of("# \t"), words.size()))});
+      lines.comments.push_back({here, words.substr(std::min(words.find_first_not_of("# \t"), words.size()))});
   }
   return lines;
 }

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// A line of a table that is not blank.
+/// A line of a table that is not blank. It contains line ends if a quoted cell does.
 struct TableLine {
-  int number;  ///< number of the line in its file, from 1
+  int number;  ///< number of the line in its file, from 1; of several lines, of the first one
   std::string_view text;
 };
 

@@ -89,6 +89,22 @@ bool is_big_endian(std::string_view utf16) {
   return utf16.starts_with("\xfe\xff") || utf16[0] == '\0';
 }
 
+/// Replaces characters that spreadsheets and word processors put in place of a minus sign and of blanks.
+std::string with_plain_signs(std::string text) {
+  constexpr std::string_view kMinus = "\xe2\x88\x92", kNarrowBlank = "\xe2\x80\xaf", kBlank = "\xc2\xa0";
+  if (text.find(kMinus) == std::string::npos && text.find(kNarrowBlank) == std::string::npos &&
+      text.find(kBlank) == std::string::npos)
+    return text;
+  std::string plain;
+  for (std::string_view rest = text; !rest.empty();) {
+    const bool minus = rest.starts_with(kMinus), narrow = rest.starts_with(kNarrowBlank);
+    const bool blank = narrow || rest.starts_with(kBlank);
+    plain += minus ? '-' : blank ? ' ' : rest.front();
+    rest.remove_prefix(minus || narrow ? kMinus.size() : blank ? kBlank.size() : 1);
+  }
+  return plain;
+}
+
 }  // namespace
 
 TableText decoded_table(const std::string& place, std::string bytes) {
@@ -103,6 +119,7 @@ TableText decoded_table(const std::string& place, std::string bytes) {
     table.text = std::move(bytes);
   }
   table.text.erase(0, table.text.size() - without_byte_order_mark(table.text).size());
+  table.text = with_plain_signs(std::move(table.text));
   if (ends_in_carriage_return(table.text)) std::replace(table.text.begin(), table.text.end(), '\r', '\n');
   return table;
 }

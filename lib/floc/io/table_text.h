@@ -15,6 +15,7 @@ struct TableText {
 /// Converts the bytes of a table to UTF-8. Recognised are UTF-8 and UTF-16, each with or without byte order mark; a text
 /// that is none of these is taken for Latin-1, with the characters that Windows adds to it (code page 1252). Lines that
 /// end in carriage returns alone, as on old Macs, get the line ends of Unix.
+/// Minus signs become hyphens, and no-break spaces blanks.
 /// @param place  name of the file, for messages
 /// @throws InputError if the text is in UTF-32
 TableText decoded_table(const std::string& place, std::string bytes);

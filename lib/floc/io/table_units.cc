@@ -148,7 +148,9 @@ std::optional<std::pair<std::string, std::string>> split_brackets(const std::str
   const std::size_t open = closed ? header.rfind(header.back() == ']' ? '[' : '(') : std::string::npos;
   if (open == std::string::npos || open == 0) return std::nullopt;
   const std::string unit(trimmed(std::string_view(header).substr(open + 1, header.size() - open - 2)));
-  if (header.back() == ')' && is_remark(unit)) return std::nullopt;
+  // "c_force[2]", a name of LAMMPS, has an index in brackets.
+  if ((header.back() == ')' && is_remark(unit)) || (unit != "1" && parse_number<int>(unit)))
+    return std::nullopt;
   return std::pair(std::string(trimmed(header.substr(0, open))), unit == "-" || unit == "1" ? "" : unit);
 }
 

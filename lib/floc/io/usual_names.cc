@@ -68,7 +68,6 @@ const std::map<std::string, Names>& usual_names() {
         "間隙比"}},
       {"phi",
        {"phi",
-        "Phi",
         "D",
         "solidfraction",
         "solidsfraction",

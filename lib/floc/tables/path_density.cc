@@ -19,19 +19,21 @@ namespace {
 
 /// A quantity from which solid fractions are computed.
 struct Density {
-  const char* name;   ///< name that floc uses
-  const char* words;  ///< name in messages
-  bool is_share;      ///< whether it is a ratio, which may be in percent
+  const char* name;      ///< name that floc uses
+  const char* words;     ///< name in messages
+  const char* measures;  ///< what its unit measures: "share" for a ratio, which may be in percent
+
+  bool is_share() const { return measures == std::string_view("share"); }
 };
 
-constexpr auto kDensities = std::to_array<Density>({{"phi", "solid fraction", true},
-                                                    {"void_ratio", "void ratio", true},
-                                                    {"porosity", "porosity", true},
-                                                    {"specific_volume", "specific volume", true},
-                                                    {"dry_density", "dry density", false},
-                                                    {"bulk_density", "bulk density", false},
-                                                    {"axial_strain", "axial strain", true},
-                                                    {"height", "height", false}});
+constexpr auto kDensities = std::to_array<Density>({{"phi", "solid fraction", "share"},
+                                                    {"void_ratio", "void ratio", "share"},
+                                                    {"porosity", "porosity", "share"},
+                                                    {"specific_volume", "specific volume", "share"},
+                                                    {"dry_density", "dry density", "density"},
+                                                    {"bulk_density", "bulk density", "density"},
+                                                    {"axial_strain", "axial strain", "share"},
+                                                    {"height", "height", "length"}});
 
 /// A column of a density, with the factor by which its numbers are multiplied.
 struct DensityColumn {
@@ -88,18 +90,30 @@ class DensityReader {
   DensityColumn main_column() const {
     const auto is_named = [this](const Density& density) { return columns_.is_named(density.name); };
     const bool any_named = std::any_of(kDensities.begin(), kDensities.end(), is_named);
-    std::string incomplete;
+    std::string almost;  // what keeps columns from being read
     for (const Density& density : kDensities) {
       if (any_named && !is_named(density)) continue;
       const auto column = columns_.find(density.name);
       if (!column) continue;
-      if (is_complete(density.name)) return {density, *column};
-      incomplete += what_is_missing(density, *column);
+      if (!is_of(density, *column))
+        almost += fmt::format("; the column \"{}\" has the name of a {}, but not its unit", header(*column),
+                              density.words);
+      else if (is_complete(density.name))
+        return {density, *column};
+      else
+        almost += what_is_missing(density, *column);
     }
     throw InputError(table_.place(),
                      fmt::format("the table has no column \"phi\", and none of a void ratio, porosity or other "
                                  "density; its columns are {}{}",
-                                 fmt::join(table_.columns(), ", "), incomplete));
+                                 fmt::join(table_.columns(), ", "), almost));
+  }
+
+  /// Whether a column is one of a density: the user or its header says so, or it has a usual name of the density and no
+  /// unit of something else. The diameter "D [mm]" of a tablet is no relative density.
+  bool is_of(const Density& density, const UnitColumn& column) const {
+    if (columns_.is_named(density.name) || columns_.find_exactly(density.name)) return true;
+    return column.unit.empty() || quantity_of_unit(column.unit) == density.measures;
   }
 
   std::string what_is_missing(const Density& density, const UnitColumn& column) const {
@@ -187,7 +201,7 @@ class DensityReader {
   /// Refuses numbers that contradict the unit of their column: shares that seem to be in percent although the table does
   /// not say so, or percentages that are too small. Nothing is refused if the user gave the unit.
   void require_plausible_unit() {
-    if (!main_.density.is_share) return;
+    if (!main_.density.is_share()) return;
     main_.factor = share_of_one(place_of(main_.column), main_.column.unit);
     if (table_.n_rows() == 0) return;
     auto [least, most] = range();
@@ -225,7 +239,7 @@ class DensityReader {
   }
 
   std::string question() const {
-    if (!main_.density.is_share) return "are its unit and the numbers it is compared with right?";
+    if (!main_.density.is_share()) return "are its unit and the numbers it is compared with right?";
     const std::string item =
         fmt::format("{}={}", main_.density.name, name_and_unit(header(main_.column)).first);
     return fmt::format(

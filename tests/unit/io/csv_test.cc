@@ -115,6 +115,29 @@ TEST(Csv, FindsTheNamesBelowTitlesAndTheUnitsBelowTheNames) {
   EXPECT_EQ(parse("p,e\n,\nnan,nan\n1,2\n").n_rows(), 2);
 }
 
+TEST(Csv, ReadsQuotedNamesOfSeveralLines) {
+  const CsvTable t = parse("\"Effective\nstress (kPa)\",\"Void\r\nratio\"\n1,2\n3,4\n");
+  EXPECT_THAT(t.columns(), ElementsAre("Effective stress (kPa)", "Void ratio"));
+  EXPECT_EQ(t.place(1), "t.csv:5");
+  // An inch is no quotation mark.
+  EXPECT_THAT(parse("Pipe of 5\" bore\nSample of 3\" bore\nx,y\n1,2\n").columns(), ElementsAre("x", "y"));
+}
+
+TEST(Csv, TakesARowForUnitsThatHasSomeItDoesNotKnow) {
+  const CsvTable t = parse("p,e,T,remark\nkPa,-,Grad,\n1,2,20,\n");
+  EXPECT_EQ(t.n_rows(), 1);
+  EXPECT_EQ(t.unit_cell(0), "kPa");
+}
+
+TEST(Csv, ReadsMinusSignsAndNoBreakSpaces) {
+  const CsvTable t = parse(
+      "x;y\n\xe2\x88\x92"
+      "1,5;\xc2\xa0"
+      "2\n");
+  EXPECT_EQ(t.number(0, 0), -1.5);
+  EXPECT_EQ(t.number(0, 1), 2.0);
+}
+
 TEST(Csv, FindsTheNamesInACommentAboveTheNumbers) {
   const CsvTable t = parse("# written by a program\n# x y radius\n1 2 3\n");
   EXPECT_THAT(t.columns(), ElementsAre("x", "y", "radius"));

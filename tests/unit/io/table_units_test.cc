@@ -21,6 +21,7 @@ TEST(TableUnits, AreTheLastBracketsOfAHeader) {
   EXPECT_THAT(name_and_unit("P [1]"), Pair("P", ""));
   EXPECT_THAT(name_and_unit("P"), Pair("P", ""));
   EXPECT_THAT(name_and_unit("c_force[1]x"), Pair("c_force[1]x", ""));
+  EXPECT_THAT(name_and_unit("c_force[2]"), Pair("c_force[2]", ""));
 }
 
 TEST(TableUnits, AreAlsoKnownUnitsBehindTheName) {

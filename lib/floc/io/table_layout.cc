@@ -179,19 +179,23 @@ SplitLines split_at_best_separator(const TableLines& lines, const std::vector<st
   return best->share_of_numbers() > 0.0 ? *best : SplitLines(lines, separator_of_words(lines), wanted);
 }
 
-/// Whether a row below the names gives units: all of its cells do, or half of them, one of which is no single letter.
+bool is_blank(const Cells& cells) {
+  return without_trailing_empties(cells) == 0;
+}
+
+/// Whether a row below the names gives units: all of its cells do, or half of them, one of which is no single letter. A
+/// cell may be empty or say that there is no unit.
 bool is_units_row(const Cells& cells) {
   std::size_t n_words = 0, n_units = 0, n_clear = 0;
   for (const std::string& cell : cells) {
-    if (is_missing(cell) || states_no_unit(cell)) continue;
+    if (cell.empty() || states_no_unit(cell)) continue;
+    if (is_missing(cell)) return false;  // a row of data without numbers
     const std::string unit = unit_in_cell(cell);
     ++n_words;
     n_units += !unit.empty();
     n_clear += unit.size() > 1 || unit == "%";
   }
-  const bool any_cell =
-      std::any_of(cells.begin(), cells.end(), [](const std::string& cell) { return !cell.empty(); });
-  return any_cell && (n_units == n_words || (n_clear > 0 && 2 * n_units >= n_words));
+  return !is_blank(cells) && (n_units == n_words || (n_clear > 0 && 2 * n_units >= n_words));
 }
 
 /// Takes the names from the lines `begin` to `end - 1`, of which those below the names are rows of data or of units.
@@ -211,6 +215,7 @@ void take_names(const SplitLines& split, const TableLines& lines, std::size_t be
   if (names > 0) layout.last_title_line = lines.rows[names - 1].number;
   for (std::size_t i = names; i-- > begin;) layout.other_names.push_back(rows[i]);
   layout.first_row = names + 1;
+  while (layout.first_row < end && is_blank(rows[layout.first_row])) ++layout.first_row;
   if (layout.first_row < end && is_units_row(rows[layout.first_row])) {
     layout.units = rows[layout.first_row];
     layout.units_line = lines.rows[layout.first_row].number;

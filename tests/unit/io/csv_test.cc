@@ -112,7 +112,9 @@ TEST(Csv, FindsTheNamesBelowTitlesAndTheUnitsBelowTheNames) {
         parse("p,e\nabc,def\n1,2\n", {"p", "e"}).number(0, 0);
       },
       ThrowsMessage<InputError>(HasSubstr("p = \"abc\"")));
-  EXPECT_EQ(parse("p,e\n,\nnan,nan\n1,2\n").n_rows(), 2);
+  for (const char* text : {"p,e\n,\nnan,nan\n1,2\n", "p,e\nnan,nan\n1,2\n", "p,e\nNA,\n1,2\n"})
+    EXPECT_EQ(parse(text).n_rows(), 2) << text;
+  EXPECT_EQ(parse("p,e\n,\nkPa,-\n1,2\n").n_rows(), 1);
 }
 
 TEST(Csv, ReadsQuotedNamesOfSeveralLines) {

@@ -152,6 +152,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
             0);
   ASSERT_EQ(floc("compare run/state-0003.h5 run/state-0004.h5 --displacements u.csv --contacts c.csv").code, 0);
   ASSERT_EQ(floc("export run/state-0003.h5 --grains eg.csv --contacts ec.csv").code, 0);
+  write_text(file("test.csv"), "p [kPa],e\n1,0.9\n2,0.8\n");
   const std::pair<const char*, std::string> tables[] = {
       {"moduli", floc("moduli run/state-0003.h5 --strains full --prestress --rolling-stiffness 1").out},
       {"modes", floc("modes run/state-0003.h5").out},
@@ -161,6 +162,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"compare of two runs", floc("compare run run").out},
       {"verify", floc("verify run/state-0003.h5").out},
       {"info", floc("info run/state-0003.h5").out},
+      {"info of tables", floc("info test.csv").out},
       {"chain", floc("chain --n 3 --R 0.5 --kn 1 --kt 1 --kr 1").out},
       {"scene check", floc("scene check small.toml").out},
       {"fit consolidation",

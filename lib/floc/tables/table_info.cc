@@ -81,7 +81,7 @@ ColumnInfo column_info(const NamedColumns& columns, int index, const std::string
 const std::vector<Column<ColumnInfo>>& columns_of_info() {
   static const std::vector<Column<ColumnInfo>> columns = {
       {"file", [](const ColumnInfo& c) { return c.file; }},
-      {"column", [](const ColumnInfo& c) { return count(c.number); }},
+      {"number", [](const ColumnInfo& c) { return count(c.number); }},
       {"header", [](const ColumnInfo& c) { return or_undefined(c.header); }},
       {"quantity", [](const ColumnInfo& c) { return or_undefined(c.quantity); }},
       {"unit", [](const ColumnInfo& c) { return or_undefined(c.unit); }},

@@ -150,6 +150,13 @@ TEST(MeasuredTables, InPercentOrNotAreAskedAboutWhereTheNumbersContradict) {
     }
     EXPECT_EQ(fit("cycle", table, {"--columns", asked.answer}).code, 0) << asked.header;
   }
+  const Outcome compacted =
+      floc_arguments({"fit", "dynamic-compaction", "-"}, "e,p,sc,se\n95,1,1,1\n85,2,1,1\n");
+  EXPECT_EQ(compacted.code, 4);
+  EXPECT_THAT(compacted.err,
+              HasSubstr("stdin:2: e is 85 and more in every row: is it in percent? Answer yes with --columns "
+                        "\"e=e [%]\", or no with --columns \"e=e [1]\""));
+  EXPECT_EQ(fit("cycle", "p,e\n1,90\n2,50\n3,4\n2,4.1\n").code, 4);
   const std::string loose = "P_star;e\n10;105\n20;95\n10;96\n";
   EXPECT_EQ(fit("cycle", loose, {"--columns", "void_ratio=e [1]"}).code, 0);
 }

@@ -56,12 +56,29 @@ double rounding_of(std::string_view text) {
   return std::min(0.5 * std::pow(10.0, exponent), kThreeDecimals);
 }
 
+/// Smallest and largest number in a column. @pre the table has rows
+std::pair<double, double> range_of(const CsvTable& table, int column) {
+  double least = table.number(0, column), most = least;
+  for (int row = 1; row < table.n_rows(); ++row) {
+    const double value = table.number(row, column);
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  return {least, most};
+}
+
+std::string percent_question(const std::string& name, const std::string& header) {
+  const std::string item = fmt::format("{}={}", name, name_and_unit(header).first);
+  return fmt::format("is it in percent? Answer yes with --columns \"{} [%]\", or no with --columns \"{} [1]\"",
+                     item, item);
+}
+
 /// Reads the solid fractions of one table.
 class DensityReader {
  public:
   explicit DensityReader(const NamedColumns& columns)
       : columns_(columns), table_(columns.table()), main_(main_column()) {
-    require_plausible_unit();
+    read_factor_of_share();
     read_references();
   }
 
@@ -198,52 +215,19 @@ class DensityReader {
                                  table_.text(row, main_.column.index), expected, question()));
   }
 
-  /// Refuses numbers that contradict the unit of their column: shares that seem to be in percent although the table does
-  /// not say so, or percentages that are too small. Nothing is refused if the user gave the unit.
-  void require_plausible_unit() {
+  void read_factor_of_share() {
     if (!main_.density.is_share()) return;
-    main_.factor = share_of_one(place_of(main_.column), main_.column.unit);
-    if (table_.n_rows() == 0) return;
-    auto [least, most] = range();
-    if (main_.is("axial_strain") && most <= 0.0 && least < 0.0) {
-      main_.factor *= -1.0;
-      reference_words_.emplace_back("negative in compression");
-      std::tie(least, most) = std::pair(-most, -least);
-    }
-    if (main_.column.unit_is_given) return;
-    const bool is_percent = std::abs(main_.factor) != 1.0;
-    // Even the loosest soils have void ratios of only about 5. A solid fraction above one is refused with its row.
-    constexpr double kLoosest = 10.0;
-    const bool has_no_bound = main_.is("void_ratio") || main_.is("specific_volume");
-    if (!is_percent && has_no_bound && least >= kLoosest)
-      throw InputError(table_.place(0), fmt::format("{} is {:.4g} and more in every row: {}",
-                                                    main_.density.name, least, question()));
-    if (!is_percent && !has_no_bound && !main_.is("phi") && most > 1.0)
-      throw InputError(table_.place(0),
-                       fmt::format("{} is {:.4g} in some row: {}", main_.density.name, most, question()));
-    // A strain of less than one percent is possible, a solid fraction of less than one percent is not.
-    if (is_percent && !main_.is("axial_strain") && most <= 1.0)
-      throw InputError(table_.place(0), fmt::format("{} is at most {:.4g} {}, as the table says: {}",
-                                                    main_.density.name, most, main_.column.unit, question()));
-  }
-
-  /// Smallest and largest number in the column.
-  std::pair<double, double> range() const {
-    double least = table_.number(0, main_.column.index), most = least;
-    for (int row = 1; row < table_.n_rows(); ++row) {
-      const double value = table_.number(row, main_.column.index);
-      least = std::min(least, value);
-      most = std::max(most, value);
-    }
-    return {least, most};
+    main_.factor = factor_of_share(columns_, main_.density.name);
+    if (!main_.is("axial_strain") || table_.n_rows() == 0) return;
+    const auto [least, most] = range_of(table_, main_.column.index);
+    if (most > 0.0 || least == 0.0) return;
+    main_.factor *= -1.0;
+    reference_words_.emplace_back("negative in compression");
   }
 
   std::string question() const {
-    if (!main_.density.is_share()) return "are its unit and the numbers it is compared with right?";
-    const std::string item =
-        fmt::format("{}={}", main_.density.name, name_and_unit(header(main_.column)).first);
-    return fmt::format(
-        "is it in percent? Answer yes with --columns \"{} [%]\", or no with --columns \"{} [1]\"", item, item);
+    return main_.density.is_share() ? percent_question(main_.density.name, header(main_.column))
+                                    : "are its unit and the numbers it is compared with right?";
   }
 
   void require_same(int row, double phi, const DensityColumn& void_ratio) const {
@@ -283,6 +267,32 @@ std::vector<std::string> density_names() {
   for (const char* name : {"particle_density", "initial_void_ratio", "initial_height", "solid_height"})
     names.emplace_back(name);
   return names;
+}
+
+double factor_of_share(const NamedColumns& columns, const std::string& name) {
+  const CsvTable& table = columns.table();
+  const UnitColumn column = columns.unit_column(name);
+  const std::string& header = table.columns()[static_cast<std::size_t>(column.index)];
+  const double factor = share_of_one(fmt::format("{}, column {}", table.place(), header), column.unit);
+  if (column.unit_is_given || table.n_rows() == 0) return factor;
+  const auto refuse = [&](const std::string& words) {
+    throw InputError(table.place(0), fmt::format("{} is {}: {}", name, words, percent_question(name, header)));
+  };
+  const bool is_strain = name == "axial_strain";
+  auto [least, most] = range_of(table, column.index);
+  if (is_strain && most <= 0.0) std::tie(least, most) = std::pair(-most, -least);
+  // Void ratios of soils are below 5, of peat and of the loosest powders below 20. A solid fraction above one is refused
+  // with its row.
+  constexpr double kLoose = 10.0, kLoosest = 30.0;
+  const bool has_no_bound = name == "void_ratio" || name == "e" || name == "specific_volume";
+  if (factor == 1.0 && has_no_bound && least >= kLoose)
+    refuse(fmt::format("{:.4g} and more in every row", least));
+  if (factor == 1.0 && name != "phi" && most > (has_no_bound ? kLoosest : 1.0))
+    refuse(fmt::format("{:.4g} in some row", most));
+  // A strain of less than one percent is possible, a solid fraction of less than one percent is not.
+  if (factor < 1.0 && !is_strain && most <= 1.0)
+    refuse(fmt::format("at most {:.4g} {}, as the table says", most, column.unit));
+  return factor;
 }
 
 SolidFractions solid_fractions(const NamedColumns& columns) {

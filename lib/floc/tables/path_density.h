@@ -37,6 +37,12 @@ std::vector<std::string> density_names();
 /// other
 SolidFractions solid_fractions(const NamedColumns& columns);
 
+/// Returns the factor that converts the numbers in the column `name`, a void ratio or another ratio, to shares of one: 0.01
+/// for percent, otherwise 1.
+/// @throws InputError with a question if the numbers seem to be in percent although the table does not say so, or if
+/// percentages are too small; but not if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
+double factor_of_share(const NamedColumns& columns, const std::string& name);
+
 /// Converts a solid fraction or a void ratio to a solid fraction.
 /// @param place  place of the value in messages
 /// @throws InputError if the value is not possible

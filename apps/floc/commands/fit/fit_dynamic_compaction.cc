@@ -6,6 +6,7 @@
 
 #include "commands/fit/fit_commands.h"
 #include "commands/fit/fit_input.h"
+#include "floc/tables/path_density.h"
 #include "floc/tables/table_fits.h"
 #include "process/output.h"
 #include "process/printing.h"
@@ -29,7 +30,7 @@ std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNam
     return unit_factor(fmt::format("{}, column {}", table.place(), name), of.unit, "column p", p.unit);
   };
   const double of_sc = to_unit_of_p(sc, "sc"), of_se = to_unit_of_p(se, "se");
-  const double of_e = share_of_one(fmt::format("{}, column e", table.place()), e.unit);
+  const double of_e = factor_of_share(named, "e");
   std::vector<CompactedSample> samples;
   for (int i = 0; i < table.n_rows(); ++i)
     samples.push_back(compacted_sample(table.place(i), of_e * table.number(i, e.index),

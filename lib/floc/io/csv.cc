@@ -106,6 +106,10 @@ void CsvTable::add_line(const TableLine& line) {
   add_row(line.number, cells);
 }
 
+std::string CsvTable::rows_in_words() const {
+  return fmt::format("{} row{}", n_rows(), n_rows() == 1 ? "" : "s");
+}
+
 std::string CsvTable::unit_cell(int column) const {
   const auto k = static_cast<std::size_t>(column);
   return k < layout_.units.size() ? layout_.units[k] : "";

@@ -47,6 +47,8 @@ class CsvTable {
   /// Says how the table is written, as far as it is not a plain csv table: separator, decimal commas, encoding, lines
   /// above the names, row of units. Empty for a plain csv table.
   std::string description() const;
+  /// Number of rows in words: "27 rows".
+  std::string rows_in_words() const;
   int n_rows() const { return static_cast<int>(lines_.size()); }
   bool has(const std::string& name) const;
 

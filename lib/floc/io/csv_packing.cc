@@ -24,9 +24,9 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
   listed.cell = options.cell;
   const CsvTable table = CsvTable::read(path, wanted_names(grain_names(), options.columns));
   if (!table.description().empty())
-    listed.remarks.push_back(fmt::format("read {} rows: {}", table.n_rows(), table.description()));
+    listed.remarks.push_back(fmt::format("read {}: {}", table.rows_in_words(), table.description()));
   listed.grains = read_grains(NamedColumns(table, options.columns), options.units);
-  listed.contacts = read_contact_file(options, static_cast<int>(listed.cell.size()));
+  listed.contacts = read_contact_file(options, static_cast<int>(listed.cell.size()), {}, &listed.remarks);
   return assemble(listed);
 }
 

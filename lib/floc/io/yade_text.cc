@@ -199,7 +199,7 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
                         (is_yade_interactions(options.contacts) || begins_with_number(options.contacts));
   listed.law = says_law ? law_of(read_table(options.contacts, "id1", {}).table, options.contacts)
                         : required_law(path, options);
-  listed.contacts = read_contact_file(options, dimension);
+  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
   if (says_law)
     listed.remarks.push_back("the contact law has the mean stiffnesses of the listed contacts: " +
                              law_text(listed.law));

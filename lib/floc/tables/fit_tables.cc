@@ -129,7 +129,7 @@ void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure)
 std::string reading_of(const PathTable& path, const std::string& density) {
   const int n_reversals = count_reversals(path.rows);
   const std::string description = path.table.description();
-  return fmt::format("read {} rows: pressure{}, {}; {} reversal{}{}{}", path.rows.size(),
+  return fmt::format("read {}: pressure{}, {}; {} reversal{}{}{}", path.table.rows_in_words(),
                      path.unit.empty() ? "" : " in " + path.unit, density, n_reversals,
                      n_reversals == 1 ? "" : "s", description.empty() ? "" : "; ", description);
 }

@@ -99,7 +99,7 @@ std::string reading_of(const CsvTable& table, const char* kind, const std::map<i
       names.empty()
           ? "no quantity that floc knows by these headers; --columns NAME=COLUMN says which column is which"
           : fmt::format("{} with {}", kind, fmt::join(names, ", "));
-  return fmt::format("read {} rows: {}{}{}", table.n_rows(), what, description.empty() ? "" : "; ",
+  return fmt::format("read {}: {}{}{}", table.rows_in_words(), what, description.empty() ? "" : "; ",
                      description);
 }
 

@@ -68,6 +68,15 @@ TEST_F(CsvPacking, ConvertsLengthsToTheUnitOfXOrToMetres) {
               ThrowsMessage<InputError>(HasSubstr("column \"mass [g]\" is in g: expected kg, the unit of SI")));
 }
 
+TEST_F(CsvPacking, SaysHowItsTablesAreWritten) {
+  grains("id;x;y;radius\n7;4,4;1;0,5\n3;3,5;1;0,5\n5;2,7;1;0,5\n");
+  contacts("# id1 id2 normal_force\n7 3 1\n");
+  const std::vector<std::string> remarks = read_csv_packing(scratch_.file("g.csv"), options_).remarks;
+  EXPECT_THAT(remarks,
+              testing::IsSupersetOf({std::string("read 3 rows: separated by semicolons, decimal commas"),
+                                     scratch_.file("c.csv") + ": read 1 row: separated by blanks"}));
+}
+
 TEST_F(CsvPacking, RefusesForcesInSeveralUnits) {
   contacts("id1,id2,force1 [N],force2 [kN]\n7,3,1,0\n");
   EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("column \"force2 [kN]\" is in kN: expected N")));

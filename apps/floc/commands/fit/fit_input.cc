@@ -63,7 +63,7 @@ void log_notes(const PathTable& path) {
 
 void log_description(const CsvTable& table) {
   if (const std::string words = table.description(); !words.empty())
-    spdlog::info("{}: read {} rows: {}", table.place(), table.n_rows(), words);
+    spdlog::info("{}: read {}: {}", table.place(), table.rows_in_words(), words);
 }
 
 int for_each_table(const std::vector<std::string>& inputs,

@@ -156,6 +156,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
   ASSERT_EQ(floc("scene check small.toml --sizes sizes.csv").code, 0);
   ASSERT_EQ(floc("info run/state-0003.h5 --sizes state-sizes.csv").code, 0);
   write_text(file("failures.csv"), "sigma1,sigma3\n208,50\n350,100\n640,200\n1235,400\n");
+  write_text(file("test.csv"), "p [kPa],e\n1,0.9\n2,0.8\n");
   const std::pair<const char*, std::string> tables[] = {
       {"moduli", floc("moduli run/state-0003.h5 --strains full --prestress --rolling-stiffness 1").out},
       {"modes", floc("modes run/state-0003.h5").out},
@@ -165,6 +166,7 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"compare of two runs", floc("compare run run").out},
       {"verify", floc("verify run/state-0003.h5").out},
       {"info", floc("info run/state-0003.h5").out},
+      {"info of tables", floc("info test.csv").out},
       {"chain", floc("chain --n 3 --R 0.5 --kn 1 --kt 1 --kr 1").out},
       {"scene check", floc("scene check small.toml").out},
       {"info --sizes", content_of(file("state-sizes.csv"))},

@@ -59,8 +59,8 @@ TEST(Convert, LeavesAnExistingFileAloneUnlessToldTo) {
 
 TEST(Convert, SaysWhatItCannotDoAndLeavesNothingBehind) {
   const ScratchDirectory scratch;
-  std::ofstream(scratch.file("g.csv")) << kTwoGrains;
-  std::ofstream(scratch.file("g.xyz")) << kTwoGrains;
+  for (const char* name : {"g.csv", "g.xyz"})
+    std::ofstream(scratch.file(name)) << "east,north,R\n0,0,0.5\n0.9,0,0.5\n";
   const std::string out = scratch.file("s.h5");
   const auto expect = [&](int code, const std::string& message, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), "convert");

@@ -10,7 +10,6 @@ namespace floc::test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 struct BadTable {
   const char* what;
@@ -43,19 +42,17 @@ std::string too_short_table() {
 
 TEST(FitConsolidation, EveryBadTableIsRefusedByNameAndCode) {
   const BadTable tables[] = {
-      {"repeated pressure", "branch,P_star,phi\nload,0.1,0.5\nload,0.2,0.52\nload,0.2,0.53\nload,0.4,0.6\n", 4,
-       "stdin:4: P_star = 0.2: expected a pressure that grows"},
       {"pressure that falls within a branch",
        "branch,P_star,phi\nload,0.1,0.5\nload,0.2,0.52\nload,0.15,0.53\n", 4,
        "stdin:4: P_star = 0.15: expected a pressure that grows"},
       {"pressure that grows while unloading", "branch,P_star,phi\nload,1,0.6\nunload,0.5,0.6\nunload,0.7,0.6\n",
        4, "stdin:4: P_star = 0.7: expected a pressure that falls"},
-      {"repeated pressure without branches", "P_star,phi\n0.1,0.5\n0.1,0.5\n", 4, "stdin:3: P_star = 0.1"},
+      {"repeated pressure", "P_star,phi\n0.1,0.5\n0.1,0.5\n", 3, "1 pressures"},
       {"negative pressure", "P_star,phi\n-0.1,0.5\n", 4, "stdin:2: P_star = -0.1: expected a pressure >= 0"},
       {"negative density", "P_star,phi\n0.1,-0.5\n", 4,
        "stdin:2: phi = -0.5: expected a positive solid fraction"},
       {"negative void ratio", "P_star,void_ratio\n0.1,-0.5\n", 4, "stdin:2: void_ratio = -0.5"},
-      {"missing pressure", "P,phi\n0.1,0.5\n", 4, "has no column \"P_star\""},
+      {"missing pressure", "load,phi\n0.1,0.5\n", 4, "has no column \"P_star\""},
       {"missing density", "P_star,density\n0.1,0.5\n", 4, "has no column \"phi\""},
       {"NaN", "P_star,phi\n0.1,0.5\n0.2,nan\n", 4, "stdin:3: phi = \"nan\", expected a finite number"},
       {"empty cell", "P_star,phi\n0.1,0.5\n0.2,\n", 4, "stdin:3"},
@@ -83,16 +80,6 @@ TEST(FitConsolidation, BadMapsAreNamed) {
   const Outcome absent = run_floc("fit consolidation - --columns P_star=q", ".", table);
   EXPECT_EQ(absent.code, 4);
   EXPECT_THAT(absent.err, HasSubstr("has no column \"q\"; its columns are p, phi"));
-}
-
-TEST(FitConsolidation, VoidRatiosThatMayBeInPercentAreDoubted) {
-  std::string bare = "P_star,void_ratio\n", named = "P_star,void_ratio [%]\n";
-  for (const auto& [P, e] : {std::pair{8, 105.0}, {16, 98.8}, {32, 92.5}, {64, 86.3}, {128, 80.0}, {256, 73.8}})
-    for (std::string* table : {&bare, &named}) *table += fmt::format("{},{}\n", P, e);
-  const Outcome doubted = run_floc("fit consolidation - --law log", ".", bare);
-  EXPECT_EQ(doubted.code, 0);
-  EXPECT_THAT(doubted.err, HasSubstr("the void ratio is 73.8 and more in every row: is it in percent?"));
-  EXPECT_THAT(run_floc("fit consolidation - --law log", ".", named).err, Not(HasSubstr("percent")));
 }
 
 TEST(FitElastic, BadTablesAreRefused) {

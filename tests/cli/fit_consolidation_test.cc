@@ -104,7 +104,7 @@ TEST(FitConsolidation, BadTablesAreNamedAndTheOthersStillDone) {
   const ScratchDirectory dir;
   write_text(dir.file("good.csv"), path_table());
   write_text(dir.file("text.csv"), "P_star,phi\n0.1,0.5\n0.2,dense\n");
-  write_text(dir.file("column.csv"), "P,phi\n0.1,0.5\n");
+  write_text(dir.file("column.csv"), "load,phi\n0.1,0.5\n");
   write_text(dir.file("negative.csv"), "P_star,phi\n-0.1,0.5\n");
   write_text(dir.file("falls.csv"), "branch,P_star,phi\nload,0.2,0.5\nload,0.1,0.5\n");
   const Outcome o = run_floc(

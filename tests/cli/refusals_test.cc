@@ -246,7 +246,7 @@ const Refusal kOfFormats[] = {
      {"convert g.txt p.h5 --cell '5,0;0,5'"},
      "g.txt: the file holds no contact law: give --law"},
     {"yade_interactions_without_a_law",
-     {{"g.txt", kYade}, {"i.txt", "# id1 id2\n0 1\n"}},
+     {{"g.txt", kYade}, {"i.txt", "# id1 id2 fnx fny fnz\n0 1 1 0 0\n"}},
      {"convert g.txt p.h5 --cell '5,0;0,5' --contacts i.txt"},
      "i.txt: the list of interactions does not have all of the columns kn, ks and tan_phi: give --law"},
     {"yade_contact_columns",

@@ -22,6 +22,7 @@ import io
 import math
 import os
 import re
+import runpy
 import shutil
 import statistics
 import subprocess
@@ -76,6 +77,7 @@ UNCHECKED_TABLES = {
     "| | loose | dense |": "processor time",
     "| command | 4000 beads | 32 000 beads |": "processor time and memory",
     "| column | meaning |": "words",
+    "| quantity | floc's name |": "words",
     "| column of a contact | meaning |": "words",
     "| read | from |": "words",
     "| file | shows |": "words; tests/python runs them",
@@ -640,6 +642,36 @@ class Test:
                 for scatter in deviation:
                     self.number(scatter, statistics.stdev(values), f"{what}, scatter of {name}")
 
+    def measured_tables(self):
+        """Fits of the tables of tests that are made up, beside what they were made with."""
+        sys.dont_write_bytecode = True
+        made, tests = (runpy.run_path(os.path.join(self.source, "data/tables", name, "make.py")) for name in ("oedometer", "your-test"))
+        table = "data/tables/oedometer/oedometer.csv"
+        virgin = f"floc fit consolidation {table} --loading virgin --law log --window 200,6400"
+        rows = [(virgin, "lambda", made["LAMBDA"]), (f"floc fit preconsolidation {table}", "kappa", made["KAPPA"]),
+                (f"floc fit preconsolidation {table}", "P_c", max(made["LOADS"]))]
+        self.fits_beside_truth("| constant of the clay | made with |", 1, rows)
+        table = "data/tables/your-test/"
+        german = f"floc fit consolidation {table}oedometer.csv --law log --loading virgin --window 100,1600"
+        polish = (f"floc fit consolidation {table}edometr.csv --law log --window 100,1600 --columns "
+                  f"initial_void_ratio={tests['POLISH_E_0']},initial_height={tests['POLISH_HEIGHT']}")
+        tablet = f"floc fit consolidation {table}tablet.txt --law full"
+        rows = [(german, "lambda", tests["GERMAN"]["lambda"]), (polish, "lambda", tests["POLISH"]["lambda"])]
+        rows += [(tablet, name, tests["TABLET"][name]) for name in ("lambda", "alpha", "Phi_max")]
+        self.fits_beside_truth("| test | constant | made with |", 2, rows)
+
+    def fits_beside_truth(self, header, n_words, rows):
+        """Rows: command, parameter and truth of each row of a table with `n_words` columns of words."""
+        for cells, (command, name, truth) in zip(self.claim_table(header), rows, strict=True):
+            made, value, interval = cells[n_words:]
+            self.number(made, truth, f"{name} of {command}, made with")
+            row = next(r for r in self.rows(command) if r["parameter"] == name)
+            low, high = interval.split(" to ")
+            for shown, column in ((value, "value"), (low, "low95"), (high, "high95")):
+                self.number(shown, row[column], f"{column} of {name} of {command}")
+            if not float(row["low95"]) <= truth <= float(row["high95"]):
+                self.fault(f"{command}: the interval of {name} does not hold the truth, {truth}")
+
     def loads(self):
         tables = os.path.join(self.source, "data/tables/loads")
         tests = list(csv.DictReader(open(os.path.join(tables, "biaxial.csv"))))
@@ -898,7 +930,7 @@ class Test:
                            self.python, self.python_package)
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
-                              self.preconsolidation, self.conversions, self.python, self.python_package, self.spheres,
+                              self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
                               self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads,
                               self.lattice, self.tradeoff, self.kinds_of_shapes, self.shapes_of_states):

@@ -27,6 +27,7 @@
 #include "floc/neighbors/find_contacts.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
+#include "floc/tables/fit_tables.h"
 #include "support/sealed.h"
 #include "support/states.h"
 
@@ -136,6 +137,15 @@ void read_contacts_bytes(const std::string& bytes) {
     options.cell = {{4.0, 0.0}, {0.0, 4.0}};
     options.contacts = contacts.path();
   });
+}
+
+/// A table of measurements, as `floc fit` reads it. The height of the grains stands for all that a user may give.
+void read_path_bytes(const std::string& bytes) {
+  const MemoryFile file(bytes);
+  try {
+    read_path(file.path(), {{"solid_height", "10 [mm]"}}, {"P", "P_star"});
+  } catch (const InputError&) {
+  }
 }
 
 void read_dump_bytes(const std::string& bytes) {
@@ -248,7 +258,15 @@ std::vector<std::string> edit_seeds() {
 
 std::vector<std::string> csv_seeds() {
   return {"x,y,r\n0.0,0.0,0.5\n0.999,0.0,0.5\n0.4995,0.8651594,0.5\n1.4985,0.8651594,0.5\n",
-          "id;x;y;diameter;mass\n1;1000000000.1234567891;-7;1;2\n# words\n2;\"0.5\";1e-3;.5;1\n"};
+          "id;x;y;diameter;mass\n1;1000000000.1234567891;-7;1;2\n# words\n2;\"0.5\";1e-3;.5;1\n",
+          "Titel;;\nx;y;Radius\n[mm];[mm];[um]\n0,0;0,0;500\n;;\n0,999;0,0;500\n",
+          "# x y radius\n0 0 0.5\n0.999 0 0.5\n"};
+}
+std::vector<std::string> path_seeds() {
+  return {"branch,P_star,phi\nload,0.1,0.5\nload,0.2,0.52\nunload,0.1,0.51\n",
+          "Probe 12, Tiefe 4,5 m\nSpannung;Porenzahl\n[kPa];[%]\n12,5;90,1\n12,5;89,0\n25,0;85\n;\n12,5;86\n",
+          "\xef\xbb\xbfsigma'v (kPa)\tH [mm]\r\n1.0\t20\r\n2e1\t19.5\r\n", "p e\r1 0.9\r2 0.8\r",
+          "\"Pressure, MPa\",\"Relative density (%)\"\n1,50\n2,\"55\"\n"};
 }
 std::vector<std::string> contact_seeds() {
   return {
@@ -271,6 +289,7 @@ const std::vector<Reader>& readers() {
         {"state_bytes", read_unsealed_bytes, [] { return written_states(".h5"); }},
         {"csv", read_csv_bytes, csv_seeds},
         {"contacts", read_contacts_bytes, contact_seeds},
+        {"path", read_path_bytes, path_seeds},
         {"lammps_dump", read_dump_bytes, [] { return shipped("packings/lammps/disks.dump"); }},
         {"lammps_data", read_data_bytes, [] { return written_states(".data"); }},
         {"yade", read_yade_bytes, [] { return shipped("packings/yade/spheres.txt"); }},

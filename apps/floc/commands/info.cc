@@ -1,10 +1,15 @@
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
+#include "commands/fit/fit_input.h"
+#include "floc/base/read_file.h"
 #include "floc/tables/info_row.h"
 #include "floc/tables/size_rows.h"
+#include "floc/tables/table_info.h"
 #include "process/command.h"
 #include "process/finish_output.h"
 #include "process/output.h"
@@ -15,6 +20,7 @@ namespace {
 
 struct InfoArguments {
   std::vector<std::string> files;
+  std::string columns;
   Printing printing;
   bool scene = false;
   std::string sizes;  ///< name of the csv file for the sizes of the grains; if empty, no file is written
@@ -39,30 +45,60 @@ void print(const Table& table, const Printing& printing) {
   finish_output();
 }
 
+/// Whether a file is a table: it is neither a directory nor a state file or a scene, by its name and its first bytes.
+bool is_table(const std::string& file) {
+  const std::filesystem::path path(file);
+  if (file == "-" || !std::filesystem::is_regular_file(path)) return false;
+  return path.extension() != ".h5" && path.extension() != ".toml" && !read_file(file).starts_with("\x89HDF");
+}
+
+/// Prints what floc understands of tables: a line on stderr, and a row for each of their columns.
+int info_of_tables(const std::vector<std::string>& files, const ColumnNames& names, const Printing& printing) {
+  Table table;
+  const int code = for_each_file(files, [&](const std::string& file) {
+    const TableInfo read = add_table_info(file, names, table);
+    spdlog::info("{}: {}", file, read.reading);
+    for (const std::string& note : read.notes) spdlog::info("{}: {}", file, note);
+    return int{kDone};
+  });
+  if (!table.rows.empty()) print_table(table, printing);
+  return code;
+}
+
 int info(const InfoArguments& arguments) {
   Table table, sizes;
-  const int code =
-      for_each_state(arguments.files, [&](const std::string& file, const AnyState& state, const Remarks&) {
-        if (arguments.scene)
-          std::visit([](const auto& s) { std::cout << s.scene; }, state);
-        else
-          add_info_row(file, state, table);
-        if (!arguments.sizes.empty()) add_size_rows(file, state, sizes);
-        return int{kDone};
-      });
+  Printing printing = arguments.printing;
+  const ColumnNames names = parse_column_names(arguments.columns, names_of_quantities(), printing);
+  std::vector<std::string> tables, states;
+  for (const std::string& file : arguments.files) (is_table(file) ? tables : states).push_back(file);
+  const int code_of_tables = info_of_tables(tables, names, printing);
+  const int code = for_each_state(states, [&](const std::string& file, const AnyState& state, const Remarks&) {
+    if (arguments.scene)
+      std::visit([](const auto& s) { std::cout << s.scene; }, state);
+    else
+      add_info_row(file, state, table);
+    if (!arguments.sizes.empty()) add_size_rows(file, state, sizes);
+    return int{kDone};
+  });
   if (!arguments.sizes.empty()) write_csv(arguments.sizes, sizes);
-  if (!table.rows.empty()) print(table, arguments.printing);
+  if (!table.rows.empty()) print(table, printing);
   finish_output();
-  return code;
+  return worse(code, code_of_tables);
 }
 
 }  // namespace
 
 Command add_info(CommandLine program) {
   CommandLine app = program.add_subcommand(
-      "info", "Print the contents of a state file, its loading history and its provenance");
+      "info",
+      "Print the contents of a state file, its loading history and its provenance; or how floc reads a table");
   const auto arguments = std::make_shared<InfoArguments>();
-  add_states_argument(app, arguments->files);
+  app.add_option(
+         "FILE", arguments->files,
+         "state files, or directories that floc run wrote; - reads one state from stdin; or tables that "
+         "floc fit or floc convert shall read")
+      .required();
+  add_columns_option(app, arguments->columns, "quantities such as P_star and void_ratio");
   add_printing_options(app, arguments->printing);
   app.add_flag("--scene", arguments->scene, "print only the scene file with which the state was made");
   app.add_option(

@@ -365,8 +365,8 @@ Command add_plot(CommandLine program) {
             // The default of --show depends on the inputs, so it is set here, after the command line has been parsed.
             if (arguments->show.empty())
               arguments->show = arguments->inputs.front().ends_with(".h5") ? "forces" : "consolidation";
-            arguments->names = parse_column_names(arguments->columns, {"P_star", "phi", "void_ratio", "branch"},
-                                                  arguments->printing);
+            arguments->names = parse_column_names(
+                arguments->columns, names_with_densities({"P_star", "branch"}), arguments->printing);
             return plot(*arguments);
           }};
 }

@@ -111,7 +111,8 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
         Seed of the resampling.
     stress : {"driven", "mean"}, columns : dict
         For tables only: the stress from which P* of an oedometric test is computed, and the names of the columns for
-        the keys P_star, phi, void_ratio, branch.
+        the keys P_star, phi, void_ratio or another density, branch, with a unit where the table has none, as in
+        ``{"void_ratio": "e [%]"}``. Columns with usual names are found without.
 
     Returns
     -------

@@ -7,14 +7,9 @@
 #include "floc/base/read_file.h"
 
 namespace floc {
-namespace {
 
-using namespace std::string_view_literals;
-
-/// Returns the name of the encoding of a text if it is UTF-16 or UTF-32, otherwise an empty text. The encoding is
-/// recognised by its byte order mark. UTF-16 without this mark is recognised by exactly one zero among the first two
-/// bytes.
 std::string_view foreign_encoding(std::string_view text) {
+  using namespace std::string_view_literals;
   for (const std::string_view mark : {"\xff\xfe\0\0"sv, "\0\0\xfe\xff"sv})
     if (text.starts_with(mark)) return "UTF-32";
   for (const std::string_view mark : {"\xff\xfe"sv, "\xfe\xff"sv})
@@ -23,15 +18,13 @@ std::string_view foreign_encoding(std::string_view text) {
   return "";
 }
 
-/// Whether the first line ends in one or more "\r" that are followed by text, and not by "\n".
 bool ends_in_carriage_return(std::string_view text) {
+  using namespace std::string_view_literals;
   const std::size_t end = text.find_first_of("\r\n\0"sv);
   if (end == std::string_view::npos || text[end] != '\r') return false;
   const std::size_t next = text.find_first_not_of('\r', end);
   return next != std::string_view::npos && text[next] != '\n';
 }
-
-}  // namespace
 
 std::string_view without_byte_order_mark(std::string_view text) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";

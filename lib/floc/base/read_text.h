@@ -17,6 +17,14 @@ std::string read_text(const std::string& path);
 /// @throws InputError if the text is in UTF-16 or UTF-32, or if its lines end in carriage returns alone
 void require_text(const std::string& place, std::string_view beginning);
 
+/// Returns the name of the encoding of a text if it is UTF-16 or UTF-32, otherwise an empty text. The encoding is
+/// recognised by its byte order mark. UTF-16 without this mark is recognised by exactly one zero among the first two
+/// bytes.
+std::string_view foreign_encoding(std::string_view text);
+
+/// Whether the first line of a text ends in one or more "\r" that are followed by text, and not by "\n".
+bool ends_in_carriage_return(std::string_view text);
+
 /// Returns `text` without the byte order mark of UTF-8 at its beginning, if it has one.
 std::string_view without_byte_order_mark(std::string_view text);
 

@@ -12,6 +12,22 @@ void add_point(const std::vector<PathRow>& rows, std::size_t i, Loading& loading
   loading.rows.push_back(static_cast<int>(i));
 }
 
+/// Whether the next row of the same branch has the same pressure, so that this row does not count.
+bool is_superseded(const std::vector<PathRow>& rows, std::size_t i) {
+  if (i + 1 >= rows.size() || rows[i].P_star == 0.0) return false;
+  const PathRow &row = rows[i], &next = rows[i + 1];
+  return row.P_star == next.P_star && row.branch == next.branch && row.load == PathLoad::isotropic &&
+         next.load == PathLoad::isotropic;
+}
+
+/// Returns the indices of the rows that no later row of the same pressure supersedes.
+std::vector<std::size_t> counted_rows(const std::vector<PathRow>& rows) {
+  std::vector<std::size_t> counted;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (!is_superseded(rows, i)) counted.push_back(i);
+  return counted;
+}
+
 }  // namespace
 
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
@@ -19,8 +35,13 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
   double largest = 0.0;
   double before = 0.0;
   bool turned = false;
-  for (const PathRow& row : rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const PathRow& row = rows[i];
     const double P = row.P_star;
+    if (is_superseded(rows, i)) {
+      steps.push_back(PathStep::hold);
+      continue;
+    }
     PathStep step = PathStep::first_loading;
     if (row.load == PathLoad::other)
       step = PathStep::test;
@@ -42,31 +63,46 @@ std::vector<PathStep> path_steps(const std::vector<PathRow>& rows) {
   return steps;
 }
 
+std::vector<int> superseded_rows(const std::vector<PathRow>& rows) {
+  const std::vector<PathStep> steps = path_steps(rows);
+  std::vector<int> found;
+  for (std::size_t i = 0, first = 0; i < rows.size(); ++i) {
+    if (is_superseded(rows, i)) continue;
+    // Rows of a branch that only holds the pressure of the branch before it are no points of a curve, not even the last.
+    for (; first < i; ++first)
+      if (steps[i] != PathStep::hold) found.push_back(static_cast<int>(first));
+    first = i + 1;
+  }
+  return found;
+}
+
+int count_reversals(const std::vector<PathRow>& rows) {
+  int n = 0, direction = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double change = rows[i].P_star - rows[i - 1].P_star;
+    if (change == 0.0) continue;
+    const int step = change > 0.0 ? 1 : -1;
+    n += direction == -step;
+    direction = step;
+  }
+  return n;
+}
+
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows) {
   int direction = 0;  // sign of the last change of pressure along the branch: 1, -1 or 0
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const int row = static_cast<int>(i);
-    const double change = rows[i].P_star - rows[i - 1].P_star;
     if (rows[i].branch != rows[i - 1].branch || rows[i].load != PathLoad::isotropic ||
         rows[i - 1].load != PathLoad::isotropic) {
       direction = 0;
       continue;
     }
-    if (rows[i].branch.empty()) {
-      if (change == 0.0) return PathFault{row, "a pressure that differs from the pressure of the row before"};
-      continue;
-    }
-    const int step = change > 0.0 ? 1 : change < 0.0 ? -1 : 0;
-    const bool is_first = i < 2 || rows[i - 2].branch != rows[i].branch;
-    if (!is_first && step != direction)
-      return PathFault{row,
-                       direction > 0 ? "a pressure that grows along its branch"
-                       : direction < 0
-                           ? "a pressure that falls along its branch"
-                           : "the pressure of the row before, because the pressure of this branch is constant"};
-    if (rows[i].branch == "load" && step <= 0) return PathFault{row, "a pressure that grows along its branch"};
-    if (rows[i].branch == "unload" && step >= 0)
-      return PathFault{row, "a pressure that falls along its branch"};
+    const double change = rows[i].P_star - rows[i - 1].P_star;
+    if (rows[i].branch.empty() || change == 0.0) continue;
+    const int step = change > 0.0 ? 1 : -1;
+    const int expected = rows[i].branch == "load" ? 1 : rows[i].branch == "unload" ? -1 : direction;
+    if (expected != 0 && step != expected)
+      return PathFault{static_cast<int>(i), expected > 0 ? "a pressure that grows along its branch"
+                                                         : "a pressure that falls along its branch"};
     direction = step;
   }
   return std::nullopt;
@@ -96,15 +132,17 @@ std::vector<Reloading> reloadings(const std::vector<PathRow>& rows) {
   };
   std::vector<Reloading> found;
   double largest = 0.0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  std::size_t before = 0;
+  for (const std::size_t i : counted_rows(rows)) {
     if (loads(i)) {
-      if (!loads(i - 1)) {
+      if (!loads(before)) {
         found.push_back({{}, largest});
-        if (rows[i - 1].P_star > 0.0) add_point(rows, i - 1, found.back().loading);
+        if (rows[before].P_star > 0.0) add_point(rows, before, found.back().loading);
       }
       add_point(rows, i, found.back().loading);
     }
     largest = std::max(largest, rows[i].P_star);
+    before = i;
   }
   return found;
 }
@@ -112,13 +150,16 @@ std::vector<Reloading> reloadings(const std::vector<PathRow>& rows) {
 std::vector<Loading> unloadings(const std::vector<PathRow>& rows) {
   const std::vector<PathStep> steps = path_steps(rows);
   std::vector<Loading> found;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (steps[i] != PathStep::unloading) continue;
-    if (steps[i - 1] != PathStep::unloading) {
-      found.emplace_back();
-      add_point(rows, i - 1, found.back());
+  std::size_t before = 0;
+  for (const std::size_t i : counted_rows(rows)) {
+    if (steps[i] == PathStep::unloading) {
+      if (steps[before] != PathStep::unloading) {
+        found.emplace_back();
+        add_point(rows, before, found.back());
+      }
+      add_point(rows, i, found.back());
     }
-    add_point(rows, i, found.back());
+    before = i;
   }
   return found;
 }

@@ -40,8 +40,16 @@ enum class PathStep {
 };
 
 /// Returns the kind of the step to each row. It follows from the kinds of load and the pressures alone, not from the
-/// names of the branches.
+/// names of the branches. Of successive rows of one branch that have one pressure, as a table of an oedometer test has
+/// them where the sample creeps under a load, only the last counts; the others are of the kind PathStep::hold.
 std::vector<PathStep> path_steps(const std::vector<PathRow>& rows);
+
+/// Returns the indices of the rows that do not count because a later one of successive rows has the same pressure and
+/// counts instead.
+std::vector<int> superseded_rows(const std::vector<PathRow>& rows);
+
+/// Returns how often the pressure of a load path changes from growing to falling or back.
+int count_reversals(const std::vector<PathRow>& rows);
 
 /// Index of a row of a load path whose pressure does not fit to its branch, and the pressure expected in this row, in
 /// words.
@@ -51,8 +59,8 @@ struct PathFault {
 };
 
 /// Returns the first row whose pressure does not fit its branch, or nothing. Along a branch, which consists of
-/// consecutive rows with one branch name, the pressures must strictly grow, strictly fall, or all be equal. If the rows
-/// have no branch names, no two consecutive pressures may be equal. Rows whose load differs between the axes always
+/// consecutive rows with one branch name, the pressures must not fall, or must not grow; in the branch "load" they must
+/// not fall, in "unload" not grow. Rows without branch names always fit. Rows whose load differs between the axes always
 /// fit, because the stress on an axis with imposed strain may fall.
 std::optional<PathFault> path_fault(const std::vector<PathRow>& rows);
 

@@ -1,5 +1,7 @@
 #include "floc/io/contact_file.h"
 
+#include <fmt/format.h>
+
 #include "floc/io/lammps_dump.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/yade_text.h"
@@ -7,14 +9,19 @@
 namespace floc {
 
 std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,
-                                                            std::optional<std::int64_t> timestep) {
+                                                            std::optional<std::int64_t> timestep,
+                                                            std::vector<std::string>* remarks) {
   check_contact_columns("--contact-columns", options.contact_columns);
   if (options.contacts.empty()) return std::nullopt;
   const bool on_stdin = options.contacts == "-";  // stdin can be read only once, so its format is not guessed
   if (!on_stdin && is_lammps_dump(options.contacts)) return read_dump_contacts(options, dimension, timestep);
   if (!on_stdin && is_yade_interactions(options.contacts)) return read_yade_contacts(options, dimension);
-  const CsvTable table = CsvTable::read(options.contacts);
-  return read_contacts(NamedColumns(table, options.contact_columns), dimension);
+  const CsvTable table =
+      CsvTable::read(options.contacts, wanted_names(contact_names(), options.contact_columns));
+  if (remarks != nullptr && !table.description().empty())
+    remarks->push_back(
+        fmt::format("{}: read {}: {}", options.contacts, table.rows_in_words(), table.description()));
+  return read_contacts(NamedColumns(table, options.contact_columns), dimension, options.units);
 }
 
 }  // namespace floc

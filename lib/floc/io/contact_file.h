@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "floc/io/import.h"
@@ -15,9 +16,11 @@ namespace floc {
 /// @param dimension  dimension of the packing, 2 or 3
 /// @param timestep  time step of the grains, if their file gives one. In a LAMMPS dump, the last frame with this time
 /// step is read or, without a time step, the last frame.
+/// @param remarks  if not null, receives a sentence that says how a csv table is written, unless it is a plain one
 /// @return the contacts; nothing if `options.contacts` is empty
 /// @throws InputError naming file, line and column
 std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,
-                                                            std::optional<std::int64_t> timestep = {});
+                                                            std::optional<std::int64_t> timestep = {},
+                                                            std::vector<std::string>* remarks = nullptr);
 
 }  // namespace floc

@@ -5,77 +5,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <istream>
+#include <iterator>
 
 #include "floc/base/decimal.h"
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
+#include "floc/io/table_cells.h"
 
 namespace floc {
 namespace {
-
-/// Splits one line of a csv file into its cells. @param place  name of the line in messages
-std::vector<std::string> split(const std::string& place, std::string_view line, char separator) {
-  std::vector<std::string> cells;
-  for (bool more = true; more;) {
-    std::string cell;
-    line.remove_prefix(std::min(line.find_first_not_of(separator == '\t' ? " " : " \t"), line.size()));
-    if (line.starts_with('"')) {
-      std::size_t at = 1;
-      for (; at < line.size() && !(line[at] == '"' && (at + 1 == line.size() || line[at + 1] != '"')); ++at) {
-        cell += line[at];
-        if (line[at] == '"') ++at;
-      }
-      if (at >= line.size()) throw InputError(place, "a quoted cell has no closing quotation mark");
-      line.remove_prefix(at + 1);
-    }
-    const std::size_t end = line.find(separator);
-    cell += trimmed(line.substr(0, end));
-    more = end != std::string_view::npos;
-    line.remove_prefix(more ? end + 1 : line.size());
-    cells.push_back(std::move(cell));
-  }
-  return cells;
-}
 
 /// Largest magnitude of a real number, such as 3.0, that is accepted as an integer. Up to this limit a double
 /// represents every integer exactly.
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
-char separator_of(std::string_view header) {
-  for (const char candidate : {',', '\t', ';'})
-    if (header.find(candidate) != std::string_view::npos) return candidate;
-  return ',';
-}
-
 /// Returns a likely reason why a row has a wrong number of cells, as the end of the error message; empty if no reason
 /// is apparent.
-const char* count_hint(const std::vector<std::string>& cells, const CsvTable& table, char separator) {
-  const auto is_number = [](const std::string& cell) { return parse_number<double>(cell).has_value(); };
-  const std::size_t n_columns = table.columns().size();
+const char* count_hint(const std::vector<std::string>& cells, std::size_t n_columns, char separator) {
+  const auto number = [](const std::string& cell) { return is_number(cell, false); };
   const bool may_be_decimal_commas =
       separator == ',' && cells.size() > n_columns && cells.size() <= 2 * n_columns;
-  if (may_be_decimal_commas && std::all_of(cells.begin(), cells.end(), is_number))
-    return "; write numbers with a decimal point, not a comma";
-  if (table.n_rows() == 0 && std::none_of(cells.begin(), cells.end(), is_number))
-    return "; if the line above this one is a title, remove it or put # before it";
-  return "";
+  return may_be_decimal_commas && std::all_of(cells.begin(), cells.end(), number)
+             ? "; write numbers with a decimal point, not a comma, or separate the cells by semicolons"
+             : "";
 }
 
-/// Returns a likely reason why a table lacks the column `name`, as the end of the error message; empty if no reason is
-/// apparent from the first lines of the table.
-std::string header_hint(const CsvTable& table, const std::string& name) {
-  const std::vector<std::string>& columns = table.columns();
-  if (columns.size() == 1 && columns[0].find_first_of(" \t") != std::string::npos)
-    return ": the names of the columns in the first line have to be separated by a comma, semicolon or tab, "
-           "not blanks";
-  for (int k = 0; k < static_cast<int>(columns.size()) && table.n_rows() > 0; ++k)
-    if (table.text(0, k).starts_with(name))
-      return fmt::format(
-          "; line {} contains this name: if the line above it is a title, remove it or put # before it",
-          table.line(0));
-  return "";
+/// Returns a likely reason why a text is not a number, as the end of the error message; empty if none is apparent.
+std::string number_hint(std::string_view text) {
+  if (const std::string hint = decimal_comma_hint(text); !hint.empty() || is_number(text, true)) return hint;
+  std::string digits;
+  for (const char c : text)
+    if (c != ' ' && c != '\'' && c != '.' && c != ',') digits += c;
+  return is_number(digits, false) ? " without separators of thousands" : "";
 }
 
 }  // namespace
@@ -95,34 +58,73 @@ void CsvTable::refuse_count(int line, std::size_t n_cells, const char* hint) con
                                n_cells, columns_.size(), hint));
 }
 
-CsvTable CsvTable::read(const std::string& path) {
-  std::istringstream in(read_text(path));
-  return parse(path == "-" ? "stdin" : path, in);
+CsvTable CsvTable::read(const std::string& path, const std::vector<std::string>& wanted) {
+  return of_text(path == "-" ? "stdin" : path, read_table_text(path), wanted);
 }
 
-CsvTable CsvTable::parse(const std::string& place, std::istream& in) {
+CsvTable CsvTable::parse(const std::string& place, std::istream& in, const std::vector<std::string>& wanted) {
+  return of_text(place, decoded_table(place, {std::istreambuf_iterator<char>(in), {}}), wanted);
+}
+
+CsvTable CsvTable::of_text(const std::string& place, const TableText& decoded,
+                           const std::vector<std::string>& wanted) {
+  if (decoded.text.empty())
+    throw InputError(place, "the file is empty, expected a table with a line that names its columns");
+  const TableLines lines = table_lines(decoded.text);
   CsvTable table;
   table.place_ = place;
-  char separator = ',';
-  int number = 0;
-  for (std::string line; std::getline(in, line);) {
-    const std::string here = fmt::format("{}:{}", place, ++number);
-    if (trimmed(line).empty() || trimmed(line).starts_with('#')) continue;
-    if (table.columns_.empty()) {
-      separator = separator_of(line);
-      table.columns_ = split(here, line, separator);
-      continue;
-    }
-    const std::vector<std::string> cells = split(here, line, separator);
-    if (cells.size() != table.columns_.size())
-      table.refuse_count(number, cells.size(), count_hint(cells, table, separator));
-    table.add_row(number, cells);
-  }
-  if (number == 0)
-    throw InputError(place, "the file is empty, expected a table whose first line names its columns");
-  if (table.columns_.empty())
-    throw InputError(place, "the table has no header: its first line has to name the columns");
+  table.encoding_ = decoded.encoding;
+  table.layout_ = find_table_layout(lines, wanted);
+  if (table.layout_.names.empty())
+    throw InputError(place, lines.rows.empty()
+                                ? "the table has no header: its first line has to name the columns"
+                                : "the table has no header: no line above the numbers names the columns");
+  table.columns_ = table.layout_.names;
+  for (std::size_t i = table.layout_.first_row; i < lines.rows.size(); ++i) table.add_line(lines.rows[i]);
   return table;
+}
+
+void CsvTable::add_line(const TableLine& line) {
+  auto split = split_cells(line.text, layout_.separator);
+  if (!split)
+    throw InputError(fmt::format("{}:{}", place_, line.number), "a quoted cell has no closing quotation mark");
+  std::vector<std::string> cells = std::move(*split);
+  const std::size_t n_filled = without_trailing_empties(cells);
+  if (n_filled == 0 && cells.size() > 1) return;  // a blank row, as spreadsheets write it
+  // Spreadsheets end each line with as many separators as their longest line.
+  if (cells.size() > columns_.size()) cells.resize(std::max(n_filled, columns_.size()));
+  if (n_rows() == 0 && cells.size() < columns_.size() && columns_.back().empty())
+    columns_.resize(std::max(cells.size(), without_trailing_empties(columns_)));
+  if (cells.size() != columns_.size())
+    refuse_count(line.number, cells.size(), count_hint(cells, columns_.size(), layout_.separator));
+  if (layout_.separator != ',' && decimal_comma_line_ == 0)
+    for (const std::string& cell : cells)
+      if (decimal_comma_line_ == 0 && !with_decimal_point(cell).empty()) {
+        decimal_comma_ = cell;
+        decimal_comma_line_ = line.number;
+      }
+  add_row(line.number, cells);
+}
+
+std::string CsvTable::rows_in_words() const {
+  return fmt::format("{} row{}", n_rows(), n_rows() == 1 ? "" : "s");
+}
+
+std::string CsvTable::unit_cell(int column) const {
+  const auto k = static_cast<std::size_t>(column);
+  return k < layout_.units.size() ? layout_.units[k] : "";
+}
+
+std::string CsvTable::description() const {
+  std::vector<std::string> words;
+  if (layout_.separator != ',')
+    words.push_back(fmt::format("separated by {}", separator_words(layout_.separator)));
+  if (decimal_comma_line_ > 0) words.emplace_back("decimal commas");
+  if (!encoding_.empty()) words.push_back("encoding " + encoding_);
+  if (layout_.last_title_line > 0)
+    words.push_back(fmt::format("columns named in line {}, below a title", layout_.names_line));
+  if (layout_.units_line > 0) words.push_back(fmt::format("units in line {}", layout_.units_line));
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 bool CsvTable::has(const std::string& name) const {
@@ -132,8 +134,8 @@ bool CsvTable::has(const std::string& name) const {
 int CsvTable::column(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
   if (found == columns_.end())
-    throw InputError(place_, fmt::format("the table has no column \"{}\"; its columns are {}{}", name,
-                                         fmt::join(columns_, ", "), header_hint(*this, name)));
+    throw InputError(place_, fmt::format("the table has no column \"{}\"; its columns are {}", name,
+                                         fmt::join(columns_, ", ")));
   if (const auto second = std::find(found + 1, columns_.end(), name); second != columns_.end())
     throw InputError(place_,
                      fmt::format("columns {} and {} are both named \"{}\": rename or remove one of them",
@@ -141,22 +143,49 @@ int CsvTable::column(const std::string& name) const {
   return static_cast<int>(found - columns_.begin());
 }
 
+std::string CsvTable::number_text(int row, int column) const {
+  const std::string_view text = cell(row, column);
+  if (decimal_comma_line_ == 0) return std::string(text);
+  const std::string number = with_decimal_point(text);
+  return number.empty() ? std::string(text) : number;
+}
+
+/// Refuses a number with a point in a table with decimal commas, in which it may separate thousands.
+void CsvTable::require_no_point(int row, int column) const {
+  if (decimal_comma_line_ == 0) return;
+  const std::string_view text = cell(row, column);
+  if (text.find('.') == std::string_view::npos || !is_number(text, false)) return;
+  throw InputError(
+      place(row),
+      fmt::format(
+          "{} = \"{}\" has a point, but \"{}\" in line {} has a decimal comma: expected one decimal mark in "
+          "all numbers, and no separators of thousands",
+          columns_[column], cell(row, column), decimal_comma_, decimal_comma_line_));
+}
+
+void CsvTable::refuse_cell(int row, int column, const char* expected) const {
+  throw InputError(place(row), fmt::format("{} = \"{}\", expected {}{}", columns_[column], cell(row, column),
+                                           expected, number_hint(cell(row, column))));
+}
+
 double CsvTable::number(int row, int column) const {
+  require_no_point(row, column);
   if (const auto value = parse_number<double>(cell(row, column))) return *value;
-  throw InputError(place(row), fmt::format("{} = \"{}\", expected a finite number{}", columns_[column],
-                                           cell(row, column), decimal_comma_hint(cell(row, column))));
+  if (const auto value = parse_number<double>(number_text(row, column))) return *value;
+  refuse_cell(row, column, "a finite number");
 }
 
 DoubleDouble CsvTable::double_double_number(int row, int column) const {
-  return decimal(cell(row, column), number(row, column));
+  return decimal(number_text(row, column), number(row, column));
 }
 
 std::int64_t CsvTable::integer(int row, int column) const {
+  require_no_point(row, column);
   if (const auto value = parse_number<std::int64_t>(cell(row, column))) return *value;
-  if (const auto real = parse_number<double>(cell(row, column)); real && std::abs(*real) <= kExactIntegers)
+  if (const auto real = parse_number<double>(number_text(row, column));
+      real && std::abs(*real) <= kExactIntegers)
     if (const auto value = whole_number(*real)) return *value;
-  throw InputError(place(row), fmt::format("{} = \"{}\", expected an integer{}", columns_[column],
-                                           cell(row, column), decimal_comma_hint(cell(row, column))));
+  refuse_cell(row, column, "an integer");
 }
 
 std::string CsvTable::place(int row) const {

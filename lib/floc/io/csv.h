@@ -8,14 +8,16 @@
 
 #include "floc/base/double_double.h"
 #include "floc/base/packed_strings.h"
+#include "floc/io/table_layout.h"
+#include "floc/io/table_text.h"
 
 namespace floc {
 
-/// A table of text cells with named columns, as read from a csv file. Empty lines and lines that begin with # are
-/// skipped. The first line that is not skipped names the columns. Cells are separated by commas, tabs or semicolons: by
-/// the first of these three characters, in this order, that the line of the names contains. A cell that contains
-/// separators has to be enclosed in double quotes. Readers of other text formats fill such a table row by row with
-/// add_row().
+/// A table of text cells with named columns, as read from a text file. Blank lines and lines that begin with # are
+/// skipped, titles above the names of the columns too; find_table_layout() says how names, units and the separator of
+/// the cells are found, decoded_table() which encodings are read. A cell that contains separators has to be enclosed in
+/// double quotes. Numbers may have decimal commas if the cells are not separated by commas. Readers of other text
+/// formats fill such a table row by row with add_row().
 class CsvTable {
  public:
   CsvTable() = default;
@@ -27,15 +29,26 @@ class CsvTable {
   /// @throws InputError if the number of cells is not the number of columns
   void add_row(int line, const std::vector<std::string>& cells);
 
-  /// Reads a csv file. @param path  path of the file; "-" reads standard input
+  /// Reads a table from a file. @param path  path of the file; "-" reads standard input
+  /// @param wanted  names of columns that the caller looks for, which help to tell names from titles
   /// @throws InputError naming file and line if the file cannot be read or has no header, or if a line has too many or
   /// too few cells
-  static CsvTable read(const std::string& path);
+  static CsvTable read(const std::string& path, const std::vector<std::string>& wanted = {});
 
-  /// Reads a csv table from the stream `in`, and throws like read(). @param place  name of the table in messages
-  static CsvTable parse(const std::string& place, std::istream& in);
+  /// Reads a table from the stream `in`, and throws like read(). @param place  name of the table in messages
+  static CsvTable parse(const std::string& place, std::istream& in,
+                        const std::vector<std::string>& wanted = {});
 
   const std::vector<std::string>& columns() const { return columns_; }
+  /// Names of the columns in lines above that of columns(), nearest first; each list may be shorter than columns().
+  const std::vector<std::vector<std::string>>& other_names() const { return layout_.other_names; }
+  /// Cell of a column in the row of units below the names; empty if the table has no such row.
+  std::string unit_cell(int column) const;
+  /// Says how the table is written, as far as it is not a plain csv table: separator, decimal commas, encoding, lines
+  /// above the names, row of units. Empty for a plain csv table.
+  std::string description() const;
+  /// Number of rows in words: "27 rows".
+  std::string rows_in_words() const;
   int n_rows() const { return static_cast<int>(lines_.size()); }
   bool has(const std::string& name) const;
 
@@ -46,9 +59,12 @@ class CsvTable {
   std::string text(int row, int column) const { return std::string(cell(row, column)); }
   bool is_empty(int row, int column) const { return cell(row, column).empty(); }
 
+  /// Text of a cell, with a decimal point if it is a number with a decimal comma and the table has decimal commas.
+  std::string number_text(int row, int column) const;
   /// Converts the text of a cell: number() to a finite number, integer() to an integer. integer() also accepts "3.0"
   /// and "3.000e+00", because many programs write integers like real numbers.
-  /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer
+  /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer, or if
+  /// it has a decimal point although other cells of the table have decimal commas
   double number(int row, int column) const;
   /// Converts the text of a cell to the sum of two doubles, which keeps more digits than one double: see decimal().
   /// @throws InputError under the conditions of number()
@@ -63,13 +79,23 @@ class CsvTable {
   const std::string& place() const { return place_; }
 
  private:
+  static CsvTable of_text(const std::string& place, const TableText& decoded,
+                          const std::vector<std::string>& wanted);
   /// Reports a line with a wrong number of cells. @param hint  end of the message, which names a likely reason; may be
   /// empty
   /// @throws InputError always
   [[noreturn]] void refuse_count(int line, std::size_t n_cells, const char* hint) const;
   std::string_view cell(int row, int column) const { return cells_[row * columns_.size() + column]; }
+  [[noreturn]] void refuse_cell(int row, int column, const char* expected) const;
+  void require_no_point(int row, int column) const;
+  void add_line(const TableLine& line);
 
   std::string place_;
+  TableLayout layout_;
+  std::string encoding_;  ///< encoding of the file; empty for UTF-8
+  /// First number with a decimal comma, and the number of its line; 0 if the table has none.
+  std::string decimal_comma_;
+  int decimal_comma_line_ = 0;
   std::vector<std::string> columns_;
   /// For each row of the table, number of the line of the file that contains the row.
   std::vector<int> lines_;

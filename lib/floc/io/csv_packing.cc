@@ -22,9 +22,11 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
   listed.drop_tensile = options.drop_tensile;
   listed.cell_place = "--cell";
   listed.cell = options.cell;
-  const CsvTable table = CsvTable::read(path);
-  listed.grains = read_grains(NamedColumns(table, options.columns));
-  listed.contacts = read_contact_file(options, static_cast<int>(listed.cell.size()));
+  const CsvTable table = CsvTable::read(path, wanted_names(grain_names(), options.columns));
+  if (!table.description().empty())
+    listed.remarks.push_back(fmt::format("read {}: {}", table.rows_in_words(), table.description()));
+  listed.grains = read_grains(NamedColumns(table, options.columns), options.units);
+  listed.contacts = read_contact_file(options, static_cast<int>(listed.cell.size()), {}, &listed.remarks);
   return assemble(listed);
 }
 

@@ -178,7 +178,7 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   listed.drop_tensile = options.drop_tensile;
   listed.grains = read_grains(NamedColumns(table, options.columns));
   const int dimension = settle_space(space_of(place, keys, options), options, listed);
-  listed.contacts = read_contact_file(options, dimension);
+  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
   Imported imported = assemble(listed);
   imported.remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read", index, n - 1));
   return imported;

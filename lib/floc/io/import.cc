@@ -12,6 +12,8 @@
 #include "floc/io/jambashbulk.h"
 #include "floc/io/lammps_data.h"
 #include "floc/io/lammps_dump.h"
+#include "floc/io/listed_columns.h"
+#include "floc/io/table_text.h"
 #include "floc/io/vtu.h"
 #include "floc/io/yade_text.h"
 
@@ -23,7 +25,19 @@ bool is_state(const std::string& path) {
 }
 
 bool is_csv(const std::string& path) {
-  return path == "-" || std::filesystem::path(path).extension() == ".csv";
+  const std::filesystem::path extension = std::filesystem::path(path).extension();
+  return path == "-" || extension == ".csv" || extension == ".tsv";
+}
+
+/// Whether a file with any name is a table whose columns are those of grains.
+bool is_table_of_grains(const std::string& path) {
+  try {
+    const CsvTable table = CsvTable::read(path, grain_names());
+    const NamedColumns columns(table, {});
+    return columns.has("x") && columns.has("y");
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 Imported read_own_state(const std::string& path, const ImportOptions& options) {
@@ -42,7 +56,8 @@ Imported read_own_state(const std::string& path, const ImportOptions& options) {
 }  // namespace
 
 bool begins_with(const std::string& path, const std::string& text) {
-  return without_byte_order_mark(read_file(path)).starts_with(text);
+  constexpr std::size_t kBeginning = 4096;
+  return decoded_table(path, read_file(path).substr(0, kBeginning)).text.starts_with(text);
 }
 
 const std::vector<ImportFormat>& import_formats() {
@@ -70,6 +85,7 @@ const ImportFormat& find_import_format(const std::string& keyword, const std::st
     known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", format.keyword, format.description);
   }
   if (keyword.empty()) {
+    if (is_table_of_grains(path)) return find_import_format("csv", path);
     require_text(path, read_file(path));
     throw InputError(
         path, fmt::format("the format of the file is not recognised; give it with --from, one of {}", known));

@@ -79,8 +79,8 @@ struct ImportFormat {
   Imported (*read)(const std::string& path, const ImportOptions& options);
 };
 
-/// Whether the content of the file `path` begins with `text`. A byte order mark at the beginning of the file is
-/// ignored.
+/// Whether the content of the file `path` begins with `text`, in any encoding that decoded_table() recognises. A byte
+/// order mark at the beginning of the file is ignored.
 bool begins_with(const std::string& path, const std::string& text);
 
 /// All file formats from which floc can read a packing. To add a format, add a reader in a source and a header file of

@@ -203,7 +203,7 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
   }
   const int dimension = settle_space(space_of(data, listed.grains), options, listed);
   if (options.cell.empty()) data.box.require_sides(data.box_place, dimension);
-  listed.contacts = read_contact_file(options, dimension);
+  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
   return assemble(listed);
 }
 

@@ -315,7 +315,7 @@ Imported read_lammps_dump(const std::string& path, const ImportOptions& options)
   frame.table = {};  // releases the memory of the table, which is large
   const int dimension = settle_space(space_of(frame, listed.grains, options), options, listed);
   if (options.cell.empty()) frame.box.require_sides(frame.box_place, dimension);
-  listed.contacts = read_contact_file(options, dimension, frame.timestep);
+  listed.contacts = read_contact_file(options, dimension, frame.timestep, &listed.remarks);
   return assemble(listed);
 }
 

@@ -9,6 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/io/table_units.h"
 
 namespace floc {
 namespace {
@@ -23,6 +24,18 @@ double positive(const CsvTable& table, int row, int column) {
 int column_if(const NamedColumns& columns, const std::string& name) {
   return columns.has(name) ? columns.column(name) : -1;
 }
+
+/// A column of numbers, and the factor that converts them to the unit that is wanted.
+struct Quantity {
+  UnitColumn column;
+  double factor = 1.0;
+
+  Quantity(UnitColumn of) : column(std::move(of)) {}
+  void convert_to(const CsvTable& table, const std::string& unit) {
+    const std::string& header = table.columns()[static_cast<std::size_t>(column.index)];
+    factor = unit_factor(fmt::format("{}, column {}", table.place(), header), column.unit, "column x", unit);
+  }
+};
 
 /// Returns the indices of the `count` columns name1, name2, ...; an empty list if there is no column name1.
 std::vector<int> numbered(const NamedColumns& columns, const std::string& name, int count) {
@@ -105,6 +118,27 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   return c;
 }
 
+/// Refuses a column whose unit is not `expected`. @param why  where `expected` comes from, for messages
+void require_unit(const CsvTable& table, const UnitColumn& column, const std::string& expected,
+                  const char* why) {
+  if (column.unit == expected) return;
+  throw InputError(table.place(), fmt::format("column \"{}\" is in {}: expected {}, {}",
+                                              table.columns()[static_cast<std::size_t>(column.index)],
+                                              column.unit.empty() ? "no unit" : column.unit,
+                                              expected.empty() ? "no unit" : expected, why));
+}
+
+void require_one_unit_of_force(const NamedColumns& names, const std::string& units) {
+  std::optional<std::string> first;
+  for (const std::string& name : contact_names()) {
+    if (name.find("force") == std::string::npos || !names.has(name)) continue;
+    const UnitColumn column = names.unit_column(name);
+    if (units == "SI" && !column.unit.empty()) require_unit(names.table(), column, "N", "the unit of SI");
+    if (first) require_unit(names.table(), column, *first, "as the other forces are");
+    first = column.unit;
+  }
+}
+
 void check_columns(const std::string& option, const std::string& what, const std::vector<std::string>& known,
                    const std::map<std::string, std::string>& given) {
   for (const auto& [name, column] : given)
@@ -137,20 +171,27 @@ void require_same_size(const FileLine& place, const SizeColumn& one, double radi
                                              other_radius / other.radius_of_one));
 }
 
-std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
+std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::string& units) {
   const CsvTable& table = columns.table();
-  std::vector<int> axis = {columns.column("x"), columns.column("y")};
-  if (columns.has("z")) axis.push_back(columns.column("z"));
+  std::vector<Quantity> axis = {columns.unit_column("x"), columns.unit_column("y")};
+  if (columns.has("z")) axis.push_back(columns.unit_column("z"));
+  // If x has no unit, lengths are in the unit of the user, also in SI units.
+  const std::string length = units == "SI" && !axis[0].column.unit.empty() ? "m" : axis[0].column.unit;
+  for (Quantity& of : axis) of.convert_to(table, length);
   std::vector<int> low;
   for (std::size_t k = 0; k < axis.size(); ++k)
     low.push_back(column_if(columns, std::string(1, "xyz"[k]) + "_low"));
-  std::vector<std::pair<SizeColumn, int>> sizes;
+  std::vector<std::pair<SizeColumn, Quantity>> sizes;
   for (const SizeColumn& size :
-       size_columns([&](const std::string& name) { return columns.has(name); }, columns.names()))
-    sizes.emplace_back(size, columns.column(size.name));
+       size_columns([&](const std::string& name) { return columns.has(name); }, columns.names())) {
+    sizes.emplace_back(size, columns.unit_column(size.name));
+    sizes.back().second.convert_to(table, length);
+  }
   // If no column gives the size, this call throws the error that the column "radius" is missing.
   if (sizes.empty()) columns.column("radius");
   const int mass = column_if(columns, "mass");
+  if (units == "SI" && mass >= 0 && !columns.unit_of(mass).empty())
+    require_unit(table, columns.unit_column("mass"), "kg", "the unit of SI");
   const int id = column_if(columns, "id");
   std::vector<ListedGrain> grains;
   grains.reserve(table.n_rows());
@@ -160,14 +201,14 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
     grain.place = {file, table.line(row)};
     grain.id = id >= 0 ? table.integer(row, id) : row;
     for (std::size_t k = 0; k < axis.size(); ++k) {
-      const DoubleDouble x = table.double_double_number(row, axis[k]);
+      const DoubleDouble x = table.double_double_number(row, axis[k].column.index) * axis[k].factor;
       grain.position[k] = x.high;
       // If the file has a column x_low, its value replaces x.low, which contains the digits of x beyond the precision
       // of a double.
-      grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) : x.low;
+      grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) * axis[k].factor : x.low;
     }
-    for (const auto& [size, column] : sizes) {
-      const double radius = positive(table, row, column) * size.radius_of_one;
+    for (const auto& [size, of] : sizes) {
+      const double radius = positive(table, row, of.column.index) * size.radius_of_one * of.factor;
       if (grain.radius != 0.0) require_same_size(grain.place, sizes.front().first, grain.radius, size, radius);
       if (grain.radius == 0.0) grain.radius = radius;
     }
@@ -177,9 +218,10 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns) {
   return grains;
 }
 
-std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimension) {
+std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimension, const std::string& units) {
   const ContactColumns columns(names, dimension);
   const CsvTable& table = names.table();
+  require_one_unit_of_force(names, units);
   std::vector<ListedContact> contacts;
   contacts.reserve(table.n_rows());
   const auto file = std::make_shared<const std::string>(table.place() + ":");
@@ -190,36 +232,41 @@ std::vector<ListedContact> read_contacts(const NamedColumns& names, int dimensio
   return contacts;
 }
 
+std::vector<std::string> grain_names() {
+  return {"x", "y", "z", "x_low", "y_low", "z_low", "radius", "diameter", "mass", "id"};
+}
+
+std::vector<std::string> contact_names() {
+  return {"id1",
+          "id2",
+          "image1",
+          "image2",
+          "image3",
+          "normal_force",
+          "force1",
+          "force2",
+          "force3",
+          "shear_force1",
+          "shear_force2",
+          "shear_force3",
+          "rolling_moment",
+          "rolling_moment1",
+          "rolling_moment2",
+          "rolling_moment3",
+          "twisting_moment",
+          "kn",
+          "kt",
+          "kr",
+          "ktw",
+          "bridge_volume"};
+}
+
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given) {
-  check_columns(option, "grain", {"x", "y", "z", "x_low", "y_low", "z_low", "radius", "diameter", "mass", "id"},
-                given);
+  check_columns(option, "grain", grain_names(), given);
 }
 
 void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given) {
-  check_columns(option, "contact",
-                {"id1",
-                 "id2",
-                 "image1",
-                 "image2",
-                 "image3",
-                 "normal_force",
-                 "force1",
-                 "force2",
-                 "force3",
-                 "shear_force1",
-                 "shear_force2",
-                 "shear_force3",
-                 "rolling_moment",
-                 "rolling_moment1",
-                 "rolling_moment2",
-                 "rolling_moment3",
-                 "twisting_moment",
-                 "kn",
-                 "kt",
-                 "kr",
-                 "ktw",
-                 "bridge_volume"},
-                given);
+  check_columns(option, "contact", contact_names(), given);
 }
 
 std::vector<std::string> tokenize(std::string_view line) {

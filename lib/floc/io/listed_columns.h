@@ -7,31 +7,9 @@
 
 #include "floc/io/csv.h"
 #include "floc/io/listed_packing.h"
+#include "floc/io/table_columns.h"
 
 namespace floc {
-
-/// Finds the columns of a table by the names that floc uses for them, although they may have other names in the table.
-class NamedColumns {
- public:
-  /// @param names  maps names that floc uses to names of columns of the table; a column that is not in this map has the
-  /// name that floc uses
-  NamedColumns(const CsvTable& table, std::map<std::string, std::string> names)
-      : table_(table), names_(std::move(names)) {}
-
-  const CsvTable& table() const { return table_; }
-  const std::map<std::string, std::string>& names() const { return names_; }
-  bool has(const std::string& name) const { return names_.contains(name) || table_.has(name); }
-
-  /// Returns the index of the column that floc calls `name`.
-  /// @throws InputError listing the columns of the table if this column is missing
-  int column(const std::string& name) const {
-    return table_.column(names_.contains(name) ? names_.at(name) : name);
-  }
-
- private:
-  const CsvTable& table_;
-  std::map<std::string, std::string> names_;
-};
 
 /// A column that gives the size of grains: a radius or a diameter.
 struct SizeColumn {
@@ -57,9 +35,12 @@ void require_same_size(const FileLine& place, const SizeColumn& one, double radi
 /// Reads grains from a table, one per row. The columns are x, y[, z] and radius (or r, or diameter). Optional columns
 /// are mass, id (default: number of the row, from 0) and x_low, y_low[, z_low], small numbers that are added to x, y, z
 /// to give the position with more digits than one double has.
+/// Lengths whose columns have units, as in "radius [um]", are converted to the unit of the column x or, in SI units, to
+/// metres. In SI units a mass with a unit has to be in kg.
+/// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column for a missing column, a value that is not a number, a radius or mass
-/// that is not positive, or a radius and a diameter that contradict each other
-std::vector<ListedGrain> read_grains(const NamedColumns& columns);
+/// that is not positive, a radius and a diameter that contradict each other, or units that contradict each other
+std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::string& units = "reduced");
 
 /// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains. The columns
 /// below are optional. Names that end in 1.. are those of several columns, the components of a vector: image1, image2
@@ -72,8 +53,15 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 ///   twisting_moment  (3D) twisting moment on grain id1 about the normal from id1 to id2
 ///   kn, kt, kr, ktw  normal, tangential, rolling and twisting stiffness
 ///   bridge_volume    volume of the liquid bridge (length^3)
+/// Units in the headers are not converted: all forces have to be in one unit, in SI units in N.
+/// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column
-std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension);
+std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension,
+                                         const std::string& units = "reduced");
+
+/// Names of the columns that every table of grains and every table of contacts has, which help to find its header.
+std::vector<std::string> grain_names();
+std::vector<std::string> contact_names();
 
 /// Check that the user renamed only columns that floc reads: columns of grains or, in the second function, of contacts.
 /// @param option  name of the option with which the user renamed columns, for messages

@@ -178,7 +178,7 @@ Imported read_vtu(const std::string& path, const ImportOptions& options) {
   listed.drop_tensile = options.drop_tensile;
   listed.grains = grains_of(path, arrays, options);
   const int dimension = settle_space(options.cell.empty() ? space_of(arrays) : ListedSpace(), options, listed);
-  listed.contacts = read_contact_file(options, dimension);
+  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
   return assemble(listed);
 }
 

@@ -13,6 +13,7 @@
 #include "floc/io/law_text.h"
 #include "floc/io/listed_columns.h"
 #include "floc/io/listed_space.h"
+#include "floc/io/table_text.h"
 
 namespace floc {
 namespace {
@@ -142,7 +143,7 @@ void check_no_contact_columns(const ImportOptions& options) {
 
 /// Whether a file begins with a number, so that it has no line with the names of the columns.
 bool begins_with_number(const std::string& path) {
-  const std::string text = read_text(path);
+  const std::string text = read_table_text(path).text;
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
 }
@@ -150,7 +151,7 @@ bool begins_with_number(const std::string& path) {
 /// Returns the words of the first line of a file if this line is a comment; otherwise nothing.
 std::vector<std::string> first_comment(const std::string& path) {
   if (!begins_with(path, "#")) return {};
-  std::istringstream in(read_text(path));
+  std::istringstream in(read_table_text(path).text);
   std::string line;
   std::getline(in, line);
   return comment_tokens(std::string(trimmed(line)));
@@ -160,7 +161,7 @@ std::vector<std::string> first_comment(const std::string& path) {
 
 bool is_yade_interactions(const std::string& path) {
   const std::vector<std::string> tokens = first_comment(path);
-  return contains(tokens, "id1") && contains(tokens, "id2");
+  return contains(tokens, "id1") && contains(tokens, "id2") && contains(tokens, "fnx");
 }
 
 std::vector<ListedContact> read_yade_contacts(const ImportOptions& options, int dimension) {
@@ -198,7 +199,7 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
                         (is_yade_interactions(options.contacts) || begins_with_number(options.contacts));
   listed.law = says_law ? law_of(read_table(options.contacts, "id1", {}).table, options.contacts)
                         : required_law(path, options);
-  listed.contacts = read_contact_file(options, dimension);
+  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
   if (says_law)
     listed.remarks.push_back("the contact law has the mean stiffnesses of the listed contacts: " +
                              law_text(listed.law));

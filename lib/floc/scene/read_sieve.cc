@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <filesystem>
 #include <numeric>
 #include <optional>
-#include <string_view>
 
 #include "floc/base/error.h"
 #include "floc/io/csv.h"
+#include "floc/io/table_columns.h"
 #include "floc/io/table_units.h"
 
 namespace floc {
@@ -31,68 +29,55 @@ struct Sieves {
   }
 };
 
-constexpr auto kSizeNames =
-    std::to_array<std::string_view>({"size", "sieve", "sieve_size", "diameter", "d", "opening", "aperture"});
-constexpr auto kPassingNames = std::to_array<std::string_view>(
-    {"passing", "percent_passing", "finer", "percent_finer", "undersize", "q3"});
-
-/// Returns the name of a column in lower case, with underscores in place of spaces.
-std::string plain_name(std::string name) {
-  for (char& c : name) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name;
-}
-
-/// Returns the index of the column with one of the given names.
-/// @throws InputError listing the columns of the table if there is none
-template <std::size_t N>
-int column_of(const CsvTable& table, const std::array<std::string_view, N>& names, const char* content) {
-  for (int c = 0; const std::string& header : table.columns()) {
-    if (std::find(names.begin(), names.end(), plain_name(name_and_unit(header).first)) != names.end()) return c;
-    ++c;
-  }
-  throw InputError(table.place(),
-                   fmt::format("there is no column with {}: expected one with the name {}, but the "
-                               "columns are {}",
-                               content, fmt::join(names, ", "), fmt::join(table.columns(), ", ")));
-}
-
-/// Returns the factor from the unit of a column of sizes to the unit of length of the scene.
+/// Returns the factor from the unit of the column of sizes to the unit of length of the scene.
 /// @param scaled  whether the key `scale` is given
-double length_factor(const CsvTable& table, int column, const std::string& units, bool scaled) {
-  const auto [name, unit] = name_and_unit(table.columns()[static_cast<std::size_t>(column)]);
-  const std::string place = fmt::format("{}, column {}", table.place(), name);
-  if (units == "SI") return unit_factor(place, unit, "the scene", "m");
-  if (!unit.empty() && !scaled)
+double length_factor(const CsvTable& table, const UnitColumn& column, const std::string& units, bool scaled) {
+  const std::string place =
+      fmt::format("{}, column {}", table.place(), table.columns()[static_cast<std::size_t>(column.index)]);
+  if (units == "SI") return unit_factor(place, column.unit, "the scene", "m");
+  if (!column.unit.empty() && !scaled)
     throw InputError(place,
                      fmt::format("the sizes are in {}, but the scene is in reduced units: expected the key "
                                  "grains.diameter.scale, the number by which sizes are multiplied, for "
                                  "example the reciprocal of the largest size",
-                                 unit));
+                                 column.unit));
   return 1.0;
 }
 
-/// Returns the factor from the numbers of a column of passing masses to percent.
-double percent_factor(const CsvTable& table, int column) {
-  const auto [name, unit] = name_and_unit(table.columns()[static_cast<std::size_t>(column)]);
-  const std::string& header = table.columns()[static_cast<std::size_t>(column)];
-  if (unit == "%" || unit == "percent" || plain_name(header).find("percent") != std::string::npos) return 1.0;
-  if (!unit.empty())
-    throw InputError(table.place(), fmt::format("the column {} is in {}: expected percent of the mass, [%], or "
-                                                "fractions of it, [-]",
-                                                name, unit));
-  // Brackets that say "no unit" mean fractions; a name without brackets means percent.
-  return header == name ? 1.0 : 100.0;
+/// Returns the factor from the numbers of the column of passing masses to percent.
+double percent_factor(const CsvTable& table, const UnitColumn& column) {
+  const std::string& header = table.columns()[static_cast<std::size_t>(column.index)];
+  if (!column.unit.empty())
+    return 100.0 * share_of_one(fmt::format("{}, column {}", table.place(), header), column.unit);
+  // A unit that says "pure numbers" means fractions; a column without a unit is in percent.
+  const bool are_fractions =
+      name_and_unit(header).first != header || states_no_unit(table.unit_cell(column.index));
+  return are_fractions ? 100.0 : 1.0;
+}
+
+/// Returns the column that floc calls `name`.
+/// @throws InputError with what the column contains and the columns of the table if there is none
+UnitColumn column_of(const NamedColumns& columns, const std::string& name, const char* content,
+                     const char* names) {
+  if (const auto found = columns.find(name)) return *found;
+  const CsvTable& table = columns.table();
+  throw InputError(table.place(),
+                   fmt::format("there is no column with {}: expected one with a name such as {}, but "
+                               "the columns are {}",
+                               content, names, fmt::join(table.columns(), ", ")));
 }
 
 Sieves read_sieve_file(const std::string& path, const std::string& units, bool scaled) {
-  const CsvTable table = CsvTable::read(path);
-  const int size = column_of(table, kSizeNames, "the sizes of the sieves");
-  const int passing = column_of(table, kPassingNames, "the percentage of the mass that passes");
+  const CsvTable table = CsvTable::read(path, {"sieve_size", "passing"});
+  const NamedColumns columns(table, {});
+  const UnitColumn size = column_of(columns, "sieve_size", "the sizes of the sieves", "size, sieve or opening");
+  const UnitColumn passing =
+      column_of(columns, "passing", "the percentage of the mass that passes", "passing or finer");
   const double length = length_factor(table, size, units, scaled), percent = percent_factor(table, passing);
   Sieves sieves{path, {}, {}, {}};
   for (int row = 0; row < table.n_rows(); ++row) {
-    sieves.sizes.push_back(length * table.number(row, size));
-    sieves.passing.push_back(percent * table.number(row, passing));
+    sieves.sizes.push_back(length * table.number(row, size.index));
+    sieves.passing.push_back(percent * table.number(row, passing.index));
     sieves.lines.push_back(table.line(row));
   }
   return sieves;

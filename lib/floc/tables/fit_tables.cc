@@ -6,125 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
-#include <optional>
+#include <functional>
 #include <utility>
 
 #include "floc/base/error.h"
-#include "floc/base/parse_number.h"
+#include "floc/io/table_units.h"
 #include "floc/run_directory/one_run.h"
+#include "floc/tables/path_density.h"
 
 namespace floc {
 namespace {
-
-/// Returns the column whose header is a name, or a name followed by a unit in brackets such as "P [kPa]". Returns
-/// nothing if there is no such column.
-/// @throws InputError if two columns have this name
-std::optional<UnitColumn> find_optional_column(const CsvTable& table, const std::string& name) {
-  std::optional<UnitColumn> found;
-  for (const bool whole : {true, false}) {
-    for (int i = 0; i < static_cast<int>(table.columns().size()); ++i) {
-      const std::string& header = table.columns()[static_cast<std::size_t>(i)];
-      const auto [bare, unit] = name_and_unit(header);
-      if ((whole ? header : bare) != name) continue;
-      if (found)
-        throw InputError(
-            table.place(),
-            fmt::format("columns {} and {} of this table are both named \"{}\": rename or remove one of them, "
-                        "or choose one by its whole header with --columns",
-                        found->index + 1, i + 1, name));
-      found = UnitColumn{i, unit};
-    }
-    if (found) break;
-  }
-  return found;
-}
-
-std::string mapped(const ColumnNames& columns, const std::string& name) {
-  const auto found = columns.find(name);
-  return found == columns.end() ? name : found->second;
-}
-
-double solid_fraction_of(const std::string& place, double value, bool is_void_ratio) {
-  if (!is_void_ratio && value <= 0)
-    throw InputError(place, fmt::format("phi = {}: expected a positive solid fraction", value));
-  if (!is_void_ratio && value > 1)
-    throw InputError(place, fmt::format("phi = {}: expected a solid fraction of at most 1; is it in "
-                                        "percent, or a void ratio (--columns void_ratio=...)?",
-                                        value));
-  if (is_void_ratio && value < 0)
-    throw InputError(place, fmt::format("void_ratio = {}: expected a void ratio >= 0", value));
-  return is_void_ratio ? 1.0 / (1.0 + value) : value;
-}
-
-/// Returns the largest rounding error of a number that is given as text: half a unit in its last decimal place. A
-/// number with fewer than three decimals is treated as if it had three, because a number such as 0.5 may be exact.
-double rounding_of(std::string_view text) {
-  constexpr double kThreeDecimals = 5e-4;
-  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
-  const std::string_view digits = text.substr(0, end);
-  const std::size_t point = std::min(digits.find('.') + 1, digits.size());
-  int exponent = point == 0 ? 0 : -static_cast<int>(digits.size() - point);
-  if (end < text.size()) exponent += parse_number<int>(text.substr(end + 1)).value_or(0);
-  return std::min(0.5 * std::pow(10.0, exponent), kThreeDecimals);
-}
-
-/// Reads the solid fractions of a table, from its column phi or void_ratio. If the table has both columns and
-/// `--columns` names neither of them, a row whose solid fraction and void ratio contradict each other is an error.
-class DensityColumns {
- public:
-  DensityColumns(const CsvTable& table, const ColumnNames& columns) : table_(table) {
-    const bool named_phi = columns.contains("phi"), named_void_ratio = columns.contains("void_ratio");
-    const auto there = [&](const char* name, bool named, bool other_named) {
-      return named || (!other_named && has_column(table, columns, name));
-    };
-    if (there("void_ratio", named_void_ratio, named_phi))
-      void_ratio_ = share_column(find_column(table, columns, "void_ratio"));
-    if (!void_ratio_ || there("phi", named_phi, named_void_ratio))
-      phi_ = share_column(find_column(table, columns, "phi"));
-  }
-
-  bool has_void_ratios_alone() const { return !phi_; }
-  double phi(int row) const {
-    if (!phi_) return solid_fraction_of(table_.place(row), number(row, *void_ratio_), true);
-    const double phi = solid_fraction_of(table_.place(row), number(row, *phi_), false);
-    if (void_ratio_ && !table_.is_empty(row, void_ratio_->index)) require_same(row, phi);
-    return phi;
-  }
-
- private:
-  /// A column of solid fractions or void ratios, and the factor by which its numbers are multiplied: 0.01 if its header
-  /// gives the unit percent, as in "phi [%]", otherwise 1.
-  struct ShareColumn {
-    int index;
-    double unit;
-  };
-  static ShareColumn share_column(const UnitColumn& column) {
-    return {column.index, column.unit == "%" ? 1e-2 : 1.0};
-  }
-  double number(int row, const ShareColumn& column) const {
-    return column.unit * table_.number(row, column.index);
-  }
-  double rounding(int row, const ShareColumn& column) const {
-    return column.unit * rounding_of(table_.text(row, column.index));
-  }
-
-  void require_same(int row, double phi) const {
-    constexpr double kArithmetic = 1e-12;
-    const double e = number(row, *void_ratio_);
-    const double open =
-        rounding(row, *phi_) * std::abs(1.0 + e) + rounding(row, *void_ratio_) * phi + kArithmetic;
-    if (std::abs(phi * (1.0 + e) - 1.0) <= open) return;
-    throw InputError(
-        table_.place(row),
-        fmt::format("phi = {}, but void_ratio = {} corresponds to phi = {:.6g}: the two columns contradict "
-                    "each other; choose one of them with --columns phi=... or --columns void_ratio=...",
-                    phi, e, 1.0 / (1.0 + e)));
-  }
-
-  const CsvTable& table_;
-  std::optional<ShareColumn> phi_, void_ratio_;
-};
 
 /// Checks that the pressures along each branch of a load path all grow, all fall or are all equal.
 /// @param pressure  name of the column of pressures, for messages
@@ -136,19 +27,6 @@ void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
     throw InputError(place(fault->row),
                      fmt::format("{} = {}: expected {}", pressure,
                                  rows[static_cast<std::size_t>(fault->row)].P_star, fault->expected));
-}
-
-/// Adds a warning to a load path if its void ratios are all so large that they are probably percentages.
-void check_for_percent(PathTable& path) {
-  // Void ratios from here on are probably percentages, because even the loosest soils have only about 5.
-  constexpr double kLoosest = 10.0;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const PathRow& row : path.rows) smallest = std::min(smallest, 1.0 / row.phi - 1.0);
-  if (path.rows.empty() || smallest < kLoosest) return;
-  path.inconsistencies.push_back(
-      fmt::format("the void ratio is {:.4g} and more in every row: is it in percent? If it is, write the unit "
-                  "into the header of the column, as in \"e [%]\"",
-                  smallest));
 }
 
 /// Reads two properties of each row of a table of `floc run`: how the packing was loaded, and the ratio of the stress
@@ -219,16 +97,57 @@ class PressureUnit {
   double first_ = 0.0, last_ = 0.0;
 };
 
+/// Names of the columns of a load path beside the pressure.
+std::vector<std::string> path_names() {
+  std::vector<std::string> names = density_names();
+  names.emplace_back("branch");
+  return names;
+}
+
+/// Finds the column of the pressures: that which the user named, then the first of the `names` that the table has, then
+/// a column with a usual name of a pressure. @return name and column
+std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
+                                                   const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (columns.is_named(name)) return {name, columns.unit_column(name)};
+  for (const std::string& name : names)
+    if (const auto found = columns.find_exactly(name)) return {name, *found};
+  return {names.back(), columns.unit_column(names.back())};
+}
+
+/// @throws InputError if the unit of the pressures is known and measures something else
+void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure) {
+  const std::string measures = quantity_of_unit(pressure.unit);
+  if (measures.empty() || measures == "pressure" || measures.starts_with("force")) return;
+  throw InputError(table.place(),
+                   fmt::format("the pressures in column \"{}\" have the unit {}: expected a unit of "
+                               "pressure, such as kPa",
+                               table.columns()[static_cast<std::size_t>(pressure.index)], pressure.unit));
+}
+
+/// Says in one line what was read from a table.
+std::string reading_of(const PathTable& path, const std::string& density) {
+  const int n_reversals = count_reversals(path.rows);
+  const std::string description = path.table.description();
+  return fmt::format("read {}: pressure{}, {}; {} reversal{}{}{}", path.table.rows_in_words(),
+                     path.unit.empty() ? "" : " in " + path.unit, density, n_reversals,
+                     n_reversals == 1 ? "" : "s", description.empty() ? "" : "; ", description);
+}
+
+/// Adds notes about the rows that do not count because a later row has the same pressure, and about the stress that
+/// counts as pressure in rows of oedometer tests.
+void add_notes(PathTable& path) {
+  if (const std::vector<int> rows = superseded_rows(path.rows); !rows.empty())
+    path.notes.push_back(
+        fmt::format("{} row{} the pressure of the next row, as in a hold (creep) or where the load "
+                    "turns: the last row of each pressure counts (row numbers left out: {})",
+                    rows.size(), rows.size() == 1 ? " has" : "s have", ranges(rows)));
+  if (!path.stress.empty())
+    path.notes.push_back(fmt::format(
+        "in rows of an oedometer test, the reduced pressure P* is computed from the {} stress", path.stress));
+}
+
 }  // namespace
-
-UnitColumn find_column(const CsvTable& table, const ColumnNames& columns, const std::string& name) {
-  if (const auto found = find_optional_column(table, mapped(columns, name))) return *found;
-  return {table.column(mapped(columns, name)), ""};
-}
-
-bool has_column(const CsvTable& table, const ColumnNames& columns, const std::string& name) {
-  return find_optional_column(table, mapped(columns, name)).has_value();
-}
 
 std::vector<std::string> tables_of(const std::string& input) {
   namespace fs = std::filesystem;
@@ -256,15 +175,15 @@ std::vector<std::string> tables_of(const std::string& input) {
 
 PathTable read_path(const std::string& file, const ColumnNames& columns,
                     const std::vector<std::string>& pressures, OedometerPressure oedometer) {
-  PathTable path{file == "-" ? "stdin" : file, {}, "", CsvTable::read(file)};
+  std::vector<std::string> wanted = path_names();
+  wanted.insert(wanted.end(), pressures.begin(), pressures.end());
+  PathTable path{file == "-" ? "stdin" : file, {}, "", CsvTable::read(file, wanted_names(wanted, columns))};
   const CsvTable& table = path.table;
-  const auto has = [&](const std::string& name) { return has_column(table, columns, name); };
-  const auto found = std::find_if(pressures.begin(), pressures.end(), has);
-  const std::string& name = found == pressures.end() ? pressures.back() : *found;
-  const UnitColumn pressure = find_column(table, columns, name);
-  const DensityColumns density(table, columns);
-  const bool has_branch = columns.contains("branch") || has_column(table, columns, "branch");
-  const int branch = has_branch ? find_column(table, columns, "branch").index : -1;
+  const NamedColumns named(table, columns);
+  const auto [name, pressure] = pressure_column(named, pressures);
+  require_unit_of_pressure(table, pressure);
+  const SolidFractions density = solid_fractions(named);
+  const int branch = named.has("branch") ? named.column("branch") : -1;
   path.unit = pressure.unit;
   const LoadColumns loads(table);
   PressureUnit unit(table, name, columns.contains(name));
@@ -280,13 +199,13 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
       path.stress = oedometer == OedometerPressure::driven ? "driven" : "mean";
     }
     if (P < 0) throw InputError(table.place(i), fmt::format("{} = {}: expected a pressure >= 0", name, P));
-    path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P, density.phi(i), load, driven_over_mean});
+    path.rows.push_back({branch >= 0 ? table.text(i, branch) : "", P, density.phi[static_cast<std::size_t>(i)],
+                         load, driven_over_mean});
   }
-  if (density.has_void_ratios_alone()) check_for_percent(path);
-  if (!path.stress.empty())
-    path.notes.push_back(fmt::format(
-        "in rows of an oedometer test, the reduced pressure P* is computed from the {} stress", path.stress));
   require_path(path.rows, name, [&table](int row) { return table.place(row); });
+  path.is_of_run = table.has("state") && table.has("branch") && table.has("P_star");
+  path.reading = reading_of(path, density.words);
+  add_notes(path);
   return path;
 }
 

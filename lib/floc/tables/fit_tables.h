@@ -7,26 +7,10 @@
 #include "floc/fitting/loading_path.h"
 #include "floc/io/csv.h"
 #include "floc/io/table.h"
+#include "floc/io/table_columns.h"
 #include "floc/io/table_units.h"
 
 namespace floc {
-
-/// Map from the name that floc uses for a quantity to the header of its column in an input table, as given by
-/// `--columns NAME=COLUMN,...`.
-using ColumnNames = std::map<std::string, std::string>;
-
-/// A column of a table: its index, and the unit in its header, such as kPa in "sigma [kPa]" or "sigma (kPa)".
-struct UnitColumn {
-  int index;
-  std::string unit;  ///< empty if the header has no unit
-};
-
-/// Finds the column of a quantity: the column that `columns` gives for `name`, otherwise the column whose header is
-/// `name`. A unit in brackets may follow the name in the header.
-/// @throws InputError that lists the columns of the table, if there is no such column
-UnitColumn find_column(const CsvTable& table, const ColumnNames& columns, const std::string& name);
-/// Returns whether find_column() would find a column.
-bool has_column(const CsvTable& table, const ColumnNames& columns, const std::string& name);
 
 /// Returns the files of the tables that an argument of a command stands for: the file itself or, for a directory DIR,
 /// the file DIR/path.csv of a run or the files DIR/seed-N/path.csv of an ensemble, in the order of N.
@@ -42,8 +26,11 @@ struct PathTable {
   /// Stress that is taken as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the
   /// axes); empty if the table has no such rows.
   std::string stress = {};
-  std::vector<std::string> notes = {};            ///< messages about conversions of the pressures
-  std::vector<std::string> inconsistencies = {};  ///< warnings about values that may be in another unit
+  /// What was read, in one line: number of rows, quantities, units and reversals of the load.
+  std::string reading = {};
+  bool is_of_run = false;  ///< whether the table is that of a run of floc, so that `reading` says nothing new
+  std::vector<std::string> notes =
+      {};  ///< messages about conversions of the pressures, and rows that do not count
 
   /// Returns `stress` as a table cell, which is empty if `stress` is empty.
   TableValue stress_of_rows() const { return or_undefined(stress); }
@@ -52,11 +39,12 @@ struct PathTable {
 /// Stress that is taken as the pressure in rows of oedometer tests: that on the driven axis, or the mean over the axes.
 enum class OedometerPressure { driven, mean };
 
-/// Reads a load path from a table: the pressure, the solid fraction (from the column phi or void_ratio) and, if the
-/// table has it, the name of the branch. If a table of `floc run` contains rows of oedometer tests, `oedometer` says
+/// Reads a load path from a table: the pressure, the solid fraction (see solid_fractions()) and, if the table has it, the
+/// name of the branch. Of successive rows of one pressure the last counts. If a table of `floc run` contains rows of oedometer tests, `oedometer` says
 /// which stress is their pressure. If the unit of P_star changes along a path of `floc run`, the pressures are
 /// converted to the unit of the first rows.
-/// @param columns    headers of the columns, for quantities whose columns have other headers than the usual ones
+/// @param columns    headers of the columns, for quantities whose columns have neither the names that floc uses nor usual
+/// names
 /// @param pressures  names of columns of pressures; the first one that the table has is read
 /// @throws InputError with file, line and value if a column is missing, if a value is not a number or is negative, or
 /// if the pressures along a branch neither all grow, nor all fall, nor are all equal

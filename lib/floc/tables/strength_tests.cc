@@ -105,17 +105,17 @@ double strain_factor(const CsvTable& table, const UnitColumn& column) {
                                table.columns()[static_cast<std::size_t>(column.index)], column.unit));
 }
 
-std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const CsvTable& table,
-                                              const ColumnNames& columns, TestKind kind) {
-  const UnitColumn axial = find_column(table, columns, "sigma1"),
-                   lateral = find_column(table, columns, "sigma3");
+std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const NamedColumns& columns,
+                                              TestKind kind) {
+  const CsvTable& table = columns.table();
+  const UnitColumn axial = columns.unit_column("sigma1"), lateral = columns.unit_column("sigma3");
   const double factor = unit_factor(fmt::format("{}, sigma3", name), lateral.unit, "sigma1", axial.unit);
-  const bool has_strain = has_column(table, columns, "strain") || columns.contains("strain");
+  const bool has_strain = columns.has("strain");
   std::optional<UnitColumn> strain, volume;
   if (has_strain) {
-    strain = find_column(table, columns, "strain");
+    strain = columns.unit_column("strain");
     // An oedometer keeps the lateral lengths, so that its volumetric strain is the axial one.
-    volume = kind == TestKind::oedometer ? strain : find_column(table, columns, "volumetric_strain");
+    volume = kind == TestKind::oedometer ? strain : columns.unit_column("volumetric_strain");
   }
   StrengthTest test{name, has_strain ? kind : TestKind::failure, {}, axial.unit, {}};
   for (int row = 0; row < table.n_rows(); ++row) {
@@ -149,10 +149,12 @@ const char* name_of(TestKind kind) {
 
 std::vector<StrengthTest> read_strength_tests(const std::string& file, const ColumnNames& columns,
                                               TestKind kind) {
-  const CsvTable table = CsvTable::read(file);
+  const CsvTable table =
+      CsvTable::read(file, wanted_names({"sigma1", "sigma3", "strain", "volumetric_strain"}, columns));
   const std::string name = file == "-" ? "stdin" : file;
-  return columns.empty() && RunColumns::are_in(table) ? tests_of_run(name, table)
-                                                      : tests_of_laboratory(name, table, columns, kind);
+  return columns.empty() && RunColumns::are_in(table)
+             ? tests_of_run(name, table)
+             : tests_of_laboratory(name, NamedColumns(table, columns), kind);
 }
 
 }  // namespace floc

@@ -29,7 +29,35 @@ TEST(PathSteps, ALoopIsUnloadingReloadingAndThenVirginAgain) {
   for (const double P : {0.0, 1.0, 4.0, 2.0, 1.0, 2.0, 4.0, 8.0, 8.0, 3.0, 0.0}) rows.push_back({"", P, 0.5});
   EXPECT_THAT(path_steps(rows),
               ElementsAre(zero_pressure, first_loading, first_loading, unloading, unloading, reloading,
-                          reloading, later_virgin, hold, unloading, zero_pressure));
+                          reloading, hold, later_virgin, unloading, zero_pressure));
+}
+
+/// A table of an oedometer has a row after the load and one after the creep; the last row of a pressure is its point.
+TEST(PathSteps, OfSuccessiveRowsOfOnePressureTheLastCounts) {
+  using enum PathStep;
+  std::vector<PathRow> rows;
+  double phi = 0.5;
+  for (const double P : {1.0, 1.0, 2.0, 2.0, 2.0, 1.0, 1.0, 3.0, 3.0, 3.0})
+    rows.push_back({"", P, phi += 0.01});
+  EXPECT_THAT(path_steps(rows), ElementsAre(hold, first_loading, hold, hold, first_loading, hold, unloading,
+                                            hold, hold, later_virgin));
+  EXPECT_THAT(superseded_rows(rows), ElementsAre(0, 2, 3, 5, 7, 8));
+  EXPECT_EQ(count_reversals(rows), 2);
+  EXPECT_THAT(floc::first_loading(rows, true).rows, ElementsAre(1, 4, 9));
+  ASSERT_EQ(unloadings(rows).size(), 1u);
+  EXPECT_THAT(unloadings(rows)[0].rows, ElementsAre(4, 6));
+  ASSERT_EQ(reloadings(rows).size(), 1u);
+  EXPECT_THAT(reloadings(rows)[0].loading.rows, ElementsAre(6, 9));
+  EXPECT_EQ(reloadings(rows)[0].largest_before, 2.0);
+}
+
+/// The rows of a branch that holds the pressure of the branch before it are no points of a curve, not even the last one.
+TEST(PathSteps, ABranchThatHoldsThePressureIsLeftOut) {
+  using enum PathStep;
+  const std::vector<PathRow> rows = {
+      {"load", 1, 0.5}, {"load", 2, 0.6}, {"hold", 2, 0.61}, {"hold", 2, 0.62}, {"load", 4, 0.7}};
+  EXPECT_THAT(path_steps(rows), ElementsAre(first_loading, first_loading, hold, hold, first_loading));
+  EXPECT_THAT(superseded_rows(rows), IsEmpty());
 }
 
 TEST(PathFault, PressuresOfABranchKeepTheirDirection) {
@@ -42,11 +70,13 @@ TEST(PathFault, PressuresOfABranchKeepTheirDirection) {
   EXPECT_FALSE(fault({3, 2, 1}, "unload"));
   EXPECT_FALSE(fault({1, 1, 1}, "hold"));
   EXPECT_FALSE(fault({1, 2, 1, 3}, ""));
-  EXPECT_EQ(fault({1, 2, 2}, "load")->row, 2);
-  EXPECT_EQ(fault({1, 1}, "load")->row, 1);
+  EXPECT_FALSE(fault({1, 2, 2}, "load"));
+  EXPECT_FALSE(fault({1, 2, 2}, ""));
+  EXPECT_EQ(fault({1, 2, 2, 1.5}, "load")->row, 3);
+  EXPECT_EQ(fault({1, 1, 0.5}, "load")->row, 2);
   EXPECT_EQ(fault({3, 2, 2.5}, "unload")->row, 2);
   EXPECT_EQ(fault({1, 2, 1}, "press")->row, 2);
-  EXPECT_EQ(fault({1, 2, 2}, "")->row, 2);
+  EXPECT_EQ(fault({2, 2, 1, 2}, "press")->row, 3);
   EXPECT_THAT(fault({2, 1}, "load")->expected, HasSubstr("grows"));
   EXPECT_THAT(fault({1, 2}, "unload")->expected, HasSubstr("falls"));
 }

@@ -54,6 +54,37 @@ TEST_F(CsvPacking, PutsGrainsIntoTheCellWithUnitMassAtUnitDiameter) {
   EXPECT_TRUE(p.contacts.empty());
 }
 
+TEST_F(CsvPacking, ConvertsLengthsToTheUnitOfXOrToMetres) {
+  grains("X (cm),Y (cm),diameter [mm]\n1,0.5,5\n2.5,0.5,2.5\n");
+  EXPECT_EQ(read().grains.radius, (std::vector<double>{0.25, 0.125}));
+  EXPECT_EQ(read().grains.position[1], Vec<2>(2.5, 0.5));
+  options_.units = "SI";
+  EXPECT_NEAR(read().grains.position[1][0], 0.025, 1e-17);
+  EXPECT_NEAR(read().grains.radius[0], 0.0025, 1e-17);
+  grains("x [cm],y,radius [cm]\n1,1,1\n");
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("column y: found no unit here")));
+  grains("x [m],y [m],radius [m],mass [g]\n1,1,1,1\n");
+  EXPECT_THAT(refusal(),
+              ThrowsMessage<InputError>(HasSubstr("column \"mass [g]\" is in g: expected kg, the unit of SI")));
+}
+
+TEST_F(CsvPacking, SaysHowItsTablesAreWritten) {
+  grains("id;x;y;radius\n7;4,4;1;0,5\n3;3,5;1;0,5\n5;2,7;1;0,5\n");
+  contacts("# id1 id2 normal_force\n7 3 1\n");
+  const std::vector<std::string> remarks = read_csv_packing(scratch_.file("g.csv"), options_).remarks;
+  EXPECT_THAT(remarks,
+              testing::IsSupersetOf({std::string("read 3 rows: separated by semicolons, decimal commas"),
+                                     scratch_.file("c.csv") + ": read 1 row: separated by blanks"}));
+}
+
+TEST_F(CsvPacking, RefusesForcesInSeveralUnits) {
+  contacts("id1,id2,force1 [N],force2 [kN]\n7,3,1,0\n");
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("column \"force2 [kN]\" is in kN: expected N")));
+  options_.units = "SI";
+  contacts("id1,id2,normal_force [kN]\n7,3,1\n");
+  EXPECT_THAT(refusal(), ThrowsMessage<InputError>(HasSubstr("is in kN: expected N, the unit of SI")));
+}
+
 TEST_F(CsvPacking, TakesColumnsByTheNamesGiven) {
   grains("D;Y;X;M\n2;1;0.5;3\n");
   options_.columns = {{"x", "X"}, {"y", "Y"}, {"diameter", "D"}, {"mass", "M"}};

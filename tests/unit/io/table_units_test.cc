@@ -21,6 +21,35 @@ TEST(TableUnits, AreTheLastBracketsOfAHeader) {
   EXPECT_THAT(name_and_unit("P [1]"), Pair("P", ""));
   EXPECT_THAT(name_and_unit("P"), Pair("P", ""));
   EXPECT_THAT(name_and_unit("c_force[1]x"), Pair("c_force[1]x", ""));
+  EXPECT_THAT(name_and_unit("c_force[2]"), Pair("c_force[2]", ""));
+}
+
+TEST(TableUnits, AreAlsoKnownUnitsBehindTheName) {
+  EXPECT_THAT(name_and_unit("sigma', kPa"), Pair("sigma'", "kPa"));
+  EXPECT_THAT(name_and_unit("sigma' in kN/m2"), Pair("sigma'", "kN/m2"));
+  EXPECT_THAT(name_and_unit("sigma'/kPa"), Pair("sigma'", "kPa"));
+  EXPECT_THAT(name_and_unit("Pressure MPa"), Pair("Pressure", "MPa"));
+  EXPECT_THAT(name_and_unit("sigma_kPa"), Pair("sigma", "kPa"));
+  EXPECT_THAT(name_and_unit("e_percent"), Pair("e", "percent"));
+  EXPECT_THAT(name_and_unit("Void ratio (%)"), Pair("Void ratio", "%"));
+  // Parts of names, and words in brackets that are no units.
+  for (const char* name :
+       {"sigma_bar", "F_N", "P/P_ref", "P_m", "x in", "sigma (effective)", "Void ratio (e)", "Spannung"})
+    EXPECT_THAT(name_and_unit(name), Pair(name, ""));
+}
+
+TEST(TableUnits, OfARowOfUnitsAreKnownUnitsOrInBrackets) {
+  for (const char* unit : {"kPa", "[kPa]", " (kPa) "}) EXPECT_EQ(unit_in_cell(unit), "kPa") << unit;
+  EXPECT_EQ(unit_in_cell("[turnips]"), "turnips");
+  for (const char* cell : {"turnips", "", "-", "[-]", "[1]", "x"}) EXPECT_EQ(unit_in_cell(cell), "") << cell;
+  EXPECT_TRUE(states_no_unit("-") && states_no_unit("[-]") && states_no_unit("[1]"));
+  EXPECT_FALSE(states_no_unit("1") || states_no_unit("kPa"));
+}
+
+TEST(TableUnits, OfSharesAreThoseOfOneAndPercent) {
+  EXPECT_EQ(share_of_one("c", ""), 1.0);
+  EXPECT_EQ(share_of_one("c", "%"), 0.01);
+  EXPECT_THROW(share_of_one("c", "kPa"), InputError);
 }
 
 TEST(TableUnits, AreConvertedByTheirSizes) {

@@ -576,7 +576,7 @@ TEST_F(SievedScene, ThatIsNoGradingCurveIsRefusedWithLineAndReason) {
       {"size,passing\n1,100\n", "", "there is one sieve"},
       {"mesh,passing\n1,0\n4,100\n", "", "there is no column with the sizes of the sieves"},
       {"size,retained\n1,0\n4,100\n", "", "there is no column with the percentage of the mass that passes"},
-      {"size,passing [g]\n1,0\n4,100\n", "", "the column passing is in g: expected percent of the mass"},
+      {"size,passing [g]\n1,0\n4,100\n", "", "column passing [g]: found the unit g here: expected a number without unit, or in %"},
       {"size,passing\n1,0\n4,100\n", ", min = 5", "grains.diameter.min = 5: expected a size within the curve"},
       {"size,passing\n1,0\n2,50\n3,50\n4,100\n", ", min = 2.1, max = 2.9",
        "no grains are between the sizes 2.1"},

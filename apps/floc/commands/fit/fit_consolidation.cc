@@ -128,7 +128,7 @@ int fit_tables(const ConsolidationArguments& arguments) {
   const ConsolidationOptions options = consolidation_options(arguments.fit);
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P_star", "branch"}), printing);
   std::vector<ConsolidationSample> read;
   std::optional<PathTable> first;
   int code = for_each_table(arguments.inputs, [&](const std::string& file) {
@@ -213,7 +213,7 @@ Command add_fit_consolidation(CommandLine fit) {
                  "stress from which the reduced pressure P* of an oedometer test is computed: driven (stress "
                  "along the driven axis) or mean (mean stress) [driven]")
       .one_of({"driven", "mean"});
-  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");
   app.add_option("--plot", arguments->plot,
                  "plot to write (F.svg, F.pdf or F.png): data points, fitted curve, window of the fit and "
                  "residuals; the data F.dat and the gnuplot script F.gp are written to the same directory");

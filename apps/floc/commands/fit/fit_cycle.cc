@@ -20,7 +20,7 @@ struct CycleArguments {
 int run_cycles(const CycleArguments& arguments) {
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P", "P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P", "P_star", "branch"}), printing);
   Table table = cycle_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const PathTable path = read_path(file, columns, {"P", "P_star"});
@@ -48,7 +48,7 @@ Command add_fit_cycle(CommandLine fit) {
                  "tables with the columns P (pressure) or P_star (reduced pressure), and phi (solid fraction) "
                  "or void_ratio; or directories of `floc run`; - for a table on stdin")
       .required();
-  add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
+  add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return run_cycles(*arguments); }};
 }

@@ -6,6 +6,7 @@
 
 #include "commands/fit/fit_commands.h"
 #include "commands/fit/fit_input.h"
+#include "floc/tables/path_density.h"
 #include "floc/tables/table_fits.h"
 #include "process/output.h"
 #include "process/printing.h"
@@ -22,16 +23,19 @@ struct DynamicCompactionArguments {
 };
 
 std::vector<CompactedSample> read_samples(const CsvTable& table, const ColumnNames& columns) {
-  const auto column = [&](const char* name) { return find_column(table, columns, name); };
+  const NamedColumns named(table, columns);
+  const auto column = [&](const char* name) { return named.unit_column(name); };
   const UnitColumn e = column("e"), p = column("p"), sc = column("sc"), se = column("se");
   const auto to_unit_of_p = [&](const UnitColumn& of, const char* name) {
     return unit_factor(fmt::format("{}, column {}", table.place(), name), of.unit, "column p", p.unit);
   };
   const double of_sc = to_unit_of_p(sc, "sc"), of_se = to_unit_of_p(se, "se");
+  const double of_e = factor_of_share(named, "e");
   std::vector<CompactedSample> samples;
   for (int i = 0; i < table.n_rows(); ++i)
-    samples.push_back(compacted_sample(table.place(i), table.number(i, e.index), table.number(i, p.index),
-                                       of_sc * table.number(i, sc.index), of_se * table.number(i, se.index)));
+    samples.push_back(compacted_sample(table.place(i), of_e * table.number(i, e.index),
+                                       table.number(i, p.index), of_sc * table.number(i, sc.index),
+                                       of_se * table.number(i, se.index)));
   return samples;
 }
 
@@ -71,8 +75,9 @@ int fit_tables(const DynamicCompactionArguments& arguments) {
   Table table = compaction_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const std::string name = file == "-" ? "stdin" : file;
-    const CompactionFit fit =
-        fit_dynamic_compaction(read_samples(CsvTable::read(file), columns), arguments.reference);
+    const CsvTable samples = CsvTable::read(file, wanted_names({"e", "p", "sc", "se"}, columns));
+    log_description(samples);
+    const CompactionFit fit = fit_dynamic_compaction(read_samples(samples, columns), arguments.reference);
     array.push_back(as_json(name, fit, arguments.reference));
     log_fit(name, fit);
     if (!fit.found()) return static_cast<int>(kNotConverged);

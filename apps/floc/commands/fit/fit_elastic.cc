@@ -21,7 +21,7 @@ struct ElasticArguments {
 int fit_tables(const ElasticArguments& arguments) {
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P", "P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P", "P_star", "branch"}), printing);
   Json array = Json::array();
   Table table = elastic_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
@@ -74,7 +74,7 @@ Command add_fit_elastic(CommandLine fit) {
       "--state", arguments->state,
       "state file whose computed moduli are printed for comparison [if its file exists, the state of the first "
       "row of the branch or, for a curved branch, of the middle row of its straight part]");
-  add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio, branch");
+  add_columns_option(app, arguments->columns, "P, P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }

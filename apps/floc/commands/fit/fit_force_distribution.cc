@@ -30,8 +30,9 @@ std::vector<double> read_forces(const std::string& file, const ColumnNames& colu
         read_state(file));
     return forces;
   }
-  const CsvTable table = CsvTable::read(file);
-  const int column = find_column(table, columns, "normal_force").index;
+  const CsvTable table = CsvTable::read(file, wanted_names({"normal_force"}, columns));
+  log_description(table);
+  const int column = NamedColumns(table, columns).column("normal_force");
   for (int i = 0; i < table.n_rows(); ++i) forces.push_back(table.number(i, column));
   return forces;
 }

@@ -9,6 +9,7 @@
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/tables/path_density.h"
 #include "process/command.h"
 #include "process/finish_output.h"
 #include "process/output.h"
@@ -16,10 +17,12 @@
 namespace floc {
 
 void add_columns_option(CommandLine app, std::string& text, const std::string& names) {
-  app.add_option("--columns", text,
-                 "NAME=COLUMN,...: columns of the input table to use for " + names +
-                     "; items without = are names or patterns of columns to print [all columns; on a terminal "
-                     "those that fit its width]")
+  app.add_option(
+         "--columns", text,
+         "NAME=COLUMN,...: columns of the input table to use for " + names +
+             " [those with these names or usual ones], with a unit if the table has none, as in \"e [%]\"; "
+             "items without = are names or patterns of columns to print [all columns; on a terminal "
+             "those that fit its width]")
       .joined(',');
 }
 
@@ -48,9 +51,19 @@ ColumnNames parse_column_names(const std::string& text, const std::vector<std::s
   return columns;
 }
 
+std::vector<std::string> names_with_densities(std::vector<std::string> names) {
+  for (const std::string& name : density_names()) names.push_back(name);
+  return names;
+}
+
 void log_notes(const PathTable& path) {
+  if (!path.is_of_run) spdlog::info("{}: {}", path.name, path.reading);
   for (const std::string& note : path.notes) spdlog::info("{}: {}", path.name, note);
-  for (const std::string& doubt : path.inconsistencies) spdlog::warn("{}: warning: {}", path.name, doubt);
+}
+
+void log_description(const CsvTable& table) {
+  if (const std::string words = table.description(); !words.empty())
+    spdlog::info("{}: read {}: {}", table.place(), table.rows_in_words(), words);
 }
 
 int for_each_table(const std::vector<std::string>& inputs,

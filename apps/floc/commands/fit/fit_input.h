@@ -25,9 +25,15 @@ void add_columns_option(CommandLine app, std::string& text, const std::string& n
 ColumnNames parse_column_names(const std::string& text, const std::vector<std::string>& names,
                                Printing& printing);
 
-/// Prints on stderr how the pressures of a load path were converted to another unit, and a warning for each
-/// inconsistency in the load path.
+/// Returns `names` and the names of the quantities from which solid fractions are computed (density_names()).
+std::vector<std::string> names_with_densities(std::vector<std::string> names);
+
+/// Prints on stderr what was read from the table of a load path, how its pressures were converted to another unit, and
+/// which of its rows do not count.
 void log_notes(const PathTable& path);
+
+/// Prints on stderr how a table is written, unless it is a plain csv table.
+void log_description(const CsvTable& table);
 
 /// Calls `work` for every table that the inputs name; `work` returns an exit code. If an input cannot be read, an error
 /// with the name of this input is printed on stderr, and the other inputs are still processed.

@@ -20,7 +20,7 @@ struct PreconsolidationArguments {
 int fit_tables(const PreconsolidationArguments& arguments) {
   Printing printing = arguments.printing;
   const ColumnNames columns =
-      parse_column_names(arguments.columns, {"P_star", "phi", "void_ratio", "branch"}, printing);
+      parse_column_names(arguments.columns, names_with_densities({"P_star", "branch"}), printing);
   Json array = Json::array();
   Table table = preconsolidation_table();
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
@@ -71,7 +71,7 @@ Command add_fit_preconsolidation(CommandLine fit) {
                  "tables with the columns P_star (reduced pressure), phi (solid fraction) or void_ratio, and "
                  "optionally branch; or directories of `floc run`; - for a table on stdin")
       .required();
-  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio, branch");
+  add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};
 }

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace floc {
+
+/// Text of a table in UTF-8, whose lines end in "\n" or "\r\n".
+struct TableText {
+  std::string text;
+  /// Encoding of the file in words, such as "Latin-1"; empty for UTF-8.
+  std::string encoding;
+};
+
+/// Converts the bytes of a table to UTF-8. Recognised are UTF-8 and UTF-16, each with or without byte order mark; a text
+/// that is none of these is taken for Latin-1, with the characters that Windows adds to it (code page 1252). Lines that
+/// end in carriage returns alone, as on old Macs, get the line ends of Unix.
+/// Minus signs become hyphens, and no-break spaces blanks.
+/// @param place  name of the file, for messages
+/// @throws InputError if the text is in UTF-32
+TableText decoded_table(const std::string& place, std::string bytes);
+
+/// Reads the text of a table from a file, or from the standard input if the path is "-".
+/// @throws InputError if the file cannot be read, or under the conditions of decoded_table()
+TableText read_table_text(const std::string& path);
+
+}  // namespace floc

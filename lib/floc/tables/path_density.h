@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/io/table_columns.h"
+
+namespace floc {
+
+/// Solid fractions of the rows of a table, and what they were computed from.
+struct SolidFractions {
+  std::vector<double> phi;
+  std::string words;  ///< what was read, such as "void ratio in %"
+};
+
+/// Names of the quantities from which solid_fractions() reads or computes solid fractions, and of those that it needs
+/// beside some of them. A user may assign columns to them.
+std::vector<std::string> density_names();
+
+/// Reads the solid fractions Phi of a table. They stand in a column of one of the following quantities; the first one that
+/// the table has is read, or that which the user named.
+///
+///   phi              solid fraction
+///   void_ratio       void ratio e: Phi = 1/(1 + e)
+///   porosity         porosity n: Phi = 1 - n
+///   specific_volume  volume of the sample over that of its grains v: Phi = 1/v
+///   dry_density      mass of the grains per volume of the sample rho: Phi = rho/particle_density
+///   bulk_density     the same of a dry powder
+///   axial_strain     eps, positive in compression: Phi = 1/[(1 + initial_void_ratio) (1 - eps)]
+///   height           H: Phi = H_s/H, where the height of the grains H_s is solid_height, or
+///                    initial_height/(1 + initial_void_ratio), initial_height being by default the first height
+///
+/// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio and the user named
+/// neither, they have to agree.
+/// @throws InputError naming file, line and value if no such column is there, if a value is not possible, if the numbers
+/// seem to be in percent although the table does not say so, or the other way round, or if two columns contradict each
+/// other
+SolidFractions solid_fractions(const NamedColumns& columns);
+
+/// Returns the factor that converts the numbers in the column `name`, a void ratio or another ratio, to shares of one: 0.01
+/// for percent, otherwise 1.
+/// @throws InputError with a question if the numbers seem to be in percent although the table does not say so, or if
+/// percentages are too small; but not if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
+double factor_of_share(const NamedColumns& columns, const std::string& name);
+
+/// Converts a solid fraction or a void ratio to a solid fraction.
+/// @param place  place of the value in messages
+/// @throws InputError if the value is not possible
+double solid_fraction_of(const std::string& place, double value, bool is_void_ratio);
+
+}  // namespace floc

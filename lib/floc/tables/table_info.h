@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/io/table.h"
+#include "floc/io/table_columns.h"
+
+namespace floc {
+
+/// What floc understands of a table, without a fit.
+struct TableInfo {
+  std::string reading;             ///< what was read, in one line
+  std::vector<std::string> notes;  ///< messages about rows that do not count and pressures that were converted
+};
+
+/// Names of all quantities that floc reads from tables of load paths, grains, contacts, forces and compacted samples.
+std::vector<std::string> names_of_quantities();
+
+/// Reads a table as a load path, as grains or as contacts, by the columns that it has, and adds a row for each of its
+/// columns to the table of `floc info`: header, quantity, unit and range of the numbers.
+/// @param names  headers of columns, as `--columns NAME=COLUMN,...` gives them
+/// @throws InputError if the table cannot be read; if it is a load path whose values are refused, after its rows were added
+TableInfo add_table_info(const std::string& file, const ColumnNames& names, Table& table);
+
+}  // namespace floc

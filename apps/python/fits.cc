@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "arguments.h"
+#include "floc/base/infinity.h"
 #include "floc/tables/consolidation_fits.h"
 #include "floc/tables/elastic_fits.h"
 #include "floc/tables/table_fits.h"
@@ -72,21 +73,23 @@ std::vector<double> window_of(const py::object& given) {
 py::object consolidation(const py::list& samples, const ColumnNames& columns, const py::object& law,
                          const py::object& window, const py::object& P0, const py::object& protocol,
                          const py::object& loading, const py::object& weights, const py::object& loss,
-                         const py::object& bootstrap, const py::object& seed, const py::object& stress) {
+                         const py::object& bootstrap, const py::object& seed, const py::object& stress,
+                         const py::object& phi_limit) {
   ConsolidationFitOptions arguments;
-  arguments.law = word_of("law", law, {"full", "log", "power"});
+  arguments.law = word_of("law", law, {"auto", "full", "log", "power"});
   arguments.protocol = word_of("protocol", protocol, {"", "published"});
   arguments.window = window_of(window);
   arguments.P0 = number_if_any("P0", P0, kPositiveNumber).value_or(0.0);
   if (!P0.is_none() && !window.is_none())
     throw InputError("P0",
                      "this argument cannot be combined with the argument window: expected only one of them");
-  arguments.loading = word_of("loading", loading, {"first", "virgin"});
+  arguments.loading = word_of("loading", loading, {"", "first", "virgin"});
   arguments.weights = word_of("weights", weights, {"", "uniform", "relative", "scatter"});
   arguments.loss = word_of("loss", loss, {"squared", "huber", "cauchy"});
   arguments.n_bootstrap = bootstrap_of(bootstrap);
   arguments.seed = seed_of("seed", seed);
   arguments.stress = word_of("stress", stress, {"driven", "mean"});
+  arguments.phi_limit = number_if_any("phi_limit", phi_limit, kPositiveNumber).value_or(kInfinity);
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     const ConsolidationOptions options = consolidation_options(arguments);
@@ -177,7 +180,8 @@ py::object force_distribution(const std::string& name, const std::vector<double>
 void bind_fits(py::module_& module) {
   module.def("fit_consolidation", &consolidation, py::arg("samples"), py::kw_only(), py::arg("columns"),
              py::arg("law"), py::arg("window"), py::arg("P0"), py::arg("protocol"), py::arg("loading"),
-             py::arg("weights"), py::arg("loss"), py::arg("bootstrap"), py::arg("seed"), py::arg("stress"));
+             py::arg("weights"), py::arg("loss"), py::arg("bootstrap"), py::arg("seed"), py::arg("stress"),
+             py::arg("phi_limit"));
   module.def("fit_preconsolidation", &preconsolidation, py::arg("samples"), py::kw_only(), py::arg("columns"));
   module.def("fit_elastic", &elastic, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("state"));
   module.def("fit_cycle", &cycle, py::arg("samples"), py::kw_only(), py::arg("columns"));

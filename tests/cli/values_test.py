@@ -137,7 +137,7 @@ TEXTS = {
     "--load": "stress:{},0,0,0,0,0", "--compare": "in", "--stress": "out", "--forces": "out", "--plot": "out",
     "--map": "out", "--phases": "out", "--cut": "y,{}", "--strength": "grain={}", "--curve": "out", "--cracks": "out",
     "--intensity": "out", "--pair-correlation": "out", "--gaps": "out", "--prediction": "out", "--pores": "out",
-    "--porosity": "out", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
+    "--porosity": "out", "--phi-limit": "{}", "--profile": "out", "--displacements": "out", "--contacts": "out", "--state": "in",
     "--to": "words", "--from": "words", "--law": "normal.stiffness={}", "--cell": "{},0;0,3", "--contact-columns": "words",
     "--view": "{},20", "--slab": "z,{},0.6", "--grains": "out", "--scene": "in", "--table": "words",
     ("run", "--output"): "new", ("demo", "DIR"): "into", ("campaign plan", "--output"): "new",

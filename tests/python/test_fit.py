@@ -84,7 +84,7 @@ class Consolidation(unittest.TestCase):
                  (([[[1, 2]]], [[[1, 2]]]), {}, r"pressure: this array has shape"),
                  ((["a"], [0.5]), {}, "pressure: expected an array of numbers"),
                  (([1, 2, 3],), {}, "solid_fraction or void_ratio"),
-                 (([1, 2, 3], [0.5, 0.6, 0.7]), {"law": "cubic"}, 'law = "cubic": expected one of full, log, power'),
+                 (([1, 2, 3], [0.5, 0.6, 0.7]), {"law": "cubic"}, 'law = "cubic": expected one of auto, full, log, power'),
                  (([1, 2, 3], [0.5, 0.6, 0.7]), {"window": (2, 1)}, "window"),
                  (([1, 2, 3], [0.5, 0.6, 0.7]), {"branch": ["load"]},
                   "branch: this argument has 1 names, expected one per pressure, 3")]

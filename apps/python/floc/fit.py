@@ -76,9 +76,9 @@ class Fit:
         return "\n".join([f"Fit of {self.sample}:", *lines])
 
 
-def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="full", window=None, P0=None,
-                  protocol=None, loading="first", weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
-                  columns=None):
+def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="auto", window=None, P0=None,
+                  protocol=None, loading=None, weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
+                  phi_limit=1.0, columns=None):
     """Fits the consolidation law: the plasticity index lambda and its other parameters.
 
     Parameters
@@ -93,22 +93,26 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     branch : sequence of str, (n,), optional
         Name of the branch of the load path for each point, as in ``path.csv``; by default, branches are found from
         the pressures.
-    law : {"full", "log", "power"}
-        "log": law of regime II; "power": law of regime III; "full": both.
+    law : {"auto", "full", "log", "power"}
+        "log": law of regime II; "power": law of regime III; "full": both; "auto": the one that the data support, which
+        the attribute `law` of the result names.
     window : (float, float), optional
         Lowest and highest pressure to fit [found from the data].
     P0 : float, optional
         The fit begins at the pressure nearest to this one and ends at the last pressure [found from the data].
     protocol : {"published"}, optional
         Keeps P0* fixed at a pressure of the curve and fits the mean of the samples.
-    loading : {"first", "virgin"}
-        "first": the first loading; "virgin": also later loadings where they exceed the largest earlier pressure.
+    loading : {"first", "virgin"}, optional
+        "first": the first loading; "virgin": also later loadings where they exceed the largest earlier pressure
+        ["virgin" with the law "auto", otherwise "first"].
     weights : {"uniform", "relative", "scatter"}, optional
     loss : {"squared", "huber", "cauchy"}
     bootstrap : int
         Number of resampled fits, from which additional errors are computed; 0 for none.
     seed : int
         Seed of the resampling.
+    phi_limit : float or None
+        Largest solid fraction to which a law may tend at high pressure; None for no bound.
     stress : {"driven", "mean"}, columns : dict
         For tables only: the stress from which P* of an oedometric test is computed, and the names of the columns for
         the keys P_star, phi, void_ratio, branch.
@@ -116,7 +120,8 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     Returns
     -------
     Fit, or for several samples a list of fits, of which the last is that of the mean
-        Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max, if the law has them.
+        Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max, if the law has them; with the law "auto" also kappa,
+        and the indices C_c and C_s, which are ln(10) lambda and ln(10) kappa.
 
     Raises
     ------
@@ -129,8 +134,8 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     """
     fits = _core.fit_consolidation(
         _samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {}, law=law, window=window, P0=P0,
-        protocol=protocol or "", loading=loading, weights=weights or "", loss=loss, bootstrap=bootstrap, seed=seed,
-        stress=stress)
+        protocol=protocol or "", loading=loading or "", weights=weights or "", loss=loss, bootstrap=bootstrap, seed=seed,
+        stress=stress, phi_limit=phi_limit)
     return Fit(fits[0]) if len(fits) == 1 else [Fit(fit) for fit in fits]
 
 

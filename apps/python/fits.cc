@@ -6,6 +6,7 @@
 
 #include "arguments.h"
 #include "floc/base/infinity.h"
+#include "floc/tables/compression_fits.h"
 #include "floc/tables/consolidation_fits.h"
 #include "floc/tables/elastic_fits.h"
 #include "floc/tables/table_fits.h"
@@ -108,6 +109,26 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   }));
 }
 
+py::object compression(const py::list& samples, const ColumnNames& columns, const py::object& law,
+                       const py::object& density, const py::object& D0, const py::object& phi_limit) {
+  CompressionFitOptions arguments;
+  arguments.law =
+      word_of("law", law, {"all", "heckel", "kawakita", "cooper-eaton", "walker", "gurnham", "adams"});
+  arguments.density = word_of("density", density, {"out-of-die", "in-die"});
+  arguments.fit.D0 = number_if_any("D0", D0, kPositiveNumber).value_or(0.0);
+  arguments.fit.phi_limit = number_if_any("phi_limit", phi_limit, kPositiveNumber).value_or(kInfinity);
+  const Inputs inputs = inputs_of(samples, columns);
+  return to_python(without_gil([&] {
+    Json array = Json::array();
+    for (const PathTable& path : tables_of(inputs, {"P_star", "P"})) {
+      const CompressedPath compressed = compression_fits(path, arguments);
+      for (const CompressionFit& fit : compressed.fits)
+        array.push_back(as_json(path, compressed, fit, arguments));
+    }
+    return array;
+  }));
+}
+
 py::object preconsolidation(const py::list& samples, const ColumnNames& columns) {
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
@@ -182,6 +203,8 @@ void bind_fits(py::module_& module) {
              py::arg("law"), py::arg("window"), py::arg("P0"), py::arg("protocol"), py::arg("loading"),
              py::arg("weights"), py::arg("loss"), py::arg("bootstrap"), py::arg("seed"), py::arg("stress"),
              py::arg("phi_limit"));
+  module.def("fit_compression", &compression, py::arg("samples"), py::kw_only(), py::arg("columns"),
+             py::arg("law"), py::arg("density"), py::arg("D0"), py::arg("phi_limit"));
   module.def("fit_preconsolidation", &preconsolidation, py::arg("samples"), py::kw_only(), py::arg("columns"));
   module.def("fit_elastic", &elastic, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("state"));
   module.def("fit_cycle", &cycle, py::arg("samples"), py::kw_only(), py::arg("columns"));

@@ -85,6 +85,7 @@ CALLS = {
                   "--prediction=out/{n}.csv"),
     "compare": ({"STATE": "disks.h5 disks.h5"}, "--displacements=out/{n}.csv --contacts=out/{n}.csv"),
     "fit consolidation": ({"TABLE": "path.csv"}, "--law=log --window=0.01,100"),
+    "fit compression": ({"TABLE": "path.csv"}, "--law=heckel"),
     "fit preconsolidation": ({"TABLE": "path.csv"}, ""),
     "fit elastic": ({"TABLE": "cycle.csv"}, ""),
     "fit cycle": ({"TABLE": "cycle.csv"}, ""),

@@ -49,7 +49,8 @@ std::string title_of(const ConsolidationPlot& plot) {
   // The last two parts of a path name a table well enough, and leave room for the parameters.
   const std::filesystem::path path(plot.title);
   std::string title = (path.parent_path().filename() / path.filename()).string();
-  for (const char* name : {"lambda", "kappa", "alpha", "Phi_max"})
+  const bool is_line = plot.fit.reported_law == ConsolidationLaw::log;
+  for (const char* name : {"lambda", is_line ? "kappa" : "alpha", is_line ? "" : "Phi_max"})
     if (const FittedParameter* p = plot.fit.find(name); p && p->value && p->standard_error)
       title += fmt::format("   {} = {}", name, value_and_error(*p->value, *p->standard_error));
   return title;

@@ -13,7 +13,7 @@ from ._errors import InputError
 from ._records import Record
 from ._state import read, unmasked
 
-__all__ = ["Fit", "Parameter", "consolidation", "cycle", "dynamic_compaction", "elastic", "force_distribution",
+__all__ = ["Fit", "Parameter", "compression", "consolidation", "cycle", "dynamic_compaction", "elastic", "force_distribution",
            "preconsolidation"]
 
 
@@ -137,6 +137,40 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
         protocol=protocol or "", loading=loading or "", weights=weights or "", loss=loss, bootstrap=bootstrap, seed=seed,
         stress=stress, phi_limit=phi_limit)
     return Fit(fits[0]) if len(fits) == 1 else [Fit(fit) for fit in fits]
+
+
+def compression(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="all", density="out-of-die", D0=None,
+                phi_limit=1.0, columns=None):
+    """Fits the laws of powder compression to first loadings, and ranks them by Akaike's criterion.
+
+    Parameters
+    ----------
+    pressure, solid_fraction, void_ratio, branch
+        As in `consolidation`; the pressures are P.
+    law : {"all", "heckel", "kawakita", "cooper-eaton", "walker", "gurnham", "adams"}
+    density : {"out-of-die", "in-die"}
+        "in-die": measured under load, where elastic strain may take the solid fraction beyond 1.
+    D0 : float, optional
+        Solid fraction of the powder without pressure [fitted].
+    phi_limit : float or None
+        Largest solid fraction to which a law may tend at high pressure; None for no bound.
+    columns : dict
+        For tables only: the names of the columns for the keys P, P_star, phi, void_ratio, branch.
+
+    Returns
+    -------
+    list of Fit
+        One for each sample and law, those of a sample in the order of their rank: attributes law, delta_aicc,
+        akaike_weight, residual_pattern, window.
+
+    Raises
+    ------
+    InputError
+        If the arrays are not a valid curve; the message names the array, the index and the value.
+    """
+    samples = _samples(pressure, solid_fraction, void_ratio, branch)
+    return [Fit(fit) for fit in _core.fit_compression(samples, columns=columns or {}, law=law, density=density, D0=D0,
+                                                      phi_limit=phi_limit)]
 
 
 def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):

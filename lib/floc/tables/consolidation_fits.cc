@@ -96,14 +96,6 @@ Json regimes_as_json(const ConsolidationSample& sample, const ConsolidationFit& 
           {"rows_III", rows_of(sample, r.end_of_two, n)}};
 }
 
-Json pattern_as_json(const ConsolidationFit& fit) {
-  if (!fit.found() || fit.errors_from_samples) return nullptr;
-  return {{"correlation", number_or_null(fit.pattern.correlation)},
-          {"smoothness_p", number_or_null(fit.pattern.smoothness_p)},
-          {"runs_p", number_or_null(fit.pattern.runs_p)},
-          {"systematic", fit.pattern.is_systematic()}};
-}
-
 /// Returns the cells window_low and window_high of a parameter, which only lambda and C_c have.
 std::vector<TableValue> cells_of_range(const FittedParameter& p, const ConsolidationFit& fit) {
   const double unit = p.name == "C_c" ? std::numbers::ln10 : 1.0;
@@ -255,7 +247,8 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
     for (std::size_t j = 0; j < fit.correlated.size(); ++j)
       object["correlation"][fit.correlated[i]][fit.correlated[j]] = number_or_null(fit.correlation(i, j));
   object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
-  object["residual_pattern"] = pattern_as_json(fit);
+  object["residual_pattern"] =
+      fit.found() && !fit.errors_from_samples ? pattern_as_json(fit.pattern) : Json(nullptr);
   object["weights"] = word_for(fit.weighting);
   object["loss"] = asked.loss;
   object["errors_from"] = fit.errors_from_samples ? "samples" : "residuals";

@@ -129,12 +129,13 @@ py::object compression(const py::list& samples, const ColumnNames& columns, cons
   }));
 }
 
-py::object preconsolidation(const py::list& samples, const ColumnNames& columns) {
+py::object preconsolidation(const py::list& samples, const ColumnNames& columns, const py::object& branches) {
+  const std::string which = word_of("branches", branches, {"", "reloading", "first", "all"});
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     Json array = Json::array();
     for (const PathTable& path : tables_of(inputs, {"P_star"}))
-      for (const ReloadingFit& reloading : preconsolidation_fits(path))
+      for (const ReloadingFit& reloading : preconsolidation_fits(path, which))
         array.push_back(as_json(path, reloading));
     return array;
   }));
@@ -205,7 +206,8 @@ void bind_fits(py::module_& module) {
              py::arg("phi_limit"));
   module.def("fit_compression", &compression, py::arg("samples"), py::kw_only(), py::arg("columns"),
              py::arg("law"), py::arg("density"), py::arg("D0"), py::arg("phi_limit"));
-  module.def("fit_preconsolidation", &preconsolidation, py::arg("samples"), py::kw_only(), py::arg("columns"));
+  module.def("fit_preconsolidation", &preconsolidation, py::arg("samples"), py::kw_only(), py::arg("columns"),
+             py::arg("branches"));
   module.def("fit_elastic", &elastic, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("state"));
   module.def("fit_cycle", &cycle, py::arg("samples"), py::kw_only(), py::arg("columns"));
   module.def("fit_dynamic_compaction", &dynamic_compaction, py::arg("e"), py::arg("p"), py::arg("sc"),

@@ -74,6 +74,7 @@ LONG = {
 UNCHECKED_TABLES = {
     "| group | meaning |": "words",
     "| law | | parameters |": "words",
+    "| parameter | construction |": "words",
     "| | loose | dense |": "processor time",
     "| command | 4000 beads | 32 000 beads |": "processor time and memory",
     "| column | meaning |": "words",

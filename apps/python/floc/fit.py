@@ -173,21 +173,24 @@ def compression(pressure, solid_fraction=None, *, void_ratio=None, branch=None, 
                                                       phi_limit=phi_limit)]
 
 
-def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
-    """Determines the preconsolidation pressure of overconsolidated samples from their reloading branches.
+def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, branches=None, columns=None):
+    """Determines the preconsolidation pressure of overconsolidated samples from reloading branches or a first loading.
 
     Parameters
     ----------
     pressure, solid_fraction, void_ratio, branch, columns
         As in `consolidation`.
+    branches : {"reloading", "first", "all"}, optional
+        Branches to fit; "first" is the first loading [reloading branches or, if there are none, the first loading].
 
     Returns
     -------
     list of Fit
-        One per reloading branch.
+        One per branch. Parameters P_c (two lines with a round bend), kappa and lambda and, with eight pressures or more,
+        P_c_casagrande, P_c_pacheco_silva, P_c_butterfield, P_c_becker, and P_c_agreed, where all of these agree.
     """
     samples = _samples(pressure, solid_fraction, void_ratio, branch)
-    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {})]
+    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {}, branches=branches or "")]
 
 
 def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, state=None, columns=None):

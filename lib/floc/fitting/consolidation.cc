@@ -163,6 +163,25 @@ void add_spread_over_places(const LawEstimate& e, const LawPoints& all, const Wi
   }
 }
 
+/// Adds to the covariance of a mean of samples that collapse in jumps what the lag of these jumps may do. Where regime II
+/// begins, samples that have not collapsed yet lie above its line, the more the rarer the jumps are, and make the mean
+/// less steep. The change of theta that leaving out the first quarter of the points makes is a measure of it. The full law
+/// is chosen only where the mean curve is smooth.
+void add_lag_of_collapses(const LawEstimate& e, const LawPoints& all, const Window& window,
+                          Covariance& covariance) {
+  const int left_out = std::max(1, window.n / 4);
+  if (e.law != Law::log || window.n - left_out <= n_parameters(e.law)) return;
+  const auto solution =
+      solve_law_from(e.law, all.range(window.first + left_out, window.n - left_out), e.solution.theta);
+  if (!solution || !keeps_regime_two(e.law, all.range(window.first + left_out, window.n - left_out), *solution))
+    return;
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(covariance.matrix.rows());
+  change.head(e.solution.theta.size()) =
+      at_first_pressure(e.law, solution->theta, all.log_P[window.first] - all.log_P[window.first + left_out]) -
+      e.solution.theta;
+  covariance.matrix += change * change.transpose();
+}
+
 /// Returns the two parts of the standard error of each parameter: the part from the scatter of the data, and
 /// the part from the uncertain ends of the regimes.
 std::vector<ErrorParts> parts_of_errors(const LawEstimate& reported, const Covariance& scatter,
@@ -241,6 +260,7 @@ ConsolidationFit fit_window(const ConsolidationCurve& curve, LawPoints all, cons
   if (options.widen) covariance.matrix *= fit.pattern.variance_factor();
   const Covariance scatter = covariance;
   if (fit.regimes) add_spread_over_places(reported, all, window, *fit.regimes, covariance);
+  if (options.regimes && fit.errors_from_samples) add_lag_of_collapses(reported, all, window, covariance);
   fit.error_parts = parts_of_errors(reported, scatter, covariance);
   if (ends_early)
     bound_regime_three(reported, covariance, curve.phi[fit.used.back()], fit);

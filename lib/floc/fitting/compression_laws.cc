@@ -94,12 +94,39 @@ std::optional<Solution> solve(const CompressionPoints& points, const Compression
   return solution;
 }
 
-/// Returns the covariance of theta without its scale, zero for coordinates that were not fitted.
+/// Returns the covariance of theta, zero for coordinates that were not fitted. It does not assume that the weights are
+/// right, because a table does not tell how the errors of D depend on D: each residual stands for the error of its own
+/// point, over 1 - h with the leverage h of the point (the estimator HC3 [MW1985]).
 Eigen::MatrixXd covariance_of(const Solution& solution) {
-  Eigen::MatrixXd c = unit_covariance(solution.jacobian);
+  const Eigen::MatrixXd& J = solution.jacobian;
+  Eigen::MatrixXd c = unit_covariance(J);
+  std::vector<bool> unknown(static_cast<std::size_t>(c.rows()),
+                            false);  // coordinates that the data do not determine
   for (Eigen::Index k = 0; k < c.rows(); ++k)
-    if (solution.jacobian.col(k).isZero(0.0)) c.row(k).setZero(), c.col(k).setZero();
-  return c;
+    if (J.col(k).isZero(0.0) || !std::isfinite(c(k, k))) {
+      unknown[static_cast<std::size_t>(k)] = !J.col(k).isZero(0.0);
+      c.row(k).setZero();
+      c.col(k).setZero();
+    }
+  const Eigen::ArrayXd leverage = (J * c).cwiseProduct(J).rowwise().sum();
+  constexpr double kMost = 0.99;
+  const Eigen::VectorXd error = solution.residuals.array() / (1.0 - leverage.min(kMost));
+  const Eigen::MatrixXd change = c * J.transpose() * error.asDiagonal();
+  Eigen::MatrixXd covariance = change * change.transpose();
+  for (Eigen::Index k = 0; k < c.rows(); ++k)
+    if (unknown[static_cast<std::size_t>(k)]) covariance(k, k) = kInfinity;
+  return covariance;
+}
+
+/// Returns the standard error of a quantity with the given gradient. The sum runs only over the coordinates on which the
+/// quantity depends, because others may have an infinite variance.
+template <class Gradient>
+double error_of(const Gradient& gradient, const Eigen::MatrixXd& covariance) {
+  double variance = 0.0;
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i)
+    for (Eigen::Index j = 0; j < covariance.cols(); ++j)
+      if (gradient[i] != 0.0 && gradient[j] != 0.0) variance += gradient[i] * covariance(i, j) * gradient[j];
+  return std::sqrt(std::max(variance, 0.0));
 }
 
 /// Removes the value of a parameter that the data do not identify, and bounds that say nothing.
@@ -112,16 +139,16 @@ void remove_if_unknown(FittedParameter& p) {
 }
 
 template <class Model>
-std::vector<FittedParameter> parameters_of(const Solution& solution, double variance, int dof) {
+std::vector<FittedParameter> parameters_of(const Solution& solution, double factor, int dof) {
   using Jet = ceres::Jet<double, Model::kParameters>;
   Jet at[Model::kParameters], q[Model::kQuantities];
   for (int k = 0; k < Model::kParameters; ++k) at[k] = Jet(solution.theta[k], k);
   Model::quantities(static_cast<const Jet*>(at), q);
-  const Eigen::MatrixXd covariance = variance * covariance_of(solution);
+  const Eigen::MatrixXd covariance = factor * covariance_of(solution);
   const double t95 = student_t_95(dof);
   std::vector<FittedParameter> parameters;
   for (int k = 0; k < Model::kQuantities; ++k) {
-    const double error = std::sqrt(std::max(0.0, q[k].v.dot(covariance * q[k].v)));
+    const double error = error_of(q[k].v, covariance);
     parameters.push_back(Model::kLogarithm[k] ? from_logarithm(Model::kNames[k], q[k].a, error, t95)
                                               : from_value(Model::kNames[k], q[k].a, error, t95));
   }
@@ -179,10 +206,9 @@ CompressionFit fit_model(CompressionLaw law, const CompressionPoints& all, const
   fit.first = first;
   fit.n_points = n;
   const int dof = n - solution->n_free;
-  const double variance = solution->sum_of_squares / dof;
   fit.rms = std::sqrt(solution->residuals.cwiseQuotient(part.weight).squaredNorm() / n);
   fit.pattern = pattern_of(*whole);
-  fit.parameters = parameters_of<Model>(*solution, variance * pattern_of(*solution).variance_factor(), dof);
+  fit.parameters = parameters_of<Model>(*solution, pattern_of(*solution).variance_factor(), dof);
   mark_given(options, *solution, fit);
   if (fit.pattern.is_systematic())
     fit.warnings.push_back(fmt::format(

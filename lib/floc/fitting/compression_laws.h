@@ -56,9 +56,10 @@ struct CompressionFit {
   bool found() const { return failure_reason.empty(); }
 };
 
-/// Fits compression laws to the same points by least squares in D, and ranks them by the criterion of Akaike. The errors
-/// of D are taken to be in proportion to its square root, between equal and relative errors. Intervals are Student's t,
-/// in the logarithm of a positive parameter.
+/// Fits compression laws to the same points by least squares in D, and ranks them by the criterion of Akaike. The weights
+/// are those of errors in proportion to the square root of D, between equal and relative errors. Intervals are Student's
+/// t, in the logarithm of a positive parameter; their errors are those of the single residuals [MW1985], so that they
+/// hold for either kind of errors.
 ///
 /// The law of Heckel is fitted to the longest part of the curve in which ln[1/(1 - D)] is straight: where a quadratic
 /// term is not significant, or changes the slope by less than a tenth from end to end. Its rank is that of a fit to all

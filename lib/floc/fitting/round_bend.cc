@@ -100,7 +100,7 @@ void try_widths(const std::vector<double>& widths, const Eigen::ArrayXd& x, cons
   }
 }
 
-std::vector<double> geometric(double low, double high, int n) {
+std::vector<double> widths_between(double low, double high, int n) {
   std::vector<double> values;
   for (int k = 0; k < n; ++k) values.push_back(low * std::pow(high / low, k / (n - 1.0)));
   return values;
@@ -136,11 +136,11 @@ RoundBendFit fit_round_bend(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, b
   fit.best.sum_of_squares = kInfinity;
   try_widths({0.0}, x, y, fit);
   if (is_round) {
-    try_widths(geometric(range * kNarrowest, range * kWidest, kWidths), x, y, fit);
+    try_widths(widths_between(range * kNarrowest, range * kWidest, kWidths), x, y, fit);
     // The grid is coarse: the widths next to the best one are tried too, as close together as the profile needs.
     const double step = std::pow(kWidest / kNarrowest, 1.0 / (kWidths - 1));
     if (const double width = fit.best.width; width > 0.0)
-      try_widths(geometric(width / step, std::min(width * step, kWidest * range), kNear), x, y, fit);
+      try_widths(widths_between(width / step, std::min(width * step, kWidest * range), kNear), x, y, fit);
     if (fit.best.width > 0.0) fit.best = polished(x, y, fit.best, range * kWidest);
   }
   fit.residuals = y - x.unaryExpr([&](double at) { return fit.best.at(at); }).matrix();

@@ -29,7 +29,7 @@ Sides sides_of(const Eigen::VectorXd& x, const RoundBend& bend) {
   return {std::min(std::max(below, kLeast), n - kLeast), n - std::min(std::max(above, kLeast), n - kLeast)};
 }
 
-WeightedLine line_through(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index first,
+WeightedLine line_of_part(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index first,
                           Eigen::Index n) {
   return fit_weighted_line(x.segment(first, n), y.segment(first, n), Eigen::VectorXd::Ones(n));
 }
@@ -75,21 +75,21 @@ class Constructions {
 
   std::optional<double> butterfield(const Eigen::VectorXd& y) const {
     const Eigen::VectorXd log_y = y.array().log();
-    return meeting(line_through(x_, log_y, 0, sides_.n_below), virgin(x_, log_y));
+    return meeting(line_of_part(x_, log_y, 0, sides_.n_below), virgin(x_, log_y));
   }
 
   std::optional<double> becker(const Eigen::VectorXd& y) const {
     Eigen::VectorXd work = Eigen::VectorXd::Zero(P_.size());
     for (Eigen::Index i = 1; i < P_.size(); ++i)
       work[i] = work[i - 1] + 0.5 * (P_[i] + P_[i - 1]) * (y[i - 1] - y[i]) / y[0];
-    const auto P_c = meeting(line_through(P_, work, 0, sides_.n_below), virgin(P_, work));
+    const auto P_c = meeting(line_of_part(P_, work, 0, sides_.n_below), virgin(P_, work));
     if (!P_c || *P_c <= 0.0) return std::nullopt;
     return std::log(*P_c);
   }
 
  private:
   WeightedLine virgin(const Eigen::VectorXd& x, const Eigen::VectorXd& y) const {
-    return line_through(x, y, sides_.first_above, x.size() - sides_.first_above);
+    return line_of_part(x, y, sides_.first_above, x.size() - sides_.first_above);
   }
 
   Eigen::VectorXd P_, x_, places_;

@@ -13,12 +13,13 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-double value(const ConsolidationFit& fit, const std::string& name) {
+double value_in(const ConsolidationFit& fit, const std::string& name) {
   const FittedParameter* p = fit.find(name);
   return p && p->value ? *p->value : std::nan("");
 }
 
-ConsolidationCurve exact(const std::function<double(double)>& phi_of, const std::vector<double>& pressures) {
+ConsolidationCurve exact_curve(const std::function<double(double)>& phi_of,
+                               const std::vector<double>& pressures) {
   RandomStream unused(0, 0);
   return noisy_curve(phi_of, pressures, {Noise::relative, 0.0}, unused);
 }
@@ -30,15 +31,16 @@ double heckel(double P) {
 TEST(SupportedLaw, ARecompressionLineThatSlopesHasItsKappaAndYields) {
   const TwoLineClay clay;
   const auto fit = fit_supported_law(
-      exact([&](double P) { return 1.0 / clay.inverse_phi(P); }, geometric_pressures(6.0, 3072.0, 10)), {});
+      exact_curve([&](double P) { return 1.0 / clay.inverse_phi(P); }, geometric_pressures(6.0, 3072.0, 10)),
+      {});
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_EQ(fit.law, ConsolidationLaw::log);
-  EXPECT_NEAR(value(fit, "lambda"), clay.lambda, 1e-9);
-  EXPECT_NEAR(value(fit, "kappa"), clay.kappa, 1e-9);
-  EXPECT_NEAR(value(fit, "P0_star"), clay.P_yield, 1e-6);
-  EXPECT_NEAR(value(fit, "Phi0"), 1.0 / clay.y_yield, 1e-9);
-  EXPECT_NEAR(value(fit, "C_c"), std::log(10.0) * clay.lambda, 1e-8);
-  EXPECT_NEAR(value(fit, "C_s"), std::log(10.0) * clay.kappa, 1e-8);
+  EXPECT_NEAR(value_in(fit, "lambda"), clay.lambda, 1e-9);
+  EXPECT_NEAR(value_in(fit, "kappa"), clay.kappa, 1e-9);
+  EXPECT_NEAR(value_in(fit, "P0_star"), clay.P_yield, 1e-6);
+  EXPECT_NEAR(value_in(fit, "Phi0"), 1.0 / clay.y_yield, 1e-9);
+  EXPECT_NEAR(value_in(fit, "C_c"), std::log(10.0) * clay.lambda, 1e-8);
+  EXPECT_NEAR(value_in(fit, "C_s"), std::log(10.0) * clay.kappa, 1e-8);
   EXPECT_EQ(fit.parameters[0].name, "lambda");
   EXPECT_EQ(fit.parameters[1].name, "kappa");
   EXPECT_TRUE(fit.warnings.empty() || fit.warnings.front().find("level") == std::string::npos);
@@ -49,21 +51,21 @@ TEST(SupportedLaw, IsTheFullLawWhereItIsIdentified) {
     const auto fit = fit_supported_law(set.with_plateau(), {});
     ASSERT_TRUE(fit.found()) << fit.failure_reason;
     EXPECT_EQ(fit.law, ConsolidationLaw::full);
-    EXPECT_NEAR(value(fit, "lambda"), set.lambda, 1e-6);
-    EXPECT_NEAR(value(fit, "P0_star"), set.P0_star, 1e-5);
-    EXPECT_NEAR(value(fit, "kappa"), 0.0, 1e-8);
+    EXPECT_NEAR(value_in(fit, "lambda"), set.lambda, 1e-6);
+    EXPECT_NEAR(value_in(fit, "P0_star"), set.P0_star, 1e-5);
+    EXPECT_NEAR(value_in(fit, "kappa"), 0.0, 1e-8);
   }
 }
 
 TEST(SupportedLaw, OfAPlateauBeforeAPowerLawIsThePowerLaw) {
-  const auto fit =
-      fit_supported_law(exact([](double P) { return 1.0 / (1.3 + 0.6 * std::pow(std::max(P, 0.1), -0.5)); },
-                              geometric_pressures(0.01, 10.0, 25)),
-                        {});
+  const auto fit = fit_supported_law(
+      exact_curve([](double P) { return 1.0 / (1.3 + 0.6 * std::pow(std::max(P, 0.1), -0.5)); },
+                  geometric_pressures(0.01, 10.0, 25)),
+      {});
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   EXPECT_EQ(fit.law, ConsolidationLaw::power);
-  EXPECT_NEAR(value(fit, "alpha"), 0.5, 1e-6);
-  EXPECT_NEAR(value(fit, "Phi_max"), 1.0 / 1.3, 1e-6);
+  EXPECT_NEAR(value_in(fit, "alpha"), 0.5, 1e-6);
+  EXPECT_NEAR(value_in(fit, "Phi_max"), 1.0 / 1.3, 1e-6);
 }
 
 TEST(SupportedLaw, IntervalsHoldTheTruth) {
@@ -86,7 +88,7 @@ TEST(SupportedLaw, IntervalsHoldTheTruth) {
 TEST(PhiLimit, IsReportedAsABoundWhereTheFitWouldGoBeyond) {
   std::vector<double> pressures = {2.0, 5.0};
   for (int k = 1; k <= 42; ++k) pressures.push_back(10.0 * k);
-  const ConsolidationCurve tablet = exact(heckel, pressures);
+  const ConsolidationCurve tablet = exact_curve(heckel, pressures);
   const auto fit = fit_consolidation(tablet, {});
   ASSERT_TRUE(fit.found()) << fit.failure_reason;
   const FittedParameter& phi_max = *fit.find("Phi_max");
@@ -99,7 +101,7 @@ TEST(PhiLimit, IsReportedAsABoundWhereTheFitWouldGoBeyond) {
 
   ConsolidationOptions open;
   open.phi_limit = kInfinity;
-  EXPECT_NEAR(value(fit_consolidation(tablet, open), "Phi_max"), 1.0171, 1e-4);
+  EXPECT_NEAR(value_in(fit_consolidation(tablet, open), "Phi_max"), 1.0171, 1e-4);
   ConsolidationOptions lower;
   lower.phi_limit = 0.772;
   EXPECT_EQ(fit_consolidation(kSmallRolling.with_plateau(), lower).find("Phi_max")->high95, 0.772);

@@ -99,8 +99,9 @@ ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, Consolidatio
     options.weighting = Weighting::between;
   if (!options.window) {
     const auto n = static_cast<int>(curve.phi.size());
-    if (n > n_parameters(Law::log)) options.regimes = find_segments(law_points(curve, Weighting::between));
-    if (!options.regimes || options.regimes->all_in_one) return fit_as(Law::log, curve, options);
+    constexpr int kEnough = 5;  // fewer points leave no choice among segments
+    if (n >= kEnough) options.regimes = find_segments(law_points(curve, Weighting::between));
+    if (options.regimes && options.regimes->all_in_one) return fit_as(Law::log, curve, options);
   }
   ConsolidationFit full = fit_as(Law::full, curve, options);
   if (is_supported(full)) {

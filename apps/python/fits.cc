@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "arguments.h"
+#include "floc/base/infinity.h"
+#include "floc/tables/compression_fits.h"
 #include "floc/tables/consolidation_fits.h"
 #include "floc/tables/elastic_fits.h"
 #include "floc/tables/table_fits.h"
@@ -72,21 +74,23 @@ std::vector<double> window_of(const py::object& given) {
 py::object consolidation(const py::list& samples, const ColumnNames& columns, const py::object& law,
                          const py::object& window, const py::object& P0, const py::object& protocol,
                          const py::object& loading, const py::object& weights, const py::object& loss,
-                         const py::object& bootstrap, const py::object& seed, const py::object& stress) {
+                         const py::object& bootstrap, const py::object& seed, const py::object& stress,
+                         const py::object& phi_limit) {
   ConsolidationFitOptions arguments;
-  arguments.law = word_of("law", law, {"full", "log", "power"});
+  arguments.law = word_of("law", law, {"auto", "full", "log", "power"});
   arguments.protocol = word_of("protocol", protocol, {"", "published"});
   arguments.window = window_of(window);
   arguments.P0 = number_if_any("P0", P0, kPositiveNumber).value_or(0.0);
   if (!P0.is_none() && !window.is_none())
     throw InputError("P0",
                      "this argument cannot be combined with the argument window: expected only one of them");
-  arguments.loading = word_of("loading", loading, {"first", "virgin"});
+  arguments.loading = word_of("loading", loading, {"", "first", "virgin"});
   arguments.weights = word_of("weights", weights, {"", "uniform", "relative", "scatter"});
   arguments.loss = word_of("loss", loss, {"squared", "huber", "cauchy"});
   arguments.n_bootstrap = bootstrap_of(bootstrap);
   arguments.seed = seed_of("seed", seed);
   arguments.stress = word_of("stress", stress, {"driven", "mean"});
+  arguments.phi_limit = number_if_any("phi_limit", phi_limit, kPositiveNumber).value_or(kInfinity);
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     const ConsolidationOptions options = consolidation_options(arguments);
@@ -105,12 +109,33 @@ py::object consolidation(const py::list& samples, const ColumnNames& columns, co
   }));
 }
 
-py::object preconsolidation(const py::list& samples, const ColumnNames& columns) {
+py::object compression(const py::list& samples, const ColumnNames& columns, const py::object& law,
+                       const py::object& density, const py::object& D0, const py::object& phi_limit) {
+  CompressionFitOptions arguments;
+  arguments.law =
+      word_of("law", law, {"all", "heckel", "kawakita", "cooper-eaton", "walker", "gurnham", "adams"});
+  arguments.density = word_of("density", density, {"out-of-die", "in-die"});
+  arguments.fit.D0 = number_if_any("D0", D0, kPositiveNumber).value_or(0.0);
+  arguments.fit.phi_limit = number_if_any("phi_limit", phi_limit, kPositiveNumber).value_or(kInfinity);
+  const Inputs inputs = inputs_of(samples, columns);
+  return to_python(without_gil([&] {
+    Json array = Json::array();
+    for (const PathTable& path : tables_of(inputs, {"P_star", "P"})) {
+      const CompressedPath compressed = compression_fits(path, arguments);
+      for (const CompressionFit& fit : compressed.fits)
+        array.push_back(as_json(path, compressed, fit, arguments));
+    }
+    return array;
+  }));
+}
+
+py::object preconsolidation(const py::list& samples, const ColumnNames& columns, const py::object& branches) {
+  const std::string which = word_of("branches", branches, {"", "reloading", "first", "all"});
   const Inputs inputs = inputs_of(samples, columns);
   return to_python(without_gil([&] {
     Json array = Json::array();
     for (const PathTable& path : tables_of(inputs, {"P_star"}))
-      for (const ReloadingFit& reloading : preconsolidation_fits(path))
+      for (const ReloadingFit& reloading : preconsolidation_fits(path, which))
         array.push_back(as_json(path, reloading));
     return array;
   }));
@@ -177,8 +202,12 @@ py::object force_distribution(const std::string& name, const std::vector<double>
 void bind_fits(py::module_& module) {
   module.def("fit_consolidation", &consolidation, py::arg("samples"), py::kw_only(), py::arg("columns"),
              py::arg("law"), py::arg("window"), py::arg("P0"), py::arg("protocol"), py::arg("loading"),
-             py::arg("weights"), py::arg("loss"), py::arg("bootstrap"), py::arg("seed"), py::arg("stress"));
-  module.def("fit_preconsolidation", &preconsolidation, py::arg("samples"), py::kw_only(), py::arg("columns"));
+             py::arg("weights"), py::arg("loss"), py::arg("bootstrap"), py::arg("seed"), py::arg("stress"),
+             py::arg("phi_limit"));
+  module.def("fit_compression", &compression, py::arg("samples"), py::kw_only(), py::arg("columns"),
+             py::arg("law"), py::arg("density"), py::arg("D0"), py::arg("phi_limit"));
+  module.def("fit_preconsolidation", &preconsolidation, py::arg("samples"), py::kw_only(), py::arg("columns"),
+             py::arg("branches"));
   module.def("fit_elastic", &elastic, py::arg("samples"), py::kw_only(), py::arg("columns"), py::arg("state"));
   module.def("fit_cycle", &cycle, py::arg("samples"), py::kw_only(), py::arg("columns"));
   module.def("fit_dynamic_compaction", &dynamic_compaction, py::arg("e"), py::arg("p"), py::arg("sc"),

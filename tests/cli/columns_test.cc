@@ -173,6 +173,8 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
       {"scene check --sizes", content_of(file("sizes.csv"))},
       {"fit consolidation",
        floc("fit consolidation " + source_directory() + "/data/tables/demo/seed-1 --bootstrap 2").out},
+      {"fit compression",
+       floc("fit compression " + source_directory() + "/data/tables/demo/seed-1 --law kawakita").out},
       {"fit elastic", floc("fit elastic run").out},
       {"fit preconsolidation", floc("fit preconsolidation " + source_directory() + "/data/tables/reload").out},
       {"fit cycle", floc("fit cycle run").out},

@@ -84,6 +84,52 @@ TEST(FitConsolidation, PublishedProtocolHoldsP0OnTheGridAndKeepsTheIdentity) {
               (1 / value("Phi0") - 1 / value("Phi_max")) / value("lambda"), 1e-10);
 }
 
+/// A natural clay: the void ratio falls by 0.035 for each unit of ln p up to 170 kPa, and by 0.22 beyond.
+std::string natural_clay() {
+  std::string text = "p,e\n";
+  for (double p = 6; p < 4000; p *= 2) {
+    const double x = std::log(p / 170.0);
+    text += fmt::format("{},{:.5f}\n", p, 1.183 - (x < 0 ? 0.035 : 0.22) * x);
+  }
+  return text;
+}
+
+TEST(FitConsolidation, LeadsWithTheVirginLineOfASoilAndItsYield) {
+  const Outcome o =
+      run_floc("fit consolidation - --columns P_star=p,void_ratio=e --format json", ".", natural_clay());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fit = json::parse(o.out).at(0);
+  EXPECT_EQ(fit["law"], "log");
+  EXPECT_EQ(fit["law_asked"], "auto");
+  const auto value = [&](const char* name) { return fit["parameters"][name]["value"].get<double>(); };
+  EXPECT_NEAR(value("lambda"), 0.22, 1e-4);
+  EXPECT_NEAR(value("kappa"), 0.035, 1e-4);
+  EXPECT_NEAR(value("P0_star"), 170.0, 0.1);
+  EXPECT_NEAR(value("C_c"), std::log(10.0) * 0.22, 3e-4);
+  EXPECT_THAT(o.err, HasSubstr("yield pressure P0* = 170"));
+  EXPECT_THAT(o.err, HasSubstr("if the window moves by a row"));
+  // As a plateau, the recompression line is not the law of the curve, and is said not to be.
+  const Outcome full = run_floc("fit consolidation - --law full --columns P_star=p,void_ratio=e --format json",
+                                ".", natural_clay());
+  EXPECT_THAT(full.err, HasSubstr("the plateau of regime I is not level"));
+}
+
+TEST(FitConsolidation, TheSolidFractionTendsToOneAtMost) {
+  std::string tablet = "p,D\n";
+  for (double p = 2; p < 430; p = p < 10 ? p + 4 : p + 10)
+    tablet += fmt::format("{},{:.6f}\n", p, 1 - std::exp(-0.55 - p / 85));
+  const std::string command = "fit consolidation - --law full --columns P_star=p,phi=D --format json";
+  const json bounded = json::parse(run_floc(command, ".", tablet).out).at(0);
+  EXPECT_TRUE(bounded["parameters"]["Phi_max"]["value"].is_null());
+  EXPECT_EQ(bounded["parameters"]["Phi_max"]["high95"], 1.0);
+  EXPECT_TRUE(bounded["residual_pattern"]["systematic"]);
+  const json open = json::parse(run_floc(command + " --phi-limit none", ".", tablet).out).at(0);
+  EXPECT_GT(open["parameters"]["Phi_max"]["value"], 1.0);
+  const Outcome bad = run_floc(command + " --phi-limit much", ".", tablet);
+  EXPECT_EQ(bad.code, 4);
+  EXPECT_THAT(bad.err, HasSubstr("--phi-limit"));
+}
+
 TEST(FitConsolidation, TheTableShowsLambdaWithItsError) {
   const Outcome o = run_floc("fit consolidation - --format table", ".", path_table());
   ASSERT_EQ(o.code, 0) << o.err;

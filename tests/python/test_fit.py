@@ -71,6 +71,12 @@ class Consolidation(unittest.TestCase):
         self.same(fit.to_dict(), command("consolidation", self.table / "seed-1/path.csv", "--P0", "0.0316", "--loss",
                                          "cauchy", "--weights", "uniform", "--bootstrap", "10", "--seed", "7")[0])
 
+    def test_compression_is_that_of_the_command(self):
+        P, phi, branch = self.path()
+        theirs = command("compression", self.table / "seed-1/path.csv", "--D0", "0.5")
+        for mine, one in zip(floc.fit.compression(P, phi, branch=branch, D0=0.5), theirs, strict=True):
+            self.same(mine.to_dict(), one)
+
     def test_that_the_data_do_not_allow(self):
         fit = floc.fit.consolidation([1.0, 2.0], [0.5, 0.51])
         self.assertFalse(fit.found)
@@ -84,7 +90,7 @@ class Consolidation(unittest.TestCase):
                  (([[[1, 2]]], [[[1, 2]]]), {}, r"pressure: this array has shape"),
                  ((["a"], [0.5]), {}, "pressure: expected an array of numbers"),
                  (([1, 2, 3],), {}, "solid_fraction or void_ratio"),
-                 (([1, 2, 3], [0.5, 0.6, 0.7]), {"law": "cubic"}, 'law = "cubic": expected one of full, log, power'),
+                 (([1, 2, 3], [0.5, 0.6, 0.7]), {"law": "cubic"}, 'law = "cubic": expected one of auto, full, log, power'),
                  (([1, 2, 3], [0.5, 0.6, 0.7]), {"window": (2, 1)}, "window"),
                  (([1, 2, 3], [0.5, 0.6, 0.7]), {"branch": ["load"]},
                   "branch: this argument has 1 names, expected one per pressure, 3")]

@@ -61,6 +61,7 @@ class Values(unittest.TestCase):
             "Run.__init__": (floc.Run, {"directory": samples.run("powder").directory}),
             "Packing.from_arrays": (packing, {}),
             "fit.consolidation": (floc.fit.consolidation, {**curve, "law": "log"}),
+            "fit.compression": (floc.fit.compression, {**curve, "law": "heckel"}),
             "fit.preconsolidation": (floc.fit.preconsolidation, curve),
             "fit.elastic": (floc.fit.elastic, unloaded),
             "fit.cycle": (floc.fit.cycle, unloaded),

@@ -77,6 +77,7 @@ plot {run} -o test.svg --show test
 plot {run} -o fabric.svg --show fabric
 report {run} -o report.html
 fit consolidation {run} --bootstrap 20
+fit compression {run}
 fit elastic {run}
 fit preconsolidation {run}
 fit cycle {run}

@@ -186,6 +186,18 @@ std::string groups_section(ReportedRun<Dim>& run) {
   return "<h2>Dimensionless groups</h2>\n" + html_table(table);
 }
 
+const char* formula_of(ConsolidationLaw law) {
+  switch (law) {
+    case ConsolidationLaw::log:
+      return "1/Φ = 1/Φ0 − λ ln(P*/P0*)";
+    case ConsolidationLaw::power:
+      return "1/Φ = 1/Φ_max + A (P*)^−α";
+    case ConsolidationLaw::full:
+      return "1/Φ = 1/Φ0 − λ ln{(P*/P0*) [1 − exp(−(P1*/P*)^α)]^(1/α)}";
+  }
+  return "";
+}
+
 template <int Dim>
 std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
   for (const std::string& warning : fit.warnings)
@@ -200,7 +212,7 @@ std::string fit_section(const ConsolidationFit& fit, ReportedRun<Dim>& run) {
     for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
     table.rows.push_back(std::move(row));
   }
-  return "<h2>Consolidation</h2>\n<p>1/Φ = 1/Φ0 − λ ln{(P*/P0*) [1 − exp(−(P1*/P*)^α)]^(1/α)}, fitted to the "
+  return fmt::format("<h2>Consolidation</h2>\n<p>{}, fitted to the ", formula_of(fit.law)) +
          "first loading. The errors are estimated from this sample alone and do not include the scatter "
          "between samples.</p>\n" +
          html_table(table);

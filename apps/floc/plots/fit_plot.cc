@@ -4,14 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "commands/plot_command.h"
 
 namespace floc {
 namespace {
 
+/// Returns the ends of the recompression line, as pairs of P* and 1/Phi; empty if no slope was fitted to it.
+std::vector<std::vector<double>> recompression_points(const ConsolidationFit& fit) {
+  const FittedParameter* P0 = fit.find("P0_star");
+  if (!fit.line.slopes || !P0 || !P0->value) return {};
+  std::vector<std::vector<double>> points;
+  for (const double P : {fit.plateau_low, *P0->value}) points.push_back({P, fit.line.at(std::log(P))});
+  return points;
+}
+
 /// Adds the blocks of data to which the gnuplot script refers by number: 0 for the fitted points, 1 for the points left
-/// out of the fit, 2 for the fitted law.
+/// out of the fit, 2 for the fitted law, 3 for unloading and reloading, 4 for the recompression line, 5 for its end.
 void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   const ConsolidationCurve& curve = of.curve;
   const ConsolidationFit& fit = of.fit;
@@ -27,14 +37,27 @@ void add_blocks(const ConsolidationPlot& of, Plot& plot) {
   plot.add("points fitted: P_star 1/phi error_of_mean residual", std::move(used));
   plot.add("points left out: P_star 1/phi error_of_mean", std::move(others));
   plot.add("law: P_star 1/phi", law_points(fit));
+  plot.add("unloading and reloading: P_star 1/phi", of.loops);
+  std::vector<std::vector<double>> recompression = recompression_points(fit);
+  std::vector<std::vector<double>> yield;
+  if (!recompression.empty()) yield.push_back(recompression.back());
+  plot.add("recompression line: P_star 1/phi", std::move(recompression));
+  plot.add("yield: P_star 1/phi", std::move(yield));
 }
 
 std::string title_of(const ConsolidationPlot& plot) {
-  std::string title = plot.title;
-  for (const char* name : {"lambda", "alpha", "Phi_max"})
+  // The last two parts of a path name a table well enough, and leave room for the parameters.
+  const std::filesystem::path path(plot.title);
+  std::string title = (path.parent_path().filename() / path.filename()).string();
+  const bool is_line = plot.fit.reported_law == ConsolidationLaw::log;
+  for (const char* name : {"lambda", is_line ? "kappa" : "alpha", is_line ? "" : "Phi_max"})
     if (const FittedParameter* p = plot.fit.find(name); p && p->value && p->standard_error)
       title += fmt::format("   {} = {}", name, value_and_error(*p->value, *p->standard_error));
   return title;
+}
+
+const char* law_title(const ConsolidationFit& fit) {
+  return fit.reported_law == ConsolidationLaw::log ? "virgin line" : "law";
 }
 
 std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
@@ -42,7 +65,14 @@ std::string script_of(const ConsolidationPlot& plot, const Plot& drawn) {
   // the law does not cover them.
   const std::string curves = plot_command(
       drawn,
-      {{2, "using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title 'law'"},
+      {{3,
+        "using 1:2 with linespoints linewidth 1 pointtype 1 pointsize 0.6 linecolor rgb '#888888' title "
+        "'unloading "
+        "and reloading'"},
+       {2, fmt::format("using 1:2 with lines linewidth 2 linecolor rgb '#c0392b' title '{}'",
+                       law_title(plot.fit))},
+       {4, "using 1:2 with lines linewidth 2 dashtype 2 linecolor rgb '#27667b' title 'recompression line'"},
+       {5, "using 1:2 with points pointtype 12 pointsize 2 linewidth 2 linecolor rgb '#000000' title 'yield'"},
        {1, "using 1:2:3 with yerrorbars pointtype 6 linecolor rgb '#888888' title 'left out'"},
        {0,
         "using 1:2:3 with yerrorbars pointtype 7 pointsize 0.7 linecolor rgb '#1f4e79' title 'fitted; window "
@@ -95,7 +125,10 @@ double error_of_mean(const ConsolidationCurve& curve, std::size_t i) {
 
 std::vector<std::vector<double>> law_points(const ConsolidationFit& fit) {
   constexpr int kSteps = 200;
-  const double first = std::log(fit.window_low);
+  // The line of regime II begins where it meets the recompression line, which may lie between two rows.
+  const FittedParameter* P0 = fit.find("P0_star");
+  const bool meets = fit.line.slopes && P0 && P0->value && *P0->value < fit.window_low;
+  const double first = std::log(meets ? *P0->value : fit.window_low);
   const double range = std::log(fit.window_high) - first;
   std::vector<std::vector<double>> points;
   for (int k = 0; k <= kSteps; ++k) {

@@ -16,6 +16,8 @@ struct ConsolidationPlot {
   std::string stress;
   const ConsolidationCurve& curve;
   const ConsolidationFit& fit;
+  /// P* and 1/Phi of unloadings and reloadings, which are not fitted; a row of NaN ends each.
+  std::vector<std::vector<double>> loops = {};
 };
 
 /// Returns the label of the pressure axis.
@@ -24,7 +26,8 @@ struct ConsolidationPlot {
 std::string pressure_label(const std::string& unit, const std::string& stress);
 
 /// Plots 1/Phi (Phi: solid fraction) against the pressure P*, with the fitted law and the range of pressures to which
-/// it was fitted. A second panel below shows the residuals.
+/// it was fitted, the recompression line before it and the yield pressure where they meet. A second panel below shows
+/// the residuals.
 Plot plot_of_fit(const ConsolidationPlot& of);
 
 /// Returns the standard error of the mean of 1/Phi over all samples at the i-th pressure; 0 for a single sample.

@@ -6,6 +6,7 @@
 
 #include "commands/plot_command.h"
 #include "floc/fitting/elastic_line.h"
+#include "floc/fitting/supported_law.h"
 #include "floc/picture/drawn_scale.h"
 #include "floc/tables/state_moduli.h"
 #include "plots/fit_plot.h"
@@ -163,7 +164,7 @@ std::string density_tics(const Plot& plot) {
 std::string parameters_text(const ConsolidationFit& fit) {
   std::string text;
   constexpr std::pair<const char*, const char*> kNames[] = {
-      {"lambda", "λ"}, {"alpha", "α"}, {"Phi_max", "Φ_{max}"}};
+      {"lambda", "λ"}, {"kappa", "κ"}, {"alpha", "α"}, {"Phi_max", "Φ_{max}"}};
   for (const auto& [name, symbol] : kNames)
     if (const FittedParameter* p = fit.find(name); p && p->value && p->standard_error)
       text += fmt::format("{}{} = {}", text.empty() ? "" : "   ", symbol,
@@ -178,7 +179,7 @@ FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples) 
   for (const PathTable& sample : samples) curves.push_back(first_loading(sample.rows).curve);
   FittedConsolidation result;
   result.curve = curves.size() == 1 ? curves.front() : mean_curve(curves);
-  result.fit = fit_consolidation(result.curve, ConsolidationOptions{});
+  result.fit = fit_supported_law(result.curve, ConsolidationOptions{});
   return result;
 }
 

@@ -17,7 +17,7 @@ struct FittedConsolidation {
   ConsolidationFit fit;
 };
 
-/// Fits the full consolidation law to the first loading of a sample or, for several samples, to the mean of their first
+/// Fits the consolidation law that the data support to the first loading of a sample or, for several samples, to the mean of their first
 /// loadings.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 

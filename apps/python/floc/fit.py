@@ -13,7 +13,7 @@ from ._errors import InputError
 from ._records import Record
 from ._state import read, unmasked
 
-__all__ = ["Fit", "Parameter", "consolidation", "cycle", "dynamic_compaction", "elastic", "force_distribution",
+__all__ = ["Fit", "Parameter", "compression", "consolidation", "cycle", "dynamic_compaction", "elastic", "force_distribution",
            "preconsolidation"]
 
 
@@ -76,9 +76,9 @@ class Fit:
         return "\n".join([f"Fit of {self.sample}:", *lines])
 
 
-def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="full", window=None, P0=None,
-                  protocol=None, loading="first", weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
-                  columns=None):
+def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="auto", window=None, P0=None,
+                  protocol=None, loading=None, weights=None, loss="squared", bootstrap=0, seed=1, stress="driven",
+                  phi_limit=1.0, columns=None):
     """Fits the consolidation law: the plasticity index lambda and its other parameters.
 
     Parameters
@@ -93,22 +93,26 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     branch : sequence of str, (n,), optional
         Name of the branch of the load path for each point, as in ``path.csv``; by default, branches are found from
         the pressures.
-    law : {"full", "log", "power"}
-        "log": law of regime II; "power": law of regime III; "full": both.
+    law : {"auto", "full", "log", "power"}
+        "log": law of regime II; "power": law of regime III; "full": both; "auto": the one that the data support, which
+        the attribute `law` of the result names.
     window : (float, float), optional
         Lowest and highest pressure to fit [found from the data].
     P0 : float, optional
         The fit begins at the pressure nearest to this one and ends at the last pressure [found from the data].
     protocol : {"published"}, optional
         Keeps P0* fixed at a pressure of the curve and fits the mean of the samples.
-    loading : {"first", "virgin"}
-        "first": the first loading; "virgin": also later loadings where they exceed the largest earlier pressure.
+    loading : {"first", "virgin"}, optional
+        "first": the first loading; "virgin": also later loadings where they exceed the largest earlier pressure
+        ["virgin" with the law "auto", otherwise "first"].
     weights : {"uniform", "relative", "scatter"}, optional
     loss : {"squared", "huber", "cauchy"}
     bootstrap : int
         Number of resampled fits, from which additional errors are computed; 0 for none.
     seed : int
         Seed of the resampling.
+    phi_limit : float or None
+        Largest solid fraction to which a law may tend at high pressure; None for no bound.
     stress : {"driven", "mean"}, columns : dict
         For tables only: the stress from which P* of an oedometric test is computed, and the names of the columns for
         the keys P_star, phi, void_ratio or another density, branch, with a unit where the table has none, as in
@@ -117,7 +121,8 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     Returns
     -------
     Fit, or for several samples a list of fits, of which the last is that of the mean
-        Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max, if the law has them.
+        Parameters lambda, P0_star, Phi0, alpha, P1_star, Phi_max, if the law has them; with the law "auto" also kappa,
+        and the indices C_c and C_s, which are ln(10) lambda and ln(10) kappa.
 
     Raises
     ------
@@ -130,26 +135,63 @@ def consolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None
     """
     fits = _core.fit_consolidation(
         _samples(pressure, solid_fraction, void_ratio, branch), columns=columns or {}, law=law, window=window, P0=P0,
-        protocol=protocol or "", loading=loading, weights=weights or "", loss=loss, bootstrap=bootstrap, seed=seed,
-        stress=stress)
+        protocol=protocol or "", loading=loading or "", weights=weights or "", loss=loss, bootstrap=bootstrap, seed=seed,
+        stress=stress, phi_limit=phi_limit)
     return Fit(fits[0]) if len(fits) == 1 else [Fit(fit) for fit in fits]
 
 
-def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, columns=None):
-    """Determines the preconsolidation pressure of overconsolidated samples from their reloading branches.
+def compression(pressure, solid_fraction=None, *, void_ratio=None, branch=None, law="all", density="out-of-die", D0=None,
+                phi_limit=1.0, columns=None):
+    """Fits the laws of powder compression to first loadings, and ranks them by Akaike's criterion.
+
+    Parameters
+    ----------
+    pressure, solid_fraction, void_ratio, branch
+        As in `consolidation`; the pressures are P.
+    law : {"all", "heckel", "kawakita", "cooper-eaton", "walker", "gurnham", "adams"}
+    density : {"out-of-die", "in-die"}
+        "in-die": measured under load, where elastic strain may take the solid fraction beyond 1.
+    D0 : float, optional
+        Solid fraction of the powder without pressure [fitted].
+    phi_limit : float or None
+        Largest solid fraction to which a law may tend at high pressure; None for no bound.
+    columns : dict
+        For tables only: the names of the columns for the keys P, P_star, phi, void_ratio, branch.
+
+    Returns
+    -------
+    list of Fit
+        One for each sample and law, those of a sample in the order of their rank: attributes law, delta_aicc,
+        akaike_weight, residual_pattern, window.
+
+    Raises
+    ------
+    InputError
+        If the arrays are not a valid curve; the message names the array, the index and the value.
+    """
+    samples = _samples(pressure, solid_fraction, void_ratio, branch)
+    return [Fit(fit) for fit in _core.fit_compression(samples, columns=columns or {}, law=law, density=density, D0=D0,
+                                                      phi_limit=phi_limit)]
+
+
+def preconsolidation(pressure, solid_fraction=None, *, void_ratio=None, branch=None, branches=None, columns=None):
+    """Determines the preconsolidation pressure of overconsolidated samples from reloading branches or a first loading.
 
     Parameters
     ----------
     pressure, solid_fraction, void_ratio, branch, columns
         As in `consolidation`.
+    branches : {"reloading", "first", "all"}, optional
+        Branches to fit; "first" is the first loading [reloading branches or, if there are none, the first loading].
 
     Returns
     -------
     list of Fit
-        One per reloading branch.
+        One per branch. Parameters P_c (two lines with a round bend), kappa and lambda and, with eight pressures or more,
+        P_c_casagrande, P_c_pacheco_silva, P_c_butterfield, P_c_becker, and P_c_agreed, where all of these agree.
     """
     samples = _samples(pressure, solid_fraction, void_ratio, branch)
-    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {})]
+    return [Fit(fit) for fit in _core.fit_preconsolidation(samples, columns=columns or {}, branches=branches or "")]
 
 
 def elastic(pressure, solid_fraction=None, *, void_ratio=None, branch=None, state=None, columns=None):

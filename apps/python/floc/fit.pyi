@@ -33,13 +33,18 @@ class Fit:
 
 def consolidation(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
-    void_ratio: _Curve | None = None, branch: _Branch = None, law: str = "full",
+    void_ratio: _Curve | None = None, branch: _Branch = None, law: str = "auto",
     window: tuple[float, float] | None = None, P0: float | None = None, protocol: str | None = None,
-    loading: str = "first", weights: str | None = None, loss: str = "squared", bootstrap: int = 0, seed: int = 1,
-    stress: str = "driven", columns: Mapping[str, str] | None = None) -> Fit | list[Fit]: ...
+    loading: str | None = None, weights: str | None = None, loss: str = "squared", bootstrap: int = 0, seed: int = 1,
+    stress: str = "driven", phi_limit: float | None = 1.0, columns: Mapping[str, str] | None = None) -> Fit | list[Fit]: ...
+def compression(
+    pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
+    void_ratio: _Curve | None = None, branch: _Branch = None, law: str = "all", density: str = "out-of-die",
+    D0: float | None = None, phi_limit: float | None = 1.0,
+    columns: Mapping[str, str] | None = None) -> list[Fit]: ...
 def preconsolidation(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,
-    void_ratio: _Curve | None = None, branch: _Branch = None,
+    void_ratio: _Curve | None = None, branch: _Branch = None, branches: str | None = None,
     columns: Mapping[str, str] | None = None) -> list[Fit]: ...
 def elastic(
     pressure: _Curve | str | _PathLike[str], solid_fraction: _Curve | None = None, *,

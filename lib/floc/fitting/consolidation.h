@@ -10,7 +10,9 @@
 #include "floc/base/range.h"
 #include "floc/fitting/consolidation_solver.h"
 #include "floc/fitting/fitted_parameter.h"
+#include "floc/fitting/recompression.h"
 #include "floc/fitting/regimes.h"
+#include "floc/fitting/residual_pattern.h"
 #include "floc/fitting/robust.h"
 
 namespace floc {
@@ -21,6 +23,7 @@ enum class Weighting {
   automatic,  ///< `scatter` if the curve is the mean over three samples or more, otherwise `relative`
   uniform,    ///< equal errors at all points
   relative,   ///< errors in proportion to 1/Phi
+  between,    ///< errors in proportion to the square root of 1/Phi, for data that may have either of the above
   scatter,    ///< errors of a mean over several samples, computed from the scatter between these samples
 };
 
@@ -37,6 +40,13 @@ struct ConsolidationOptions {
   Loss loss = Loss::squared;
   int n_bootstrap = 0;  ///< number of bootstrap fits; 0 for no bootstrap
   std::uint64_t seed = 1;
+  /// Largest solid fraction to which a law may tend at high pressure; infinity for no bound.
+  double phi_limit = 1.0;
+  /// Regimes of the curve, if they are known. The points before regime II then lie on a recompression line, whose slope
+  /// kappa is fitted too.
+  std::optional<Regimes> regimes = {};
+  /// Whether systematic residuals widen the intervals of a fit to a single curve.
+  bool widen = false;
 
   static constexpr WholeRange kBootstrap{.least = 2, .most = 1000000};
   /// Returns the faults of the options, each as "name = value: requirement".
@@ -84,6 +94,8 @@ struct ConsolidationFit {
   int n_plateau = 0;
   /// Last reduced pressure of the plateau of regime I; 0 if there is no plateau.
   double plateau_high = 0.0;
+  double plateau_low = 0.0;  ///< first reduced pressure of the plateau; 0 if there is no plateau
+  RecompressionLine line;    ///< line through the points of the plateau; its slope is 0 unless `slopes` is set
   std::vector<FittedParameter> parameters;  ///< parameters of the law, the fitted ones first
   /// Names of the parameters, in the order of the rows of `correlation`.
   std::vector<std::string> correlated;
@@ -107,6 +119,8 @@ struct ConsolidationFit {
   int n_bootstrapped = 0;  ///< number of bootstrap fits that leave at least three points to regime II
   /// Mean, standard deviation and percentiles 2.5 and 97.5 of each parameter over the bootstrap fits.
   std::vector<FittedParameter> bootstrap;
+  double phi_limit = 1.0;   ///< largest solid fraction to which the law may tend
+  ResidualPattern pattern;  ///< pattern in the residuals of a fit to a single curve
   std::vector<std::string> warnings;
 
   bool found() const { return failure_reason.empty(); }
@@ -117,13 +131,18 @@ struct ConsolidationFit {
   const FittedParameter* find(const std::string& name) const;
 };
 
+/// Returns a curve as points with the given weights, which must not be those of the scatter between samples in a search
+/// for regimes: that scatter is correlated between neighbouring pressures.
+[[nodiscard]] LawPoints law_points(const ConsolidationCurve& curve, Weighting weighting);
+
 /// Fits a consolidation law (docs/physics.md, "Consolidation laws") to a curve of the solid fraction Phi against the
 /// reduced pressure P*, by weighted least squares in 1/Phi, with a robust loss function if the options choose one.
 ///
 /// Standard errors of a fit to a single curve follow from the residuals. For a mean over three samples or more they
 /// follow from the scatter of the samples: the deviation of each sample from the mean is propagated through the
 /// linearised fit, so that the correlation of errors along the curve is included. If the fit has found the regimes, the
-/// scatter of the parameters over the probable ends of the regimes is added.
+/// scatter of the parameters over the probable ends of the regimes is added. To the line of regime II of a mean over samples,
+/// with given regimes, what the lag of jumps may do is added too.
 ///
 /// The 95 % intervals follow from Student's t in the logarithm of a parameter, or in 1/Phi0 for Phi0. Those of alpha
 /// and Phi_max follow from the profile likelihood. The bootstrap draws samples if the curve is a mean over samples, and

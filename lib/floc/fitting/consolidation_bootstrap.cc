@@ -31,7 +31,7 @@ struct ResidualPool {
     const Eigen::Index n = e.points.size();
     fitted.resize(n_plateau + n);
     weight.resize(n_plateau + n);
-    fitted.head(n_plateau).setConstant(e.plateau_level);
+    fitted.head(n_plateau) = e.plateau.log_P.unaryExpr([&e](double log_P) { return e.line.at(log_P); });
     fitted.tail(n) = e.points.y + e.solution.residuals.cwiseQuotient(e.points.weight);
     weight << e.plateau.weight, e.points.weight;
     const Eigen::MatrixXd& J = e.solution.jacobian;
@@ -80,7 +80,7 @@ Resampled resample(const LawEstimate& estimate, const Eigen::MatrixXd& samples, 
     LawEstimate drawn = estimate;
     drawn.points.y = y.tail(estimate.points.size());
     drawn.plateau.y = y.head(n_plateau);
-    if (drawn.has_plateau()) drawn.plateau_level = mean_level(drawn.plateau);
+    if (drawn.has_plateau()) drawn.line = recompression_line(drawn.plateau, estimate.line.slopes);
     const auto solution = solve_law_from(estimate.law, drawn.points, estimate.solution.theta);
     if (!solution || !keeps_regime_two(estimate.law, drawn.points, *solution)) continue;
     drawn.solution = *solution;

@@ -10,6 +10,7 @@
 
 #include "floc/fitting/consolidation_law.h"
 #include "floc/fitting/least_squares.h"
+#include "floc/fitting/line_fit.h"
 
 namespace floc {
 namespace {
@@ -50,20 +51,10 @@ struct Start {
   double sum_of_squares;
 };
 
-/// Weighted least-squares line y = intercept + slope * x, and its sum of squared residuals.
-struct Line {
-  double intercept, slope, sum_of_squares;
-};
+using Line = WeightedLine;
 
 Line fit_line(const Eigen::VectorXd& x, const LawPoints& points) {
-  const Eigen::ArrayXd w2 = points.weight.array().square();
-  const double mean_x = (w2 * x.array()).sum() / w2.sum();
-  const double mean_y = (w2 * points.y.array()).sum() / w2.sum();
-  const Eigen::ArrayXd dx = x.array() - mean_x;
-  const Eigen::ArrayXd dy = points.y.array() - mean_y;
-  const double sxx = (w2 * dx.square()).sum();
-  const double slope = sxx == 0.0 ? 0.0 : (w2 * dx * dy).sum() / sxx;
-  return {mean_y - slope * mean_x, slope, (w2 * (dy - slope * dx).square()).sum()};
+  return fit_weighted_line(x, points.y, points.weight);
 }
 
 /// Returns `n` equidistant values from low to high, both included.
@@ -141,14 +132,21 @@ bool within(const std::vector<ParameterLimits>& limits, const Eigen::VectorXd& t
 template <class Residual>
 std::optional<LawSolution> refine(const LawPoints& points, const Eigen::VectorXd& start, int held) {
   const std::vector<Residual> residuals = residuals_of<Residual>(points);
-  const std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
+  std::vector<ParameterLimits> limits = limits_of(Residual::kParameters, points);
   auto found = minimize(residuals, start, {}, held);
   // The solver is less exact with limits of the parameters. It therefore runs without limits first, and runs with
   // limits only if that fails or leads beyond the limits.
   if (!found || !within(limits, found->theta)) found = minimize(residuals, start, limits, held);
   if (!found) return std::nullopt;
+  const bool beyond = Residual::kParameters > kLimitParameter && held != kLimitParameter &&
+                      found->theta[kLimitParameter] < points.least_limit;
+  if (beyond) {
+    limits.push_back({kLimitParameter, points.least_limit, std::numeric_limits<double>::max()});
+    found = minimize(residuals, found->theta, limits, held);
+    if (!found) return std::nullopt;
+  }
   return LawSolution{std::move(found->theta), std::move(found->residuals), std::move(found->jacobian),
-                     found->sum_of_squares};
+                     found->sum_of_squares, beyond};
 }
 
 std::vector<Start> starts_of(ConsolidationLaw law, const LawPoints& points) {

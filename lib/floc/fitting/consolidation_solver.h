@@ -19,13 +19,14 @@ int n_parameters(ConsolidationLaw law);
 /// Points of a consolidation curve in the form that the fits use, in the order of growing pressure. All vectors
 /// have one entry per point.
 struct LawPoints {
-  Eigen::VectorXd log_P;   ///< ln P*
-  Eigen::VectorXd y;       ///< 1/Phi
-  Eigen::VectorXd weight;  ///< factor by which the residual of each point is multiplied; of order one, > 0
+  Eigen::VectorXd log_P;     ///< ln P*
+  Eigen::VectorXd y;         ///< 1/Phi
+  Eigen::VectorXd weight;    ///< factor by which the residual of each point is multiplied; of order one, > 0
+  double least_limit = 0.0;  ///< smallest value that the limit 1/Phi_max of a law may have
 
   int size() const { return static_cast<int>(y.size()); }
   LawPoints range(int first, int n) const {
-    return {log_P.segment(first, n), y.segment(first, n), weight.segment(first, n)};
+    return {log_P.segment(first, n), y.segment(first, n), weight.segment(first, n), least_limit};
   }
 };
 
@@ -41,7 +42,12 @@ struct LawSolution {
   /// Derivatives of the weighted residuals with respect to theta; empty if an entry of theta was held fixed.
   Eigen::MatrixXd jacobian;
   double sum_of_squares = 0.0;  ///< sum of squares of the weighted residuals
+  /// True if 1/Phi_max is at LawPoints::least_limit, because without this bound the fit would go below it.
+  bool at_limit = false;
 };
+
+/// Index of 1/Phi_max in theta, for the laws that have it.
+inline constexpr int kLimitParameter = 2;
 
 /// Returns the inverse solid fraction 1/Phi of a consolidation law at the reduced pressure exp(log_P). `log_P_first` is
 /// ln P* of the first point to which the law was fitted.

@@ -13,9 +13,46 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-double residual_variance(const LawEstimate& estimate) {
-  const auto dof = estimate.points.size() - estimate.solution.theta.size();
-  return estimate.solution.sum_of_squares / static_cast<double>(dof);
+/// Variance of weighted residuals, and its number of degrees of freedom.
+struct ResidualVariance {
+  double variance;
+  int dof;
+};
+
+ResidualVariance residuals_of_law(const LawEstimate& e) {
+  const int dof = e.points.size() - static_cast<int>(e.solution.theta.size());
+  return {e.solution.sum_of_squares / dof, dof};
+}
+
+/// Returns the variance that part of the data has which `own` describes: its own, as the errors may be different in the
+/// other part, or the common one of both parts if there are few points. A plateau has no part in it, because a level
+/// that is not constant would only seem to be noise.
+ResidualVariance shared_variance(const LawEstimate& e, const ResidualVariance& own) {
+  constexpr int kEnough = 6;
+  if (!e.line.slopes || own.dof >= kEnough) return own;
+  const ResidualVariance law = residuals_of_law(e);
+  const int dof = law.dof + e.plateau.size() - 2;
+  return {(law.variance * law.dof + e.line.sum_of_squares) / dof, dof};
+}
+
+ResidualVariance variance_of_law(const LawEstimate& e) {
+  return shared_variance(e, residuals_of_law(e));
+}
+
+ResidualVariance variance_of_line(const LawEstimate& e) {
+  const int dof = e.plateau.size() - 2;
+  return shared_variance(e, {dof > 0 ? e.line.sum_of_squares / dof : 0.0, dof});
+}
+
+/// Returns (J^T J)^-1 of the law. If 1/Phi_max is at its bound, it counts as given.
+Eigen::MatrixXd unit_covariance_of(const LawSolution& solution) {
+  if (!solution.at_limit) return unit_covariance(solution.jacobian);
+  Eigen::MatrixXd jacobian = solution.jacobian;
+  jacobian.col(kLimitParameter).setZero();
+  Eigen::MatrixXd c = unit_covariance(jacobian);
+  c.row(kLimitParameter).setZero();
+  c.col(kLimitParameter).setZero();
+  return c;
 }
 
 /// Returns the gradient of coordinate `k` with respect to all `n` coordinates: a unit vector.
@@ -24,8 +61,8 @@ Eigen::VectorXd unit(Eigen::Index n, Eigen::Index k) {
 }
 
 /// Adds Phi0 and P0*, the solid fraction and the reduced pressure at which the line of regime II begins, with their
-/// gradients. With a plateau, the line begins where it meets the plateau. Without a plateau, it begins at the first
-/// pressure, and only Phi0 is added.
+/// gradients. With a plateau or recompression line, the line of regime II begins where it meets that. Otherwise it
+/// begins at the first pressure, and only Phi0 is added.
 ///
 /// `log_P` and `y` are ln P* and 1/Phi of a point on the line. `to_log_P` and `to_y` are their gradients with respect
 /// to the coordinates of the fit.
@@ -34,15 +71,32 @@ void add_start_of_regime_two(const LawEstimate& e, double log_P, const Eigen::Ve
   const double lambda = std::exp(e.solution.theta[0]);
   const Eigen::Index n = to_y.size();
   if (e.has_plateau()) {
-    const double drop = (y - e.plateau_level) / lambda;
-    quantities.push_back({"Phi0", true, e.plateau_level, unit(n, n - 1)});
-    quantities.push_back(
-        {"P0_star", false, log_P + drop, to_log_P + (to_y - unit(n, n - 1)) / lambda - drop * unit(n, 0)});
+    // The lines meet where y - lambda drop = line.at(log_P + drop), at ln P0* = log_P + drop.
+    const double steeper = lambda - e.line.kappa;
+    const double drop = (y - e.line.at(log_P)) / steeper;
+    const double log_P0 = log_P + drop;
+    const Eigen::VectorXd to_level = unit(n, e.solution.theta.size());
+    Eigen::VectorXd to_log_P0 =
+        to_log_P * (1.0 + e.line.kappa / steeper) + (to_y - to_level - lambda * drop * unit(n, 0)) / steeper;
+    Eigen::VectorXd to_y0 = to_level;
+    if (e.line.slopes) {
+      const Eigen::VectorXd to_kappa = unit(n, n - 1);
+      to_log_P0 += (log_P0 - e.line.centre) / steeper * to_kappa;
+      to_y0 -= (log_P0 - e.line.centre) * to_kappa + e.line.kappa * to_log_P0;
+    }
+    quantities.push_back({"Phi0", true, e.line.at(log_P0), to_y0});
+    quantities.push_back({"P0_star", false, log_P0, to_log_P0});
     return;
   }
   const double distance = e.points.log_P[0] - log_P;
   quantities.push_back(
       {"Phi0", true, y - lambda * distance, to_y + lambda * to_log_P - lambda * distance * unit(n, 0)});
+}
+
+/// Returns the distance of each point of the recompression line from the centre of the line in ln P*, times the weight of
+/// the point.
+Eigen::VectorXd weighted_distances(const LawEstimate& e) {
+  return e.plateau.weight.array() * (e.plateau.log_P.array() - e.line.centre);
 }
 
 /// Returns a function that holds one coordinate at a given value, fits the other coordinates, and returns the sum of
@@ -66,18 +120,13 @@ Eigen::VectorXd at_first_pressure(Law law, Eigen::VectorXd theta, double step) {
   return theta;
 }
 
-double mean_level(const LawPoints& points) {
-  const Eigen::ArrayXd w2 = points.weight.array().square();
-  return (w2 * points.y.array()).sum() / w2.sum();
-}
-
 double Quantity::parameter() const {
   return is_inverse ? 1.0 / value : std::exp(value);
 }
 
 std::vector<Quantity> quantities_of(const LawEstimate& e) {
   const Eigen::VectorXd& theta = e.solution.theta;
-  const Eigen::Index n = theta.size() + (e.has_plateau() ? 1 : 0);
+  const Eigen::Index n = e.n_coordinates();
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(n);
   const double first = e.points.log_P[0];
   std::vector<Quantity> found;
@@ -109,11 +158,13 @@ std::vector<Quantity> quantities_of(const LawEstimate& e) {
 
 Covariance covariance_from_residuals(const LawEstimate& e) {
   const Eigen::Index n = e.solution.theta.size();
-  const Eigen::Index n_all = n + (e.has_plateau() ? 1 : 0);
-  const double variance = residual_variance(e);
-  Covariance c{Eigen::MatrixXd::Zero(n_all, n_all), e.points.size() - static_cast<int>(n)};
-  c.matrix.topLeftCorner(n, n) = variance * unit_covariance(e.solution.jacobian);
-  if (e.has_plateau()) c.matrix(n, n) = variance / e.plateau.weight.squaredNorm();
+  const auto [variance, dof] = variance_of_law(e);
+  Covariance c{Eigen::MatrixXd::Zero(e.n_coordinates(), e.n_coordinates()), dof};
+  c.matrix.topLeftCorner(n, n) = variance * unit_covariance_of(e.solution);
+  if (!e.has_plateau()) return c;
+  const double of_line = e.line.slopes ? variance_of_line(e).variance : variance;
+  c.matrix(n, n) = of_line / e.plateau.weight.squaredNorm();
+  if (e.line.slopes) c.matrix(n + 1, n + 1) = of_line / weighted_distances(e).squaredNorm();
   return c;
 }
 
@@ -122,17 +173,22 @@ Covariance covariance_from_samples(const LawEstimate& e, const Eigen::MatrixXd& 
   const Eigen::Index n_window = e.points.size();
   assert(deviations.rows() == n_plateau + n_window && deviations.cols() >= 2);
   const Eigen::Index n = e.solution.theta.size();
-  const Eigen::MatrixXd unscaled = unit_covariance(e.solution.jacobian);
+  const Eigen::MatrixXd unscaled = unit_covariance_of(e.solution);
   Eigen::MatrixXd finite = unscaled;
   for (Eigen::Index k = 0; k < n; ++k)
     if (!std::isfinite(finite(k, k))) finite.row(k).setZero(), finite.col(k).setZero();
   // Change of each coordinate of the fit (rows) that the deviation of each sample (columns) causes.
-  Eigen::MatrixXd change(n + (n_plateau > 0 ? 1 : 0), deviations.cols());
+  Eigen::MatrixXd change(e.n_coordinates(), deviations.cols());
   change.topRows(n) =
       finite * e.solution.jacobian.transpose() * e.points.weight.asDiagonal() * deviations.bottomRows(n_window);
   if (n_plateau > 0) {
     const Eigen::VectorXd w2 = e.plateau.weight.array().square();
-    change.bottomRows(1) = w2.transpose() * deviations.topRows(n_plateau) / w2.sum();
+    change.row(n) = w2.transpose() * deviations.topRows(n_plateau) / w2.sum();
+  }
+  if (e.line.slopes) {
+    const Eigen::VectorXd d = weighted_distances(e);
+    change.row(n + 1) =
+        -d.cwiseProduct(e.plateau.weight).transpose() * deviations.topRows(n_plateau) / d.squaredNorm();
   }
   const auto m = static_cast<double>(deviations.cols());
   Covariance c{change * change.transpose() / (m * (m - 1.0)), static_cast<int>(deviations.cols()) - 1};
@@ -155,6 +211,14 @@ FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& cov
                              : from_logarithm(quantity.name, quantity.value, error, t95);
 }
 
+FittedParameter kappa_of(const LawEstimate& e, const Covariance& covariance) {
+  const Eigen::Index last = e.n_coordinates() - 1;
+  FittedParameter kappa =
+      from_value("kappa", e.line.kappa, std::sqrt(covariance.matrix(last, last)), student_t_95(covariance.dof));
+  for (auto* number : {&kappa.value, &kappa.low95, &kappa.high95}) *number = std::max(0.0, **number);
+  return kappa;
+}
+
 ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, const Covariance& covariance) {
   const double center = estimate.solution.theta[coordinate];
   const double t95 = student_t_95(covariance.dof);
@@ -162,12 +226,14 @@ ProfileInterval profile_interval(const LawEstimate& estimate, int coordinate, co
   // Below this standard error, changes of the sum of squares are only rounding, and the interval follows from the
   // covariance.
   constexpr double kRounding = 1e-9;
-  if (error < kRounding) return {center - t95 * error, center + t95 * error};
+  const bool is_at_limit = coordinate == kLimitParameter && estimate.solution.at_limit;
+  if (error < kRounding && !is_at_limit) return {center - t95 * error, center + t95 * error};
   const Covariance own = covariance_from_residuals(estimate);
   const double own_variance = own.matrix(coordinate, coordinate);
-  const bool finite = std::isfinite(own_variance) && std::isfinite(error);
+  const bool finite = std::isfinite(own_variance) && std::isfinite(error) && !is_at_limit;
   const double ratio = finite ? error * error / own_variance : 1.0;
-  const double allowed = estimate.solution.sum_of_squares + t95 * t95 * ratio * residual_variance(estimate);
+  const double allowed =
+      estimate.solution.sum_of_squares + t95 * t95 * ratio * variance_of_law(estimate).variance;
   // The search for the ends of the interval is limited to values with a meaning: alpha from 1/100 to 100, and
   // 1/Phi_max from 1/1000 to 1000.
   const bool is_inverse = coordinate == 2;

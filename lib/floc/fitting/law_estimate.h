@@ -7,29 +7,31 @@
 #include "floc/fitting/consolidation_solver.h"
 #include "floc/fitting/fitted_parameter.h"
 #include "floc/fitting/profile_likelihood.h"
+#include "floc/fitting/recompression.h"
 
 namespace floc {
 
-/// A consolidation law fitted to a range of points. The coordinates of the fit are theta (LawSolution) and, if there is
-/// a plateau before these points, the mean inverse solid fraction 1/Phi on the plateau. The parameters of the law
-/// follow from them.
+/// A consolidation law fitted to a range of points. The coordinates of the fit are theta (LawSolution) and, if there are
+/// points before regime II, the level and (if it was fitted) the slope kappa of the recompression line through them.
+/// The parameters of the law follow from them.
 struct LawEstimate {
   ConsolidationLaw law;
   LawPoints points;
   LawSolution solution;
-  LawPoints plateau;     ///< points of the plateau of regime I; empty if there is none
-  double plateau_level;  ///< weighted mean of 1/Phi over the points of the plateau
+  LawPoints plateau;  ///< points before regime II: its plateau or recompression line; empty if there are none
+  RecompressionLine line;  ///< line through the points of the plateau
 
   bool has_plateau() const { return plateau.size() > 0; }
+  /// Returns the number of coordinates of the fit.
+  Eigen::Index n_coordinates() const {
+    return solution.theta.size() + (has_plateau() ? 1 : 0) + (line.slopes ? 1 : 0);
+  }
 };
 
 /// Converts the coordinates theta of a consolidation law, which refer to the first pressure fitted, so that they refer
 /// to another pressure. The law does not change.
 /// @param step  ln of the other pressure over the first pressure fitted
 Eigen::VectorXd at_first_pressure(ConsolidationLaw law, Eigen::VectorXd theta, double step);
-
-/// Returns the weighted mean of 1/Phi over the points; NaN if there are none.
-double mean_level(const LawPoints& points);
 
 /// A parameter of a consolidation law, with its gradient with respect to the coordinates of the fit.
 struct Quantity {
@@ -61,6 +63,10 @@ Covariance covariance_from_residuals(const LawEstimate& estimate);
 /// @param deviations  deviation of 1/Phi of each sample from the mean over samples. Rows: the points of the plateau,
 /// then the other points fitted; columns: two samples or more
 Covariance covariance_from_samples(const LawEstimate& estimate, const Eigen::MatrixXd& deviations);
+
+/// Returns the slope kappa of the recompression line with its 95 % interval, of which no part is negative. @pre the
+/// slope was fitted
+FittedParameter kappa_of(const LawEstimate& estimate, const Covariance& covariance);
 
 /// Returns a parameter with its standard error and its 95 % interval by Student's t.
 FittedParameter fitted_parameter(const Quantity& quantity, const Covariance& covariance);

@@ -18,4 +18,16 @@ LinearFit fit_linear(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y) {
   return fit;
 }
 
+WeightedLine fit_weighted_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
+                               const Eigen::VectorXd& weight) {
+  const Eigen::ArrayXd w2 = weight.array().square();
+  const double mean_x = (w2 * x.array()).sum() / w2.sum();
+  const double mean_y = (w2 * y.array()).sum() / w2.sum();
+  const Eigen::ArrayXd dx = x.array() - mean_x;
+  const Eigen::ArrayXd dy = y.array() - mean_y;
+  const double sxx = (w2 * dx.square()).sum();
+  const double slope = sxx == 0.0 ? 0.0 : (w2 * dx * dy).sum() / sxx;
+  return {mean_y - slope * mean_x, slope, (w2 * (dy - slope * dx).square()).sum()};
+}
+
 }  // namespace floc

@@ -7,26 +7,16 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "floc/fitting/least_squares.h"
 #include "floc/fitting/line_fit.h"
+#include "floc/fitting/round_bend.h"
 #include "floc/fitting/student_t.h"
+#include "floc/fitting/yield_constructions.h"
 
 namespace floc {
 namespace {
-
-Eigen::MatrixXd columns_of_lines(const Eigen::ArrayXd& x, double bend) {
-  Eigen::MatrixXd columns(x.size(), 3);
-  columns.col(0).setOnes();
-  columns.col(1) = x - bend;
-  columns.col(2) = (x - bend).max(0.0);
-  return columns;
-}
-
-/// Fits to y = 1/Phi, as a function of x = ln P, two lines that meet at x = `bend`: y_c - kappa (x - bend) below the
-/// bend, and y_c - lambda (x - bend) above. The coefficients of the fit are y_c, -kappa and kappa - lambda.
-LinearFit broken_line(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, double bend) {
-  return fit_linear(columns_of_lines(x, bend), y);
-}
 
 /// Returns the correlation of neighbouring residuals. Returns 0 if independent residuals could have it by chance, or if
 /// the residuals are only rounding. A round bend leaves correlated residuals.
@@ -39,19 +29,23 @@ double correlation_of_neighbours(const Eigen::VectorXd& residuals) {
   return correlation < 2.0 / std::sqrt(static_cast<double>(n)) ? 0.0 : correlation;
 }
 
-/// Sum of squared residuals of two lines that meet at a bend, as a function of the place of the bend. It is computed on
-/// a fine grid of places, because it may have several minima.
-struct BendProfile {
-  static constexpr int kSteps = 4000;
-  Eigen::VectorXd bend, left;
-  Eigen::Index best = 0;
-
-  BendProfile(const Eigen::ArrayXd& x, const Eigen::VectorXd& y)
-      : bend(Eigen::VectorXd::LinSpaced(kSteps + 1, x[1], x[x.size() - 2])),
-        left(bend.unaryExpr([&](double b) { return broken_line(x, y, b).sum_of_squares; })) {
-    left.minCoeff(&best);
+/// Returns the ends of the places of the bend at which the profile of the sum of squares is at most `within`, between
+/// grid points by linear interpolation.
+std::pair<double, double> places_within(const RoundBendFit& fit, double within) {
+  const Eigen::VectorXd& left = fit.profile;
+  double low = fit.best.bend, high = fit.best.bend;
+  for (Eigen::Index k = 0; k < left.size(); ++k)
+    if (left[k] <= within) low = std::min(low, fit.places[k]), high = std::max(high, fit.places[k]);
+  const auto crossing = [&](Eigen::Index inside, Eigen::Index outside) {
+    const double share = (within - left[inside]) / (left[outside] - left[inside]);
+    return fit.places[inside] + share * (fit.places[outside] - fit.places[inside]);
+  };
+  for (Eigen::Index k = 0; k + 1 < left.size(); ++k) {
+    if (left[k] > within && left[k + 1] <= within && fit.places[k + 1] <= low) low = crossing(k + 1, k);
+    if (left[k] <= within && left[k + 1] > within && fit.places[k] >= high) high = crossing(k, k + 1);
   }
-};
+  return {low, high};
+}
 
 PreconsolidationFit refused(std::string why) {
   PreconsolidationFit fit;
@@ -63,65 +57,75 @@ PreconsolidationFit refused(std::string why) {
 
 PreconsolidationFit fit_preconsolidation(const std::vector<double>& P, const std::vector<double>& phi) {
   assert(P.size() == phi.size());
-  constexpr int kMinPressures = 5;  // one more than the number of parameters fitted: P_c, y_c, kappa and lambda
+  constexpr int kMinPressures =
+      5;  // one more than the number of parameters of a sharp bend: P_c, y_c, kappa and lambda
+  constexpr int kEnoughForWidth = 10;  // fewer pressures do not tell a round bend from a sharp one
+  constexpr int kEnoughForConstructions = 8;
   const auto n = static_cast<Eigen::Index>(P.size());
   if (n < kMinPressures)
-    return refused(fmt::format(
-        "there are {} pressures on the reloading branch and beyond it, but the fit needs at least {}", n,
-        kMinPressures));
+    return refused(
+        fmt::format("there are {} pressures on this branch and beyond it, but the fit needs at least {}", n,
+                    kMinPressures));
   const Eigen::ArrayXd x = Eigen::Map<const Eigen::ArrayXd>(P.data(), n).log();
   const Eigen::VectorXd y = Eigen::Map<const Eigen::ArrayXd>(phi.data(), n).inverse();
-  const BendProfile profile(x, y);
-  const double bend = profile.bend[profile.best];
-  const LinearFit lines = broken_line(x, y, bend);
-  const double kappa = -lines.coefficients[1];
-  const double lambda = kappa - lines.coefficients[2];
-  const auto dof = static_cast<int>(n) - 4;
+  const bool is_round = n >= kEnoughForWidth;
+  const RoundBendFit lines = fit_round_bend(x, y, is_round);
+  const RoundBend& best = lines.best;
+  const double kappa = -best.slope_below, lambda = -best.slope_above;
+  const auto dof = static_cast<int>(n) - (is_round ? 5 : 4);
   const double t95 = student_t_95(dof);
-  const double variance = lines.sum_of_squares / dof;
-  const double allowed = lines.sum_of_squares + t95 * t95 * variance;
+  const double variance = best.sum_of_squares / dof;
+  const double allowed = best.sum_of_squares + t95 * t95 * variance;
 
   Eigen::MatrixXd straight(n, 2);
   straight << Eigen::VectorXd::Ones(n), x.matrix();
   if (lambda <= kappa || fit_linear(straight, y).sum_of_squares <= allowed)
     return refused(
-        "the reloading branch does not bend towards a steeper line: it does not reach the preconsolidation "
-        "pressure");
+        "the branch does not bend towards a steeper line: it does not reach the preconsolidation pressure");
   PreconsolidationFit fit;
   // Largest correlation of neighbouring residuals that is taken into account. Correlated residuals count as a smaller
   // number of independent residuals, which would be zero at a correlation of 1.
   constexpr double kMostCorrelated = 0.9;
-  const double r = correlation_of_neighbours(y - columns_of_lines(x, bend) * lines.coefficients);
+  const double r = correlation_of_neighbours(lines.residuals);
   const double fewer = (1.0 + r) / (1.0 - std::min(r, kMostCorrelated));
-  const double within = lines.sum_of_squares + fewer * t95 * t95 * variance;
+  const double within = best.sum_of_squares + fewer * t95 * t95 * variance;
   if (r > 0.0)
     fit.warnings.push_back(fmt::format(
         "neighbouring residuals are correlated (coefficient {:.2f}), because the bend is round or the curve "
         "moves in steps: the interval of P_c is widened to allow for this",
         r));
-  Eigen::Index low = profile.best, high = profile.best;
-  for (Eigen::Index k = 0; k < profile.left.size(); ++k)
-    if (profile.left[k] <= within) low = std::min(low, k), high = std::max(high, k);
-  FittedParameter P_c{
-      "P_c", std::exp(bend), std::nullopt, std::exp(profile.bend[low]), std::exp(profile.bend[high]), true};
+  const Eigen::Index last = lines.places.size() - 1;
+  const auto [low, high] = places_within(lines, within);
+  FittedParameter P_c{"P_c", std::exp(best.bend), std::nullopt, std::exp(low), std::exp(high), true};
   P_c.standard_error = (*P_c.high95 - *P_c.low95) / (2 * t95);
-  if (low == 0 || high == profile.left.size() - 1) {
+  const bool is_open_below = low <= lines.places[0], is_open_above = high >= lines.places[last];
+  if (is_open_below || is_open_above) {
     P_c.identified = false;
-    if (low == 0) P_c.low95 = std::nullopt;
-    if (high == profile.left.size() - 1) P_c.high95 = std::nullopt;
+    if (is_open_below) P_c.low95 = std::nullopt;
+    if (is_open_above) P_c.high95 = std::nullopt;
     fit.warnings.push_back(
         "the preconsolidation pressure may lie at an end of the branch: its interval is open there");
   }
-  // The place of the bend was fitted too, which takes one degree of freedom from the residual variance of the
-  // lines.
-  const Eigen::MatrixXd c = lines.covariance * (static_cast<double>(lines.dof) / dof);
+  const Eigen::MatrixXd c = fewer * variance * unit_covariance(lines.jacobian);
   fit.parameters = {P_c, from_value("kappa", kappa, std::sqrt(c(1, 1)), t95),
-                    from_value("lambda", lambda, std::sqrt(c(1, 1) + c(2, 2) + 2 * c(1, 2)), t95)};
+                    from_value("lambda", lambda, std::sqrt(c(2, 2)), t95)};
   for (FittedParameter& p : fit.parameters) {
     const std::string beyond = keep_in_range({0.0, std::numeric_limits<double>::infinity()}, p);
     if (!beyond.empty()) fit.warnings.push_back(beyond);
   }
-  fit.rms = std::sqrt(lines.sum_of_squares / static_cast<double>(n));
+  if (n >= kEnoughForConstructions) {
+    const YieldConstructions constructions = yield_constructions(P, y, best);
+    std::vector<FittedParameter> methods = constructions.parameters;
+    fit.parameters.insert(fit.parameters.end(), methods.begin(), methods.end());
+    methods.push_back(P_c);
+    fit.parameters.push_back(agreed_pressure(methods));
+    fit.warnings.insert(fit.warnings.end(), constructions.warnings.begin(), constructions.warnings.end());
+    if (!fit.parameters.back().value)
+      fit.warnings.emplace_back(
+          "the methods do not agree on a preconsolidation pressure: their intervals have no pressure in "
+          "common");
+  }
+  fit.rms = std::sqrt(best.sum_of_squares / static_cast<double>(n));
   return fit;
 }
 

@@ -13,14 +13,10 @@ namespace {
 
 using Law = ConsolidationLaw;
 
-/// Residuals of 1/Phi below this value are rounding of the numbers in a table, so that they do not distinguish between
-/// consolidation laws.
-constexpr double kRounding = 1e-9;
-
 /// Returns the Bayesian information criterion of a least-squares fit, up to a constant that depends only on the data.
 /// @param n_free  number of fitted parameters
 double information(double sum_of_squares, int n, int n_free) {
-  const double floor = n * kRounding * kRounding;
+  const double floor = n * kRoundingOfTables * kRoundingOfTables;
   return n * std::log(std::max(sum_of_squares, floor) / n) + n_free * std::log(n);
 }
 
@@ -36,38 +32,8 @@ double residual_of_constant(const LawPoints& points) {
   return (w2 * (points.y.array() - mean).square()).sum();
 }
 
-/// A possible place of the change between two regimes, just before the point `first`, and the information criterion of
-/// the fit that changes from one law to the next there.
-struct Place {
-  int first;
-  double information;
-};
-
 bool less_information(const Place& a, const Place& b) {
   return a.information < b.information;
-}
-
-/// Returns the change between two regimes: the most probable of its possible places, and all places more probable than
-/// 1 %. `shift` is added to all indices.
-ChangePoint change_among(std::vector<Place> places, int shift) {
-  constexpr double kWorthNaming = 0.01;
-  std::stable_sort(places.begin(), places.end(), less_information);
-  const double least = places.front().information;
-  double total = 0.0;
-  for (const Place& p : places) total += std::exp(0.5 * (least - p.information));
-  const int best = places.front().first + shift;
-  ChangePoint change{best, best, best, {}};
-  double held = 0.0;
-  for (const Place& p : places) {
-    const ChangePlace place{p.first + shift, std::exp(0.5 * (least - p.information)) / total};
-    if (held < 0.95) {
-      change.low95 = std::min(change.low95, place.first);
-      change.high95 = std::max(change.high95, place.first);
-    }
-    held += place.probability;
-    if (place.probability > kWorthNaming) change.places.push_back(place);
-  }
-  return change;
 }
 
 /// Returns the weighted sum of squared residuals of the plateau, which consists of the first `k` points. The level of
@@ -76,8 +42,9 @@ ChangePoint change_among(std::vector<Place> places, int shift) {
 double residual_of_plateau(Law law, const LawPoints& points, int k, const Eigen::VectorXd& theta) {
   if (k == 0) return 0.0;
   const double first = points.log_P[k];
-  const double level = std::clamp(mean_level(points.range(0, k)), law_value(law, theta, first, first),
-                                  law_value(law, theta, points.log_P[k - 1], first));
+  const double level =
+      std::clamp(recompression_line(points.range(0, k), false).level, law_value(law, theta, first, first),
+                 law_value(law, theta, points.log_P[k - 1], first));
   return (points.weight.head(k).array() * (points.y.head(k).array() - level)).square().sum();
 }
 
@@ -153,6 +120,27 @@ double residual_of_elasticity(const LawPoints& points) {
 }
 
 }  // namespace
+
+ChangePoint change_among(std::vector<Place> places, int shift) {
+  constexpr double kWorthNaming = 0.01;
+  std::stable_sort(places.begin(), places.end(), less_information);
+  const double least = places.front().information;
+  double total = 0.0;
+  for (const Place& p : places) total += std::exp(0.5 * (least - p.information));
+  const int best = places.front().first + shift;
+  ChangePoint change{best, best, best, {}};
+  double held = 0.0;
+  for (const Place& p : places) {
+    const ChangePlace place{p.first + shift, std::exp(0.5 * (least - p.information)) / total};
+    if (held < 0.95) {
+      change.low95 = std::min(change.low95, place.first);
+      change.high95 = std::max(change.high95, place.first);
+    }
+    held += place.probability;
+    if (place.probability > kWorthNaming) change.places.push_back(place);
+  }
+  return change;
+}
 
 bool detects_bend(const LawPoints& points, const LawSolution& full) {
   const auto line = solve_law(Law::log, points);

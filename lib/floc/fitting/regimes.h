@@ -22,6 +22,22 @@ struct ChangePoint {
   std::vector<ChangePlace> places;  ///< all places more probable than 1 %, the most probable first
 };
 
+/// A possible place of the change between two regimes, just before the point `first`, and the information criterion of
+/// the fit that changes from one law to the next there.
+struct Place {
+  int first;
+  double information;
+};
+
+/// Returns the change between two regimes: the most probable of its possible places, and all places more probable than
+/// 1 %. The probability of a place is in proportion to exp(-information/2).
+/// @param shift  number that is added to all indices
+ChangePoint change_among(std::vector<Place> places, int shift);
+
+/// Residuals of 1/Phi below this value are rounding of the numbers in a table, so that they do not distinguish between
+/// consolidation laws.
+inline constexpr double kRoundingOfTables = 1e-9;
+
 /// Regimes of a consolidation curve of 1/Phi against the reduced pressure P* (Phi is the solid fraction): a plateau
 /// (I), a line in ln P* (II), a power law of P* (III).
 struct Regimes {

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "floc/base/error.h"
+#include "floc/base/infinity.h"
+#include "floc/base/parse_number.h"
+#include "floc/fitting/supported_law.h"
 
 namespace floc {
 namespace {
@@ -31,12 +35,26 @@ void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOption
   options.window = {nearest, curve.P_star.back()};
 }
 
+const char* word_for(ConsolidationLaw law) {
+  switch (law) {
+    case ConsolidationLaw::log:
+      return "log";
+    case ConsolidationLaw::power:
+      return "power";
+    case ConsolidationLaw::full:
+      return "full";
+  }
+  return "";
+}
+
 const char* word_for(Weighting weighting) {
   switch (weighting) {
     case Weighting::uniform:
       return "uniform";
     case Weighting::scatter:
       return "scatter";
+    case Weighting::between:
+      return "between";
     default:
       return "relative";
   }
@@ -78,10 +96,34 @@ Json regimes_as_json(const ConsolidationSample& sample, const ConsolidationFit& 
           {"rows_III", rows_of(sample, r.end_of_two, n)}};
 }
 
+/// Returns the cells window_low and window_high of a parameter, which only lambda and C_c have.
+std::vector<TableValue> cells_of_range(const FittedParameter& p, const ConsolidationFit& fit) {
+  const double unit = p.name == "C_c" ? std::numbers::ln10 : 1.0;
+  const auto range = p.name == "lambda" || p.name == "C_c" ? range_of_lambda(fit) : std::nullopt;
+  if (!range) return {TableValue(), TableValue()};
+  return {TableValue(unit * range->first), TableValue(unit * range->second)};
+}
+
 }  // namespace
 
 std::span<const LeftOutStep> left_out_steps() {
   return kLeftOut;
+}
+
+std::vector<std::vector<double>> ConsolidationSample::loops() const {
+  std::vector<std::vector<double>> points;
+  const std::vector<double> gap = {std::nan(""), std::nan("")};
+  const auto add = [&](std::size_t i) { points.push_back({path[i].P_star, 1.0 / path[i].phi}); };
+  bool inside = false;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const bool is_loop = steps[i] == PathStep::unloading || steps[i] == PathStep::reloading;
+    // A loop begins at the row from which the pressure falls.
+    if (is_loop && !inside) add(i - 1);
+    if (is_loop) add(i);
+    if (!is_loop && inside) points.push_back(gap);
+    inside = is_loop;
+  }
+  return points;
 }
 
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step) {
@@ -95,8 +137,17 @@ std::vector<int> left_out(const ConsolidationSample& sample, PathStep step) {
 }
 
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked) {
-  return {path.name, first_loading(path.rows, asked.loading == "virgin"), path_steps(path.rows), path.unit,
-          path.stress};
+  const bool virgin = asked.loading.empty() ? asked.chooses_law() : asked.loading == "virgin";
+  return {path.name, first_loading(path.rows, virgin), path_steps(path.rows), path.unit, path.stress,
+          path.rows};
+}
+
+double phi_limit_of(const std::string& text) {
+  if (text == "none") return kInfinity;
+  const auto limit = parse_number<double>(text);
+  if (!limit || *limit <= 0.0)
+    throw InputError("--phi-limit", fmt::format("\"{}\": expected a positive solid fraction, or none", text));
+  return *limit;
 }
 
 ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked) {
@@ -118,6 +169,7 @@ ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked)
                       : asked.weights == "relative" ? Weighting::relative
                                                     : Weighting::automatic;
   options.loss = asked.loss == "huber" ? Loss::huber : asked.loss == "cauchy" ? Loss::cauchy : Loss::squared;
+  options.phi_limit = asked.phi_limit;
   options.n_bootstrap = asked.n_bootstrap;
   options.seed = asked.seed;
   return options;
@@ -139,6 +191,7 @@ ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFi
   ConsolidationOptions own = options;
   if (asked.weights == "scatter" && sample.loading.curve.samples.cols() > 1) own.weighting = Weighting::scatter;
   start_at_P0(asked.P0, sample.loading.curve, own);
+  if (asked.chooses_law()) return fit_supported_law(sample.loading.curve, own);
   return fit_consolidation(sample.loading.curve, own);
 }
 
@@ -160,6 +213,17 @@ ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs, const
   return fit_of(with_pooled(std::move(samples), options.hold_P0).back(), asked, options);
 }
 
+std::optional<std::pair<double, double>> range_of_lambda(const ConsolidationFit& fit) {
+  const FittedParameter* lambda = fit.found() ? fit.find("lambda") : nullptr;
+  if (!lambda || !lambda->value || fit.window_shifts.empty()) return std::nullopt;
+  std::pair<double, double> range{*lambda->value, *lambda->value};
+  for (const WindowShift& shift : fit.window_shifts) {
+    if (!shift.lambda) return std::nullopt;
+    range = {std::min(range.first, *shift.lambda), std::max(range.second, *shift.lambda)};
+  }
+  return range;
+}
+
 const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit) {
   if (parts.regimes > parts.scatter) return "regimes";
   return fit.errors_from_samples ? "samples" : "points";
@@ -169,7 +233,7 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
              const ConsolidationFitOptions& asked) {
   Json object;
   object["sample"] = sample.name;
-  object["law"] = asked.law;
+  object["law"] = word_for(fit.law);
   object["protocol"] = asked.protocol.empty() ? "automatic" : asked.protocol;
   object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.failure_reason);
   object["window"] = fit.found() ? Json{fit.window_low, fit.window_high} : Json(nullptr);
@@ -183,6 +247,8 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
     for (std::size_t j = 0; j < fit.correlated.size(); ++j)
       object["correlation"][fit.correlated[i]][fit.correlated[j]] = number_or_null(fit.correlation(i, j));
   object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
+  object["residual_pattern"] =
+      fit.found() && !fit.errors_from_samples ? pattern_as_json(fit.pattern) : Json(nullptr);
   object["weights"] = word_for(fit.weighting);
   object["loss"] = asked.loss;
   object["errors_from"] = fit.errors_from_samples ? "samples" : "residuals";
@@ -199,6 +265,8 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
   object["window_shifts"] = Json::array();
   for (const WindowShift& s : fit.window_shifts)
     object["window_shifts"].push_back({{"change", s.change}, {"lambda", number_or_null(s.lambda)}});
+  const auto range = range_of_lambda(fit);
+  object["lambda_range"] = range ? Json{range->first, range->second} : Json(nullptr);
   object["rows_used"] = Json::array();
   object["P_star_used"] = Json::array();
   for (const int i : fit.used) {
@@ -210,6 +278,8 @@ Json as_json(const ConsolidationSample& sample, const ConsolidationFit& fit,
     if (const std::vector<int> rows = left_out(sample, s.step); !rows.empty())
       object["rows_left_out"][s.key] = rows;
   object["warnings"] = fit.warnings;
+  object["law_asked"] = asked.law;
+  object["phi_limit"] = number_or_null(asked.phi_limit);
   return object;
 }
 
@@ -220,7 +290,8 @@ Table consolidation_table(const ConsolidationFitOptions& asked) {
   if (asked.n_bootstrap > 0)
     for (const char* column : {"bootstrap_stderr", "bootstrap_low95", "bootstrap_high95"})
       table.columns.emplace_back(column);
-  table.columns.emplace_back("stress");
+  for (const char* column : {"stress", "window_low", "window_high", "systematic"})
+    table.columns.emplace_back(column);
   return table;
 }
 
@@ -232,7 +303,7 @@ void add_rows(const ConsolidationSample& sample, const ConsolidationFit& fit,
     return std::nullopt;
   };
   for (const FittedParameter& p : fit.parameters) {
-    std::vector<TableValue> row = {sample.name, asked.law, p.name};
+    std::vector<TableValue> row = {sample.name, word_for(fit.law), p.name};
     for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
     const bool is_pressure = p.name == "P0_star" || p.name == "P1_star";
     row.push_back(is_pressure && !sample.unit.empty() ? TableValue(sample.unit) : TableValue());
@@ -246,6 +317,9 @@ void add_rows(const ConsolidationSample& sample, const ConsolidationFit& fit,
       row.push_back(b ? or_undefined(b->high95) : TableValue());
     }
     row.push_back(or_undefined(sample.stress));
+    for (TableValue& cell : cells_of_range(p, fit)) row.push_back(std::move(cell));
+    row.emplace_back();
+    if (!fit.errors_from_samples) row.back() = fit.pattern.is_systematic();
     table.rows.push_back(std::move(row));
   }
 }

@@ -14,16 +14,20 @@ namespace floc {
 /// Options of a fit of the consolidation law to load paths. Options that are texts contain the keywords that
 /// `floc fit consolidation` accepts.
 struct ConsolidationFitOptions {
-  std::string law = "full";
+  std::string law = "auto";
   std::string protocol;
   std::vector<double> window;
   double P0 = 0.0;
-  std::string loading = "first";
+  std::string loading;  ///< "first", "virgin", or empty: virgin if floc chooses the law, otherwise first
   std::string weights;
   std::string loss = "squared";
   int n_bootstrap = 0;
   std::uint64_t seed = 1;
   std::string stress = "driven";
+  double phi_limit = 1.0;  ///< largest solid fraction to which a law may tend; infinity for no bound
+
+  /// Returns whether floc chooses the law that the data support. The options --protocol and --P0 belong to the full law.
+  bool chooses_law() const { return law == "auto" && protocol.empty() && P0 <= 0.0; }
 };
 
 /// Consolidation curve of a sample, with the table rows from which it was read. The mean curve of several samples has
@@ -36,6 +40,10 @@ struct ConsolidationSample {
   /// Stress that is taken as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the
   /// axes); empty if the table has no such rows.
   std::string stress = {};
+  std::vector<PathRow> path = {};  ///< rows of the table; empty for the mean of several tables
+
+  /// Returns P* and 1/Phi of the unloadings and reloadings of the table; a row of NaN ends each.
+  std::vector<std::vector<double>> loops() const;
 };
 
 /// A kind of step of a load path, such as unloading, whose rows are left out of fits of the consolidation law. It has a
@@ -55,6 +63,10 @@ std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 /// `loading` is "virgin", the rows of later loadings at pressures above the largest pressure reached before.
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked);
 
+/// Returns the bound of solid fractions that the option --phi-limit gives: a positive number, or infinity for "none".
+/// @throws InputError with the name of the option for any other text
+double phi_limit_of(const std::string& text);
+
 /// Converts the keywords of `floc fit consolidation` to the options of fit_consolidation().
 /// @throws InputError with the name of an option that is not valid
 ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked);
@@ -62,6 +74,10 @@ ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked)
 /// Returns the samples to fit: all given samples and, if there are several, their mean as the last element.
 /// @param only_pooled  whether the mean is returned alone, without the samples
 std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled);
+
+/// Returns the smallest and the largest value of lambda for windows that begin or end one row earlier or later, and for
+/// the window fitted; absent if the law has no lambda, or if another window leaves no regime II.
+std::optional<std::pair<double, double>> range_of_lambda(const ConsolidationFit& fit);
 
 /// Fits the consolidation law to one sample.
 /// @param asked    options as keywords; only `weights` and `P0` are used, whose effect depends on the sample

@@ -19,6 +19,13 @@ Json parameters_as_json(const std::vector<FittedParameter>& parameters) {
   return object;
 }
 
+Json pattern_as_json(const ResidualPattern& pattern) {
+  return {{"correlation", number_or_null(pattern.correlation)},
+          {"smoothness_p", number_or_null(pattern.smoothness_p)},
+          {"runs_p", number_or_null(pattern.runs_p)},
+          {"systematic", pattern.is_systematic()}};
+}
+
 std::vector<TableValue> parameter_cells(const FittedParameter& p) {
   const auto cell = [](const std::optional<double>& x) { return x ? TableValue(*x) : TableValue(); };
   return {cell(p.value), cell(p.standard_error), cell(p.low95), cell(p.high95), p.identified};

@@ -45,7 +45,7 @@ std::optional<Mat<Dim>> stress_of(const std::vector<double>& components) {
   return stress;
 }
 
-double mean_size(const std::vector<double>& forces) {
+double mean_magnitude(const std::vector<double>& forces) {
   double sum = 0.0;
   for (const double f : forces) sum += std::abs(f);
   return forces.empty() ? 0.0 : sum / static_cast<double>(forces.size());
@@ -54,7 +54,7 @@ double mean_size(const std::vector<double>& forces) {
 /// Counts the contacts that carry a force and those whose friction is at its limit.
 template <int Dim>
 void count_contacts(const BalancedForces<Dim>& forces, ForcesRow& row) {
-  const double nothing = kNothing * mean_size(forces.normal_force);
+  const double nothing = kNothing * mean_magnitude(forces.normal_force);
   double sum = 0.0;
   int mobilised = 0;
   for (std::size_t k = 0; k < forces.normal_force.size(); ++k) {

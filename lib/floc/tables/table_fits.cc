@@ -6,6 +6,7 @@
 
 #include "floc/base/error.h"
 #include "floc/fitting/pressure_cycle.h"
+#include "floc/fitting/segments.h"
 #include "floc/structure/force_distribution.h"
 
 namespace floc {
@@ -30,12 +31,38 @@ Json budget_as_json(const CompactionFit& fit) {
   return budget;
 }
 
+/// Returns the rows of a first loading up to the end of its virgin line, beyond which it bends towards its densest state.
+Loading up_to_virgin_line(Loading loading) {
+  constexpr std::size_t kLeast = 5;
+  if (loading.rows.size() < kLeast) return loading;
+  const auto regimes = find_segments(law_points(loading.curve, Weighting::between));
+  if (!regimes || regimes->all_in_one || regimes->end_of_two == regimes->n_plateau) return loading;
+  const auto n = static_cast<std::size_t>(regimes->end_of_two);
+  loading.rows.resize(n);
+  loading.curve.P_star.resize(n);
+  loading.curve.phi.resize(n);
+  return loading;
+}
+
+/// Returns the largest pressure before a branch, which a first loading does not have.
+TableValue largest_before(const ReloadingFit& reloading) {
+  return reloading.is_first_loading() ? TableValue() : TableValue(reloading.branch.largest_before);
+}
+
+const char* branch_name(const ReloadingFit& reloading) {
+  return reloading.is_first_loading() ? "first loading" : "reloading";
+}
+
 }  // namespace
 
-std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path) {
+std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path, const std::string& branch) {
+  std::vector<Reloading> branches;
+  if (branch != "first") branches = reloadings(path.rows);
+  const bool with_first = branch == "first" || branch == "all" || (branch.empty() && branches.empty());
+  if (with_first) branches.push_back({up_to_virgin_line(first_loading(path.rows)), 0.0});
   std::vector<ReloadingFit> fits;
-  for (const Reloading& branch : reloadings(path.rows))
-    fits.push_back({branch, fit_preconsolidation(branch.loading.curve.P_star, branch.loading.curve.phi)});
+  for (const Reloading& one : branches)
+    fits.push_back({one, fit_preconsolidation(one.loading.curve.P_star, one.loading.curve.phi)});
   return fits;
 }
 
@@ -45,13 +72,14 @@ Json as_json(const PathTable& path, const ReloadingFit& reloading) {
   object["sample"] = path.name;
   object["refusal"] = fit.found() ? Json(nullptr) : Json(fit.failure_reason);
   object["rows_used"] = branch.loading.rows;
-  object["largest_before"] = branch.largest_before;
+  object["largest_before"] = reloading.is_first_loading() ? Json(nullptr) : Json(branch.largest_before);
   object["pressure_unit"] = path.unit.empty() ? Json(nullptr) : Json(path.unit);
   object["stress"] = path.stress.empty() ? Json(nullptr) : Json(path.stress);
   object["n_points"] = branch.loading.rows.size();
   object["parameters"] = parameters_as_json(fit.parameters);
   object["rms"] = fit.found() ? Json(fit.rms) : Json(nullptr);
   object["warnings"] = fit.warnings;
+  object["branch"] = branch_name(reloading);
   return object;
 }
 
@@ -145,7 +173,7 @@ Json as_json(const std::string& name, const std::vector<double>& forces, const F
 
 Table preconsolidation_table() {
   return {{"sample", "parameter", "value", "stderr", "low95", "high95", "identified", "unit", "largest_before",
-           "n_points", "rms", "stress"},
+           "n_points", "rms", "stress", "branch"},
           {}};
 }
 
@@ -154,10 +182,10 @@ void add_rows(const PathTable& path, const ReloadingFit& reloading, Table& table
   for (const FittedParameter& p : fit.parameters) {
     std::vector<TableValue> row = {path.name, p.name};
     for (TableValue& cell : parameter_cells(p)) row.push_back(std::move(cell));
-    row.push_back(p.name != "P_c" || path.unit.empty() ? TableValue() : TableValue(path.unit));
-    for (const TableValue& cell :
-         std::vector<TableValue>{branch.largest_before, static_cast<std::int64_t>(branch.loading.rows.size()),
-                                 fit.rms, path.stress_of_rows()})
+    row.push_back(p.name.starts_with("P_c") ? or_undefined(path.unit) : TableValue());
+    for (const TableValue& cell : std::vector<TableValue>{
+             largest_before(reloading), static_cast<std::int64_t>(branch.loading.rows.size()), fit.rms,
+             path.stress_of_rows(), branch_name(reloading)})
       row.push_back(cell);
     table.rows.push_back(std::move(row));
   }

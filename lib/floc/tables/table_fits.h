@@ -14,13 +14,17 @@
 /// Fits of `floc fit` other than those of the consolidation law and of elastic moduli, as tables and as json objects.
 namespace floc {
 
-/// A reloading branch of a load path, and the preconsolidation pressure fitted to it.
+/// A reloading branch of a load path, or its first loading, and the preconsolidation pressure fitted to it.
 struct ReloadingFit {
-  Reloading branch;
+  Reloading branch;  ///< of a first loading, `largest_before` is 0
   PreconsolidationFit fit;
+
+  bool is_first_loading() const { return branch.largest_before == 0.0; }
 };
-/// Fits a preconsolidation pressure to every reloading branch of a load path.
-std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path);
+/// Fits a preconsolidation pressure to branches of a load path.
+/// @param branch  "reloading", "first" (the first loading, up to where it bends towards its densest state), "all", or
+/// empty for the reloading branches or, if there are none, the first loading
+std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path, const std::string& branch = "");
 /// Returns the table of `floc fit preconsolidation`, with its columns and without rows.
 Table preconsolidation_table();
 /// Adds a row for each fitted parameter to the table of `floc fit preconsolidation`.

@@ -6,6 +6,7 @@ namespace floc {
 
 // Each of the following functions adds one subcommand of `floc fit`, which is defined in a source file of its own.
 Command add_fit_consolidation(CommandLine fit);
+Command add_fit_compression(CommandLine fit);
 Command add_fit_preconsolidation(CommandLine fit);
 Command add_fit_elastic(CommandLine fit);
 Command add_fit_cycle(CommandLine fit);

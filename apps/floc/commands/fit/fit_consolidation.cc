@@ -19,6 +19,7 @@ struct ConsolidationArguments {
   std::vector<std::string> inputs;
   ConsolidationFitOptions fit;
   std::string columns;
+  std::string phi_limit = "1";
   std::string plot;
   Printing printing;
 };
@@ -55,6 +56,50 @@ std::string change_text(const std::optional<ChangePoint>& change, const Consolid
                      at(change->first - 1), at(change->first), at(change->low95 - 1), at(change->high95));
 }
 
+/// Returns whether the points before regime II lie on a line that surely falls, and are not a plateau.
+bool is_recompressed(const ConsolidationFit& fit) {
+  const FittedParameter* kappa = fit.find("kappa");
+  return kappa && kappa->low95.value_or(0.0) > 0.0;
+}
+
+/// Returns a parameter with its 95 % interval as text; empty if the fit has no value of it.
+std::string quoted(const ConsolidationFit& fit, const char* name, const char* symbol) {
+  const FittedParameter* p = fit.find(name);
+  if (!p || !p->value) return "";
+  const std::string text = fmt::format("{} = {:.4g}", symbol, *p->value);
+  return p->low95 && p->high95 ? text + fmt::format(" ({:.4g} to {:.4g})", *p->low95, *p->high95) : text;
+}
+
+/// Returns what a reader quotes of a fit: the slopes, the yield pressure, the window and how much lambda depends on it.
+std::string headline(const ConsolidationFit& fit) {
+  std::vector<std::string> parts;
+  const bool yields = fit.n_plateau > 0;
+  for (const auto& [name, symbol] : {std::pair{"lambda", "lambda"},
+                                     {"kappa", "kappa"},
+                                     {"C_c", "C_c"},
+                                     {"C_s", "C_s"},
+                                     {yields ? "P0_star" : "", "yield pressure P0*"},
+                                     {"Phi_max", "Phi_max"}})
+    if (std::string text = quoted(fit, name, symbol); !text.empty()) parts.push_back(std::move(text));
+  parts.push_back(fmt::format("window {:.6g} to {:.6g}", fit.window_low, fit.window_high));
+  if (const auto range = range_of_lambda(fit))
+    parts.push_back(
+        fmt::format("lambda {:.4g} to {:.4g} if the window moves by a row", range->first, range->second));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+const char* law_in_words(const ConsolidationFit& fit) {
+  switch (fit.law) {
+    case ConsolidationLaw::log:
+      return "log law (the line of regime II)";
+    case ConsolidationLaw::power:
+      return "power law (regime III)";
+    case ConsolidationLaw::full:
+      return "full law (regimes II and III)";
+  }
+  return "";
+}
+
 /// Prints on stderr a summary of a fit and the warnings about it.
 /// @param n_asked  number of resampled fits that --bootstrap requires; 0 without bootstrap
 void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int n_asked) {
@@ -62,6 +107,7 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
     spdlog::warn("{}: the consolidation law cannot be fitted: {}", sample.name, fit.failure_reason);
     return;
   }
+  spdlog::info("{}: {}, with 95 % intervals: {}", sample.name, law_in_words(fit), headline(fit));
   std::vector<int> rows;
   // Row numbers exist only for a sample that was read from a table, not for the mean of several samples.
   for (const int i : fit.used)
@@ -72,13 +118,14 @@ void log_fit(const ConsolidationSample& sample, const ConsolidationFit& fit, int
       "errors from {}",
       sample.name, fit.used.size(), fit.window_low, fit.window_high,
       rows.empty() ? "" : ", rows " + ranges(rows),
-      fit.n_plateau > 0
-          ? fmt::format("; the {} pressures below them form the plateau of regime I", fit.n_plateau)
-          : "",
+      fit.n_plateau > 0 ? fmt::format("; the {} pressures below them form the {}", fit.n_plateau,
+                                      is_recompressed(fit) ? "recompression line" : "plateau of regime I")
+                        : "",
       fit.rms, fit.errors_from_samples ? "the scatter between samples" : "the residuals");
   if (fit.regimes) {
     const std::string pieces =
-        change_text(fit.regimes->plateau_end, sample.loading.curve, "the plateau of regime I ends") +
+        change_text(fit.regimes->plateau_end, sample.loading.curve,
+                    is_recompressed(fit) ? "the recompression line ends" : "the plateau of regime I ends") +
         change_text(fit.regimes->onset_three, sample.loading.curve, "regime III begins");
     // Each text that change_text() returns begins with "; ". This is removed from the first text.
     if (!pieces.empty()) spdlog::info("{}: {}", sample.name, pieces.substr(2));
@@ -124,7 +171,8 @@ void warn_of_missing_pressures(const std::vector<ConsolidationSample>& read,
         n_common, n_of_first, read.front().name, read.size());
 }
 
-int fit_tables(const ConsolidationArguments& arguments) {
+int fit_tables(ConsolidationArguments arguments) {
+  arguments.fit.phi_limit = phi_limit_of(arguments.phi_limit);
   const ConsolidationOptions options = consolidation_options(arguments.fit);
   Printing printing = arguments.printing;
   const ColumnNames columns =
@@ -156,7 +204,7 @@ int fit_tables(const ConsolidationArguments& arguments) {
   // `fit` is the last fit: that of the mean of the samples if there are several, otherwise that of the only sample.
   if (!arguments.plot.empty() && !samples.empty() && fit.found())
     write_plot(arguments.plot, plot_of_fit({samples.back().name, samples.back().unit, samples.back().stress,
-                                            samples.back().loading.curve, fit}));
+                                            samples.back().loading.curve, fit, samples.back().loops()}));
   constexpr std::size_t kOfParameters = 8;
   print_fit(array, table, kOfParameters, printing);
   return code;
@@ -173,10 +221,11 @@ Command add_fit_consolidation(CommandLine fit) {
                  "tables with the columns P_star (reduced pressure), phi (solid fraction) or void_ratio, and "
                  "optionally branch; or directories of `floc run`; - for a table on stdin")
       .required();
-  app.add_option("--law", arguments->fit.law,
-                 "law to fit: log (the line of regime II), power (the power law of regime III) or full (both "
-                 "regimes) [full]")
-      .one_of({"log", "power", "full"});
+  app.add_option(
+         "--law", arguments->fit.law,
+         "law to fit: auto (the one that the data support), log (the line of regime II), power (the power "
+         "law of regime III) or full (both regimes) [auto; with --protocol or --P0 full]")
+      .one_of({"auto", "log", "power", "full"});
   app.add_option("--window", arguments->fit.window,
                  "LOW,HIGH: fit only the rows with reduced pressures P* from LOW to HIGH [a window that is "
                  "found from the data]")
@@ -195,7 +244,7 @@ Command add_fit_consolidation(CommandLine fit) {
       .excludes("--window");
   app.add_option("--loading", arguments->fit.loading,
                  "rows to fit. first: only the first loading; virgin: also later loadings at pressures above "
-                 "the largest pressure reached before [first]")
+                 "the largest pressure reached before [virgin with --law auto, otherwise first]")
       .one_of({"first", "virgin"});
   app.add_option("--weights", arguments->fit.weights,
                  "assumed errors of the inverse solid fraction 1/Phi, which determine the weights: uniform "
@@ -205,6 +254,10 @@ Command add_fit_consolidation(CommandLine fit) {
   app.add_option("--loss", arguments->fit.loss,
                  "loss function, which sets the weight of outliers: squared, huber or cauchy [squared]")
       .one_of({"squared", "huber", "cauchy"});
+  app.add_option(
+      "--phi-limit", arguments->phi_limit,
+      "largest solid fraction to which a law may tend at high pressure, or none for no bound, as for "
+      "densities measured in a die under load [1]");
   app.add_option("--bootstrap", arguments->fit.n_bootstrap,
                  "N: also estimate errors by the bootstrap, from N resampled fits [no bootstrap]")
       .within(ConsolidationOptions::kBootstrap);

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <memory>
@@ -13,6 +14,7 @@ namespace {
 
 struct PreconsolidationArguments {
   std::vector<std::string> inputs;
+  std::string branch;
   std::string columns;
   Printing printing;
 };
@@ -26,7 +28,7 @@ int fit_tables(const PreconsolidationArguments& arguments) {
   const int code = for_each_table(arguments.inputs, [&](const std::string& file) {
     const PathTable path = read_path(file, columns);
     log_notes(path);
-    const std::vector<ReloadingFit> fits = preconsolidation_fits(path);
+    const std::vector<ReloadingFit> fits = preconsolidation_fits(path, arguments.branch);
     if (fits.empty()) {
       spdlog::warn(
           "{}: no preconsolidation pressure can be fitted: the pressure does not rise again after it has "
@@ -39,16 +41,18 @@ int fit_tables(const PreconsolidationArguments& arguments) {
     int worst = kDone;
     for (const ReloadingFit& reloading : fits) {
       const auto& [branch, fit] = reloading;
-      const std::string rows = ranges(branch.loading.rows);
+      const std::string what =
+          fmt::format("{} in rows {}", reloading.is_first_loading() ? "first loading" : "reloading branch",
+                      ranges(branch.loading.rows));
       if (!fit.found()) {
-        spdlog::warn("{}: reloading branch in rows {}: no preconsolidation pressure can be fitted: {}",
-                     path.name, rows, fit.failure_reason);
+        spdlog::warn("{}: {}: no preconsolidation pressure can be fitted: {}", path.name, what,
+                     fit.failure_reason);
         worst = worse(worst, kNotConverged);
       } else {
-        spdlog::info(
-            "{}: a preconsolidation pressure was fitted to the reloading branch in rows {}; the largest "
-            "pressure before it is {:.6g}",
-            path.name, rows, branch.largest_before);
+        spdlog::info("{}: a preconsolidation pressure was fitted to the {}{}", path.name, what,
+                     reloading.is_first_loading()
+                         ? ""
+                         : fmt::format("; the largest pressure before it is {:.6g}", branch.largest_before));
       }
       for (const std::string& warning : fit.warnings) spdlog::warn("{}: warning: {}", path.name, warning);
       array.push_back(as_json(path, reloading));
@@ -64,13 +68,18 @@ int fit_tables(const PreconsolidationArguments& arguments) {
 
 Command add_fit_preconsolidation(CommandLine fit) {
   auto arguments = std::make_shared<PreconsolidationArguments>();
-  CommandLine app = fit.add_subcommand(
-      "preconsolidation",
-      "fit the preconsolidation pressure of overconsolidated samples to their reloading branches");
+  CommandLine app = fit.add_subcommand("preconsolidation",
+                                       "fit the preconsolidation pressure of overconsolidated samples, to "
+                                       "reloading branches or a first loading");
   app.add_option("TABLE", arguments->inputs,
                  "tables with the columns P_star (reduced pressure), phi (solid fraction) or void_ratio, and "
                  "optionally branch; or directories of `floc run`; - for a table on stdin")
       .required();
+  app.add_option(
+         "--branch", arguments->branch,
+         "branches to fit: reloading, first (the first loading, with the yield of a sample that was loaded "
+         "before) or all [reloading; without a reloading branch, first]")
+      .one_of({"reloading", "first", "all"});
   add_columns_option(app, arguments->columns, "P_star, phi, void_ratio or another density, branch");
   add_printing_options(app, arguments->printing);
   return {app, [arguments] { return fit_tables(*arguments); }};

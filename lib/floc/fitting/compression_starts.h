@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "floc/fitting/compression_models.h"
+
+namespace floc {
+
+/// Points of a compression curve in the order of growing pressure.
+struct CompressionPoints {
+  Eigen::VectorXd P;       ///< pressures, > 0
+  Eigen::VectorXd D;       ///< solid fractions, > 0
+  Eigen::VectorXd weight;  ///< factors by which the residuals of D are multiplied
+
+  CompressionPoints range(Eigen::Index first, Eigen::Index n) const {
+    return {P.segment(first, n), D.segment(first, n), weight.segment(first, n)};
+  }
+};
+
+/// Returns starting points of theta for a model, from straight lines in the coordinates in which the model is linear and
+/// from grids of its other coordinates. There are none if the solid fraction does not grow with pressure.
+/// @param D0  solid fraction without pressure, if it is given; otherwise 0
+template <class Model>
+std::vector<Eigen::VectorXd> starts_of(const CompressionPoints& points, double D0);
+template <>
+std::vector<Eigen::VectorXd> starts_of<HeckelModel>(const CompressionPoints& points, double D0);
+template <>
+std::vector<Eigen::VectorXd> starts_of<KawakitaModel>(const CompressionPoints& points, double D0);
+template <>
+std::vector<Eigen::VectorXd> starts_of<CooperEatonModel>(const CompressionPoints& points, double D0);
+template <>
+std::vector<Eigen::VectorXd> starts_of<WalkerModel>(const CompressionPoints& points, double D0);
+template <>
+std::vector<Eigen::VectorXd> starts_of<GurnhamModel>(const CompressionPoints& points, double D0);
+template <>
+std::vector<Eigen::VectorXd> starts_of<AdamsModel>(const CompressionPoints& points, double D0);
+
+/// Returns the longest part of a curve in which ln[1/(1 - D)] is a straight function of the pressure, as its first point
+/// and its number of points: all of the curve if no part of four points or more is straight. Points with D >= 1 belong to
+/// no straight part.
+std::pair<int, int> straight_part(const CompressionPoints& points);
+
+}  // namespace floc

@@ -1,0 +1,101 @@
+#include "floc/fitting/residual_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/fitting/incomplete_beta.h"
+#include "floc/fitting/least_squares.h"
+#include "floc/fitting/regimes.h"
+
+namespace floc {
+namespace {
+
+/// Each of the two tests is wrong in this share of the fits to independent data.
+constexpr double kLevel = 0.005;
+
+double log_choose(int n, int k) {
+  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
+}
+
+/// Returns the number of sequences of `n` signs in `runs` runs, as a factor of exp(-log_all): the number of ways to cut
+/// n_plus signs and n_minus signs into alternating runs.
+double share_with_runs(int runs, int n_plus, int n_minus, double log_all) {
+  const auto ways = [&](int of_plus, int of_minus) {
+    if (of_plus < 1 || of_minus < 1 || of_plus > n_plus || of_minus > n_minus) return 0.0;
+    return std::exp(log_choose(n_plus - 1, of_plus - 1) + log_choose(n_minus - 1, of_minus - 1) - log_all);
+  };
+  const int half = runs / 2;
+  return runs % 2 == 0 ? 2.0 * ways(half, half) : ways(half + 1, half) + ways(half, half + 1);
+}
+
+/// Returns the probability of as few runs of equal signs as the residuals have, given the numbers of both signs.
+double runs_probability(const Eigen::VectorXd& r) {
+  const auto n = static_cast<int>(r.size());
+  const auto n_plus = static_cast<int>((r.array() > 0.0).count());
+  int runs = 1;
+  for (int k = 1; k < n; ++k) runs += (r[k] > 0.0) != (r[k - 1] > 0.0);
+  if (n_plus == 0 || n_plus == n) return 1.0;
+  double p = 0.0;
+  for (int k = 2; k <= runs; ++k) p += share_with_runs(k, n_plus, n - n_plus, log_choose(n, n_plus));
+  return std::min(p, 1.0);
+}
+
+/// Returns the probability that the ratio of von Neumann of the residuals of a fit to independent data is below `ratio`.
+double smoothness_probability(double ratio, const Eigen::MatrixXd& hat) {
+  const Eigen::Index n = hat.rows();
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(n, n);  // r^T differences r = sum (r_k+1 - r_k)^2
+  for (Eigen::Index k = 0; k + 1 < n; ++k) {
+    differences(k, k) += 1.0;
+    differences(k + 1, k + 1) += 1.0;
+    differences(k, k + 1) = differences(k + 1, k) = -1.0;
+  }
+  const Eigen::MatrixXd of_residuals = differences - hat * differences;
+  const double dof = static_cast<double>(n) - hat.trace();
+  const double trace = of_residuals.trace();
+  const double square = of_residuals.cwiseProduct(of_residuals.transpose()).sum();
+  const double mean = trace / dof;
+  const double variance = (2.0 * square + trace * trace) / (dof * (dof + 2.0)) - mean * mean;
+  constexpr double kLargest = 4.0;
+  const double m = mean / kLargest, v = variance / (kLargest * kLargest);
+  if (!(v > 0.0) || !(m > 0.0) || !(m < 1.0)) return 1.0;
+  const double both = m * (1.0 - m) / v - 1.0;
+  if (!(both > 0.0)) return 1.0;
+  return incomplete_beta(m * both, (1.0 - m) * both, std::clamp(ratio / kLargest, 0.0, 1.0));
+}
+
+}  // namespace
+
+bool ResidualPattern::is_systematic() const {
+  return smoothness_p < kLevel || runs_p < kLevel;
+}
+
+double ResidualPattern::variance_factor() const {
+  // Correlated residuals count as a smaller number of independent ones, which would be zero at a correlation of 1.
+  constexpr double kMost = 0.9;
+  if (!is_systematic()) return 1.0;
+  const double r = std::clamp(correlation, 0.0, kMost);
+  return (1.0 + r) / (1.0 - r);
+}
+
+ResidualPattern residual_pattern(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& hat) {
+  const Eigen::Index n = residuals.size();
+  ResidualPattern pattern;
+  constexpr double kMinFree = 2.5;
+  const double squares = residuals.squaredNorm();
+  const bool is_rounding = squares < static_cast<double>(n) * kRoundingOfTables * kRoundingOfTables;
+  if (is_rounding || static_cast<double>(n) - hat.trace() < kMinFree) return pattern;
+  const Eigen::VectorXd steps = residuals.tail(n - 1) - residuals.head(n - 1);
+  pattern.correlation = residuals.head(n - 1).dot(residuals.tail(n - 1)) / squares;
+  pattern.smoothness_p = smoothness_probability(steps.squaredNorm() / squares, hat);
+  pattern.runs_p = runs_probability(residuals);
+  return pattern;
+}
+
+Eigen::MatrixXd projection_on(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd covariance = unit_covariance(columns);
+  for (Eigen::Index k = 0; k < covariance.rows(); ++k)
+    if (!std::isfinite(covariance(k, k))) covariance.row(k).setZero(), covariance.col(k).setZero();
+  return columns * covariance * columns.transpose();
+}
+
+}  // namespace floc

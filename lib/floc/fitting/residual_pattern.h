@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace floc {
+
+/// What the sequence of the residuals of a fit tells: whether they are noise, or whether they follow each other, as those
+/// of a law that is not the law of the data, or of a curve that moves in steps.
+struct ResidualPattern {
+  double correlation = 0.0;  ///< correlation of neighbouring residuals
+  /// Probability that independent residuals of the fit would be as smooth as these, by the ratio of von Neumann.
+  double smoothness_p = 1.0;
+  /// Probability that independent residuals would change their sign as rarely as these, by the runs test of Wald and
+  /// Wolfowitz.
+  double runs_p = 1.0;
+
+  /// Returns true if independent residuals would show this pattern in less than one of a hundred fits.
+  bool is_systematic() const;
+  /// Returns the factor by which the variance of a mean is larger than for independent residuals, (1 + r)/(1 - r) for
+  /// residuals whose correlation r falls off geometrically; 1 unless the residuals are systematic.
+  double variance_factor() const;
+};
+
+/// Finds the pattern in the residuals of a fit.
+///
+/// The ratio of von Neumann, sum (r_k+1 - r_k)^2 / sum r_k^2, is compared with its distribution for residuals of this
+/// fit of independent normal data: a beta distribution on (0, 4) with the exact mean and variance, which depend on the
+/// Jacobian [DW1951]. Residuals that are only rounding have no pattern.
+/// @param residuals  weighted residuals in the order of the points
+/// @param hat        matrix that projects on the columns of the Jacobian of the residuals
+[[nodiscard]] ResidualPattern residual_pattern(const Eigen::VectorXd& residuals, const Eigen::MatrixXd& hat);
+
+/// Returns the matrix that projects on the columns of a matrix; columns of zeros do not count.
+[[nodiscard]] Eigen::MatrixXd projection_on(const Eigen::MatrixXd& columns);
+
+}  // namespace floc

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace floc {
+
+/// Two straight lines that pass into each other in a round bend:
+///
+///   y = level + slope_below (x - bend) + (slope_above - slope_below) s(x - bend),  s(d) = width ln[1 + exp(d/width)]
+///
+/// The lines meet at x = bend. With width = 0 the bend is sharp, s(d) = max(d, 0).
+struct RoundBend {
+  double bend = 0.0, width = 0.0;
+  double level = 0.0, slope_below = 0.0, slope_above = 0.0;
+  double sum_of_squares = 0.0;
+
+  double at(double x) const;
+};
+
+/// Least-squares fit of a round bend, and the profile of its sum of squares over the place of the bend.
+struct RoundBendFit {
+  RoundBend best;
+  /// Places of the bend on a grid from the second to the last but one x, and the smallest sum of squares for each.
+  Eigen::VectorXd places, profile;
+  Eigen::VectorXd residuals;  ///< data minus fit
+  Eigen::MatrixXd jacobian;   ///< derivatives of the fit by level, both slopes, bend and, if it is not 0, width
+};
+
+/// Fits a round bend. The width is searched for from 0, a sharp bend, to a tenth of the range of x.
+/// @param x         growing; five points or more
+/// @param is_round  whether the width is fitted; otherwise the bend is sharp
+[[nodiscard]] RoundBendFit fit_round_bend(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, bool is_round);
+
+}  // namespace floc

@@ -1,0 +1,120 @@
+#include "floc/fitting/supported_law.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "floc/fitting/segments.h"
+
+namespace floc {
+namespace {
+
+using Law = ConsolidationLaw;
+
+bool is_within_factor(const FittedParameter* p, double factor) {
+  return p && p->value && p->identified && p->low95 && p->high95 && *p->high95 <= factor * *p->low95;
+}
+
+/// Returns whether the data determine the parameters of a fit of the full law well enough to quote them.
+bool is_supported(const ConsolidationFit& full) {
+  constexpr double kLambda = 3.0, kAlpha = 5.0;
+  const FittedParameter* phi_max = full.found() ? full.find("Phi_max") : nullptr;
+  return phi_max && phi_max->value && phi_max->identified && is_within_factor(full.find("lambda"), kLambda) &&
+         is_within_factor(full.find("alpha"), kAlpha) && !full.pattern.is_systematic();
+}
+
+ConsolidationFit fit_as(Law law, const ConsolidationCurve& curve, ConsolidationOptions options) {
+  options.law = law;
+  return fit_consolidation(curve, options);
+}
+
+/// Returns a slope against ln P* as a slope against the decimal logarithm.
+FittedParameter per_decade(FittedParameter p, const char* name) {
+  p.name = name;
+  for (auto* number : {&p.value, &p.standard_error, &p.low95, &p.high95})
+    if (*number) *number = **number * std::numbers::ln10;
+  return p;
+}
+
+/// Puts lambda and kappa first, and after them the indices of compression and of swelling, C_c and C_s.
+void add_indices(ConsolidationFit& fit) {
+  std::vector<FittedParameter> indices;
+  if (const FittedParameter* lambda = fit.find("lambda")) indices.push_back(per_decade(*lambda, "C_c"));
+  if (const FittedParameter* kappa = fit.find("kappa")) indices.push_back(per_decade(*kappa, "C_s"));
+  // lambda comes first, kappa second, as far as the law has them.
+  fit.parameters.insert(fit.parameters.begin() + static_cast<std::ptrdiff_t>(indices.size()), indices.begin(),
+                        indices.end());
+}
+
+/// Returns the pressure at which regime III begins, from the pressures of the curve between which the change lies.
+FittedParameter onset_of(const ChangePoint& change, const ConsolidationCurve& curve) {
+  const auto last = static_cast<int>(curve.P_star.size()) - 1;
+  const auto at = [&](int i) { return curve.P_star[static_cast<std::size_t>(std::clamp(i, 0, last))]; };
+  FittedParameter P1{"P1_star", std::sqrt(at(change.first - 1) * at(change.first)), {}, {}, {}, true};
+  P1.low95 = at(change.low95 - 1);
+  if (change.high95 <= last) P1.high95 = at(change.high95);
+  P1.identified = P1.high95.has_value();
+  if (!P1.identified) P1.value = std::nullopt;
+  return P1;
+}
+
+/// Adds alpha, Phi_max and P1* to a fit of the line of regime II: those of the points beyond, or bounds.
+void add_beyond(const ConsolidationCurve& curve, const ConsolidationOptions& options, ConsolidationFit& line) {
+  FittedParameter alpha = bounded_below("alpha", std::nullopt);
+  FittedParameter phi_max = bounded_below("Phi_max", curve.phi.back());
+  phi_max.high95 = std::isfinite(options.phi_limit) ? std::optional(options.phi_limit) : std::nullopt;
+  FittedParameter P1 = bounded_below("P1_star", line.window_high);
+  if (line.regimes && line.regimes->onset_three) {
+    P1 = onset_of(*line.regimes->onset_three, curve);
+    const ConsolidationFit power = fit_as(Law::power, curve, options);
+    if (power.found() && !power.pattern.is_systematic()) {
+      if (const FittedParameter* p = power.find("alpha"); p->identified) alpha = *p;
+      if (const FittedParameter* p = power.find("Phi_max")) phi_max = *p;
+    }
+  }
+  const auto after_indices = std::find_if(line.parameters.begin(), line.parameters.end(),
+                                          [](const FittedParameter& p) { return p.name == "Phi0"; });
+  line.parameters.insert(after_indices, {alpha, phi_max, P1});
+}
+
+/// Adds to a fit of the power law that the curve has no regime II, and therefore no lambda.
+ConsolidationFit without_two(ConsolidationFit power) {
+  if (!power.found()) return power;
+  power.parameters.insert(power.parameters.begin(), bounded_below("lambda", std::nullopt));
+  power.warnings.emplace_back(
+      "no regime II was found, because the power law of regime III begins where the solid fraction begins to "
+      "grow: "
+      "lambda is not identified (--law full fits both regimes)");
+  return power;
+}
+
+}  // namespace
+
+ConsolidationFit fit_supported_law(const ConsolidationCurve& curve, ConsolidationOptions options) {
+  options.widen = true;
+  options.regimes = std::nullopt;
+  constexpr Eigen::Index kMinSamples = 3;
+  // A table does not tell whether its errors are those of 1/Phi or of Phi.
+  if (options.weighting == Weighting::automatic && curve.samples.cols() < kMinSamples)
+    options.weighting = Weighting::between;
+  if (!options.window) {
+    const auto n = static_cast<int>(curve.phi.size());
+    constexpr int kEnough = 5;  // fewer points leave no choice among segments
+    if (n >= kEnough) options.regimes = find_segments(law_points(curve, Weighting::between));
+    if (options.regimes && options.regimes->all_in_one) return fit_as(Law::log, curve, options);
+  }
+  ConsolidationFit full = fit_as(Law::full, curve, options);
+  if (is_supported(full)) {
+    add_indices(full);
+    return full;
+  }
+  if (options.regimes && options.regimes->end_of_two == options.regimes->n_plateau)
+    return without_two(fit_as(Law::power, curve, options));
+  ConsolidationFit line = fit_as(Law::log, curve, options);
+  if (!line.found()) return line;
+  add_indices(line);
+  add_beyond(curve, options, line);
+  return line;
+}
+
+}  // namespace floc

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "floc/fitting/consolidation.h"
+#include "floc/fitting/law_estimate.h"
+
+namespace floc {
+
+/// Window of points to which a consolidation law is fitted: index of its first point, number of points, and
+/// number of points of the plateau or recompression line right before it.
+struct Window {
+  int first, n;
+  int n_plateau;
+};
+
+/// Finds the pattern in the residuals of a fit to a single curve, and warns if they are systematic.
+void check_residuals(const LawEstimate& estimate, ConsolidationFit& fit);
+
+/// Warns if the plateau of regime I is not level, as in the recompression of a soil, although the fit takes it as level:
+/// P0* is then the pressure at which the line of regime II meets the mean level of the plateau. The warning gives the
+/// pressure at which it meets a sloping line through the plateau.
+void check_plateau(const LawEstimate& estimate, ConsolidationFit& fit);
+
+/// Moves one end of the range of fitted points by one point and fits the law again, for both ends and both directions.
+/// Warns if lambda, the slope of regime II, changes by more than its standard error.
+/// @param all  all points of the curve
+void shift_window(const LawEstimate& estimate, const LawPoints& all, const Window& window,
+                  ConsolidationFit& fit);
+
+}  // namespace floc

@@ -1,0 +1,46 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+/// A tablet that follows Heckel's law, with pressures in MPa.
+std::string tablet() {
+  std::string text = "p [MPa],D\n";
+  for (double p = 5; p < 300; p += 15) text += fmt::format("{},{:.6f}\n", p, 1 - std::exp(-0.55 - p / 85));
+  return text;
+}
+
+TEST(FitCompression, TheBestLawComesFirstWithItsUnits) {
+  const Outcome o = run_floc("fit compression - --columns P=p,phi=D --format json", ".", tablet());
+  ASSERT_EQ(o.code, 0) << o.err;
+  const json fits = json::parse(o.out);
+  ASSERT_EQ(fits.size(), 6u);
+  EXPECT_EQ(fits[0]["law"], "heckel");
+  EXPECT_NEAR(fits[0]["parameters"]["P_y"]["value"], 85.0, 1e-2);
+  EXPECT_EQ(fits[0]["delta_aicc"], 0.0);
+  EXPECT_EQ(fits[0]["density"], "out-of-die");
+  for (std::size_t k = 1; k < fits.size(); ++k) EXPECT_GE(fits[k]["delta_aicc"], fits[k - 1]["delta_aicc"]);
+  EXPECT_THAT(o.err, HasSubstr("AICc"));
+  const Outcome one = run_floc("fit compression - --columns P=p,phi=D --law heckel --format csv", ".", tablet());
+  EXPECT_THAT(one.out, HasSubstr("heckel,P_y,"));
+  EXPECT_THAT(one.out, HasSubstr(",MPa,"));
+}
+
+TEST(FitCompression, BadInputIsRefused) {
+  EXPECT_EQ(run_floc("fit compression - --law cubic", ".", tablet()).code, 2);
+  EXPECT_EQ(run_floc("fit compression - --columns P=p,phi=D --phi-limit much", ".", tablet()).code, 4);
+  EXPECT_EQ(run_floc("fit compression -", ".", "P,phi\n1,0.5\n2,0.6\n").code, 3);
+}
+
+}  // namespace
+}  // namespace floc::test

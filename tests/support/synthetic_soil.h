@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "floc/base/random.h"
+#include "floc/fitting/consolidation.h"
+#include "floc/fitting/consolidation_law.h"
+#include "support/published_consolidation.h"
+
+namespace floc::test {
+
+/// A clay: 1/Phi falls by kappa for each unit of ln P up to the yield pressure, and by lambda beyond.
+struct TwoLineClay {
+  double kappa = 0.03, lambda = 0.2, P_yield = 95.0, y_yield = 1.9;
+
+  double inverse_phi(double P) const {
+    const double x = std::log(P / P_yield);
+    return y_yield - (x < 0.0 ? kappa : lambda) * x;
+  }
+};
+
+/// A kind of errors of a curve, and their size.
+struct Noise {
+  enum Kind { of_inverse, of_fraction, relative } kind;
+  double size;
+
+  double spoil(double phi, RandomStream& random) const {
+    const double error = size * random.normal();
+    if (kind == of_inverse) return 1.0 / (1.0 / phi + error);
+    return kind == of_fraction ? phi + error : phi * (1.0 + error);
+  }
+};
+
+/// Returns `n` pressures with equal ratios, from low to high.
+inline std::vector<double> geometric_pressures(double low, double high, int n) {
+  std::vector<double> P;
+  for (int i = 0; i < n; ++i) P.push_back(low * std::pow(high / low, i / (n - 1.0)));
+  return P;
+}
+
+/// Returns a law of the solid fraction at given pressures, with errors.
+inline ConsolidationCurve noisy_curve(const std::function<double(double)>& phi_of,
+                                      const std::vector<double>& pressures, const Noise& noise,
+                                      RandomStream& random) {
+  ConsolidationCurve curve;
+  for (const double P : pressures) {
+    curve.P_star.push_back(P);
+    curve.phi.push_back(noise.spoil(phi_of(P), random));
+  }
+  return curve;
+}
+
+}  // namespace floc::test

@@ -1,0 +1,71 @@
+#include "floc/fitting/residual_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "floc/base/random.h"
+#include "floc/fitting/incomplete_beta.h"
+
+namespace floc {
+namespace {
+
+TEST(IncompleteBeta, HasItsClosedForms) {
+  for (const double x : {0.0, 0.05, 0.3, 0.5, 0.8, 0.99, 1.0}) {
+    EXPECT_NEAR(incomplete_beta(1.0, 1.0, x), x, 1e-12);
+    EXPECT_NEAR(incomplete_beta(3.0, 1.0, x), x * x * x, 1e-12);
+    EXPECT_NEAR(incomplete_beta(1.0, 4.0, x), 1.0 - std::pow(1.0 - x, 4), 1e-12);
+    EXPECT_NEAR(incomplete_beta(0.5, 0.5, x), 2.0 / M_PI * std::asin(std::sqrt(x)), 1e-12);
+    EXPECT_NEAR(incomplete_beta(40.0, 60.0, x) + incomplete_beta(60.0, 40.0, 1.0 - x), 1.0, 1e-12);
+  }
+}
+
+/// Residuals of a straight line through y.
+Eigen::VectorXd of_line(const Eigen::VectorXd& y, const Eigen::MatrixXd& hat) {
+  return y - hat * y;
+}
+
+Eigen::MatrixXd line_hat(Eigen::Index n) {
+  Eigen::MatrixXd columns(n, 2);
+  columns.col(0).setOnes();
+  columns.col(1).setLinSpaced(n, 0.0, 1.0);
+  return projection_on(columns);
+}
+
+TEST(ResidualPattern, IndependentResidualsAreSystematicInOneOfAHundred) {
+  constexpr int kDraws = 4000;
+  for (const Eigen::Index n : {8, 15, 40}) {
+    const Eigen::MatrixXd hat = line_hat(n);
+    RandomStream random(7, 0);
+    int systematic = 0, low = 0;
+    for (int draw = 0; draw < kDraws; ++draw) {
+      const Eigen::VectorXd noise = Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
+      const ResidualPattern pattern = residual_pattern(of_line(noise, hat), hat);
+      systematic += pattern.is_systematic();
+      low += pattern.smoothness_p < 0.1;
+    }
+    EXPECT_LE(systematic, 0.013 * kDraws) << n;
+    // The probability itself is uniformly distributed: four standard deviations are 0.019.
+    EXPECT_NEAR(low / static_cast<double>(kDraws), 0.1, 0.019) << n;
+  }
+}
+
+TEST(ResidualPattern, AParabolaUnderAStraightLineIsSystematic) {
+  constexpr Eigen::Index kPoints = 20;
+  const Eigen::MatrixXd hat = line_hat(kPoints);
+  RandomStream random(3, 0);
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(kPoints, -1.0, 1.0);
+  const Eigen::VectorXd y =
+      x.cwiseProduct(x) + Eigen::VectorXd::NullaryExpr(kPoints, [&] { return 0.05 * random.normal(); });
+  const ResidualPattern pattern = residual_pattern(of_line(y, hat), hat);
+  EXPECT_TRUE(pattern.is_systematic());
+  EXPECT_GT(pattern.variance_factor(), 3.0);
+}
+
+TEST(ResidualPattern, RoundingHasNone) {
+  const Eigen::MatrixXd hat = line_hat(10);
+  EXPECT_FALSE(residual_pattern(Eigen::VectorXd::Constant(10, 1e-12), hat).is_systematic());
+}
+
+}  // namespace
+}  // namespace floc

@@ -1,0 +1,137 @@
+#include "floc/fitting/supported_law.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "floc/base/infinity.h"
+#include "support/coverage.h"
+#include "support/synthetic_soil.h"
+
+namespace floc::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+double value_in(const ConsolidationFit& fit, const std::string& name) {
+  const FittedParameter* p = fit.find(name);
+  return p && p->value ? *p->value : std::nan("");
+}
+
+ConsolidationCurve exact_curve(const std::function<double(double)>& phi_of,
+                               const std::vector<double>& pressures) {
+  RandomStream unused(0, 0);
+  return noisy_curve(phi_of, pressures, {Noise::relative, 0.0}, unused);
+}
+
+double heckel(double P) {
+  return 1.0 - std::exp(-0.55 - P / 85.0);
+}
+
+TEST(SupportedLaw, ARecompressionLineThatSlopesHasItsKappaAndYields) {
+  const TwoLineClay clay;
+  const auto fit = fit_supported_law(
+      exact_curve([&](double P) { return 1.0 / clay.inverse_phi(P); }, geometric_pressures(6.0, 3072.0, 10)),
+      {});
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
+  EXPECT_EQ(fit.law, ConsolidationLaw::log);
+  EXPECT_NEAR(value_in(fit, "lambda"), clay.lambda, 1e-9);
+  EXPECT_NEAR(value_in(fit, "kappa"), clay.kappa, 1e-9);
+  EXPECT_NEAR(value_in(fit, "P0_star"), clay.P_yield, 1e-6);
+  EXPECT_NEAR(value_in(fit, "Phi0"), 1.0 / clay.y_yield, 1e-9);
+  EXPECT_NEAR(value_in(fit, "C_c"), std::log(10.0) * clay.lambda, 1e-8);
+  EXPECT_NEAR(value_in(fit, "C_s"), std::log(10.0) * clay.kappa, 1e-8);
+  EXPECT_EQ(fit.parameters[0].name, "lambda");
+  EXPECT_EQ(fit.parameters[1].name, "kappa");
+  EXPECT_TRUE(fit.warnings.empty() || fit.warnings.front().find("level") == std::string::npos);
+}
+
+TEST(SupportedLaw, IsTheFullLawWhereItIsIdentified) {
+  for (const Published& set : {kNoRolling, kSmallRolling}) {
+    const auto fit = fit_supported_law(set.with_plateau(), {});
+    ASSERT_TRUE(fit.found()) << fit.failure_reason;
+    EXPECT_EQ(fit.law, ConsolidationLaw::full);
+    EXPECT_NEAR(value_in(fit, "lambda"), set.lambda, 1e-6);
+    EXPECT_NEAR(value_in(fit, "P0_star"), set.P0_star, 1e-5);
+    EXPECT_NEAR(value_in(fit, "kappa"), 0.0, 1e-8);
+  }
+}
+
+TEST(SupportedLaw, OfAPlateauBeforeAPowerLawIsThePowerLaw) {
+  const auto fit = fit_supported_law(
+      exact_curve([](double P) { return 1.0 / (1.3 + 0.6 * std::pow(std::max(P, 0.1), -0.5)); },
+                  geometric_pressures(0.01, 10.0, 25)),
+      {});
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
+  EXPECT_EQ(fit.law, ConsolidationLaw::power);
+  EXPECT_NEAR(value_in(fit, "alpha"), 0.5, 1e-6);
+  EXPECT_NEAR(value_in(fit, "Phi_max"), 1.0 / 1.3, 1e-6);
+}
+
+TEST(SupportedLaw, IntervalsHoldTheTruth) {
+  constexpr int kDraws = 200;
+  const TwoLineClay clay;
+  for (const Noise& noise : {Noise{Noise::of_inverse, 1e-3}, Noise{Noise::relative, 1e-3}}) {
+    RandomStream random(5, 0);
+    Coverage coverage({{"lambda", clay.lambda}, {"kappa", clay.kappa}, {"P0_star", clay.P_yield}});
+    for (int draw = 0; draw < kDraws; ++draw)
+      for (const FittedParameter& p :
+           fit_supported_law(noisy_curve([&](double P) { return 1.0 / clay.inverse_phi(P); },
+                                         geometric_pressures(10.0, 1000.0, 30), noise, random),
+                             {})
+               .parameters)
+        coverage.add(p);
+    coverage.expect_honest(kDraws, noise.kind == Noise::relative ? "relative noise" : "uniform noise");
+  }
+}
+
+TEST(PhiLimit, IsReportedAsABoundWhereTheFitWouldGoBeyond) {
+  std::vector<double> pressures = {2.0, 5.0};
+  for (int k = 1; k <= 42; ++k) pressures.push_back(10.0 * k);
+  const ConsolidationCurve tablet = exact_curve(heckel, pressures);
+  const auto fit = fit_consolidation(tablet, {});
+  ASSERT_TRUE(fit.found()) << fit.failure_reason;
+  const FittedParameter& phi_max = *fit.find("Phi_max");
+  EXPECT_FALSE(phi_max.identified);
+  EXPECT_FALSE(phi_max.value);
+  EXPECT_EQ(phi_max.high95, 1.0);
+  EXPECT_LT(*phi_max.low95, 1.0);
+  EXPECT_THAT(fit.warnings, Contains(HasSubstr("at its bound, 1")));
+  EXPECT_TRUE(fit.pattern.is_systematic());
+
+  ConsolidationOptions open;
+  open.phi_limit = kInfinity;
+  EXPECT_NEAR(value_in(fit_consolidation(tablet, open), "Phi_max"), 1.0171, 1e-4);
+  ConsolidationOptions lower;
+  lower.phi_limit = 0.772;
+  EXPECT_EQ(fit_consolidation(kSmallRolling.with_plateau(), lower).find("Phi_max")->high95, 0.772);
+}
+
+/// Number of fits of a law to noisy draws of a curve that say that the law is not that of the curve.
+int n_denied(const std::function<double(double)>& phi_of, double low, double high,
+             const ConsolidationOptions& options, int n_draws) {
+  RandomStream random(9, 0);
+  int n = 0;
+  for (int draw = 0; draw < n_draws; ++draw) {
+    const auto fit = fit_consolidation(
+        noisy_curve(phi_of, geometric_pressures(low, high, 30), {Noise::of_fraction, 1e-3}, random), options);
+    n += fit.found() && fit.pattern.is_systematic();
+  }
+  return n;
+}
+
+TEST(ResidualsOfALaw, TellWhetherItIsThatOfTheCurve) {
+  constexpr int kDraws = 40;
+  ConsolidationOptions full, log;
+  log.law = ConsolidationLaw::log;
+  const TwoLineClay clay;
+  const auto of_clay = [&](double P) { return 1.0 / clay.inverse_phi(P); };
+  const auto law = kSmallRolling.law();
+  EXPECT_GE(n_denied(heckel, 4.0, 400.0, full, kDraws), 0.95 * kDraws);
+  EXPECT_GE(n_denied(of_clay, 10.0, 1000.0, log, kDraws), 0.95 * kDraws);
+  EXPECT_GE(n_denied(of_clay, 10.0, 1000.0, full, kDraws), 0.95 * kDraws);
+  EXPECT_LE(n_denied([&](double P) { return 1.0 / law.inverse_phi(P); }, 0.0316, 3.16, full, kDraws), 2);
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -83,7 +83,7 @@ std::vector<double> marks_of(const Axis& axis) {
 
 constexpr double kWidth = 560.0, kHeight = 380.0, kLeft = 70.0, kRight = 14.0, kTop = 14.0, kBottom = 50.0;
 
-std::string axes_svg(const Axis& x, const Axis& y, const std::string& quantity) {
+std::string axes_svg(const Axis& x, const Axis& y, const std::string& quantity, const std::string& pressure) {
   std::string out =
       fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#555\"/>\n", kLeft,
                   kTop, kWidth - kLeft - kRight, kHeight - kTop - kBottom);
@@ -99,9 +99,9 @@ std::string axes_svg(const Axis& x, const Axis& y, const std::string& quantity) 
         y.place(mark), kLeft, kLeft - 6.0, y.place(mark) + 4.0, mark == 0.0 ? 0.0 : mark);
   const double middle = 0.5 * (kTop + kHeight - kBottom);
   return out + fmt::format(
-                   "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">P*</text>\n<text transform=\"translate(16 "
+                   "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n<text transform=\"translate(16 "
                    "{}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
-                   0.5 * (kLeft + kWidth - kRight), kHeight - 10.0, middle, html_text(quantity));
+                   0.5 * (kLeft + kWidth - kRight), kHeight - 10.0, pressure, middle, html_text(quantity));
 }
 
 /// Draws the points of one branch of the load path: a band from the lowest to the highest sample, a line through the
@@ -170,7 +170,7 @@ std::vector<std::string> curve_quantities(const CsvTable& means) {
 }
 
 std::string curves_svg(const CsvTable& means, const std::string& quantity,
-                       const std::vector<std::string>& labels) {
+                       const std::vector<std::string>& labels, const std::string& pressure) {
   const Curves curves = curves_of(means, quantity);
   double P_low = INFINITY, P_high = 0.0, low = INFINITY, high = -INFINITY;
   for (const auto& [label, points] : curves)
@@ -186,7 +186,7 @@ std::string curves_svg(const CsvTable& means, const std::string& quantity,
   std::string out =
       fmt::format("<svg class=\"curves\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against P*\">\n",
                   kWidth, kHeight, html_text(quantity)) +
-      axes_svg(x, y, quantity);
+      axes_svg(x, y, quantity, pressure);
   for (std::size_t k = 0; k < labels.size(); ++k)
     if (const auto curve = curves.find(labels[k]); curve != curves.end())
       out += curve_svg(curve->second, x, y, labels[k], curve_colour(k));

@@ -15,8 +15,9 @@ std::vector<std::string> curve_quantities(const CsvTable& means);
 /// "curve", whose attribute data-case is the label of the case. The group shows the mean over the samples as a line
 /// with points, and a band from the lowest to the highest sample.
 /// @param labels  labels of the cases, in the order of their colours
+/// @param pressure  label of the axis of pressures, such as "P*"
 std::string curves_svg(const CsvTable& means, const std::string& quantity,
-                       const std::vector<std::string>& labels);
+                       const std::vector<std::string>& labels, const std::string& pressure);
 
 /// Returns the colour in which the curves of a case are drawn.
 /// @param number  number of the case, counted from 0

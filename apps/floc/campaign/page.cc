@@ -16,6 +16,7 @@
 #include "floc/picture/sheet.h"
 #include "floc/run_directory/one_run.h"
 #include "plots/html.h"
+#include "plots/pressure_text.h"
 #include "plots/state_picture.h"
 #include "process/output.h"
 #include "process/printing.h"
@@ -160,6 +161,13 @@ std::string failures_section(const CampaignPage& page) {
          sorting_table("failed", page.outcomes, failed);
 }
 
+/// Returns whether some states of a campaign have different loads on their axes, so that their pressure is a mean.
+bool has_driven_states(const PlannedCampaign& planned) {
+  return std::ranges::any_of(planned.plans, [](const CasePlan& plan) {
+    return std::ranges::any_of(plan.states, [](const PlannedState& state) { return !state.P_star; });
+  });
+}
+
 std::string curves_section(const CampaignPage& page) {
   const std::vector<std::string> quantities = curve_quantities(page.means), labels = page.labels();
   if (quantities.empty()) return "";
@@ -173,8 +181,9 @@ std::string curves_section(const CampaignPage& page) {
         html_text(labels[k]), curve_colour(k));
   out += "</p>\n<div class=\"plots\">\n";
   for (const std::string& quantity : quantities)
-    out += "<figure>" + curves_svg(page.means, quantity, labels) + "<figcaption>" + html_text(quantity) +
-           "</figcaption></figure>\n";
+    out += "<figure>" +
+           curves_svg(page.means, quantity, labels, mean_pressure_label(has_driven_states(page.planned))) +
+           "<figcaption>" + html_text(quantity) + "</figcaption></figure>\n";
   return out + "</div>\n";
 }
 

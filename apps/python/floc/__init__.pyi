@@ -183,6 +183,8 @@ class Moduli(Record):
     bounds_hold: bool | None
     bounds_hold_B_S: bool | None
     seconds_row: float | None
+    P_driven: float | None
+    P_driven_star: float | None
 
 class Network(Record):
     file: str
@@ -294,6 +296,8 @@ class Network(Record):
     positive_percolates_shuffled: float | None
     negative_percolates_shuffled: float | None
     p_wall: float | None
+    P_driven: float | None
+    P_driven_star: float | None
 
 class Structure(Record):
     file: str
@@ -330,6 +334,7 @@ class Structure(Record):
     n_voids: int | None
     void_radius_mean: float | None
     void_radius_largest: float | None
+    P_driven_star: float | None
 
 class Forces(Record):
     file: str

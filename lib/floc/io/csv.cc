@@ -81,6 +81,7 @@ CsvTable CsvTable::of_text(const std::string& place, const TableText& decoded,
                                 : "the table has no header: no line above the numbers names the columns");
   table.columns_ = table.layout_.names;
   for (std::size_t i = table.layout_.first_row; i < lines.rows.size(); ++i) table.add_line(lines.rows[i]);
+  for (std::vector<std::string>& names : table.layout_.other_names) names.resize(table.columns_.size());
   return table;
 }
 

@@ -40,7 +40,8 @@ class CsvTable {
                         const std::vector<std::string>& wanted = {});
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Names of the columns in lines above that of columns(), nearest first; each list may be shorter than columns().
+  /// Names of the columns in lines above that of columns(), nearest first; each list has one name per column, which
+  /// may be empty.
   const std::vector<std::vector<std::string>>& other_names() const { return layout_.other_names; }
   /// Cell of a column in the row of units below the names; empty if the table has no such row.
   std::string unit_cell(int column) const;

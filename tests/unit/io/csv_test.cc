@@ -125,6 +125,12 @@ TEST(Csv, ReadsQuotedNamesOfSeveralLines) {
   EXPECT_THAT(parse("Pipe of 5\" bore\nSample of 3\" bore\nx,y\n1,2\n").columns(), ElementsAre("x", "y"));
 }
 
+TEST(Csv, HasOneNamePerColumnInEveryLineOfNames) {
+  const CsvTable t = parse("Test,of,x\np,e,\n1,2,\n3,4,\n");
+  ASSERT_EQ(t.other_names().size(), 1u);
+  EXPECT_EQ(t.other_names()[0].size(), t.columns().size());
+}
+
 TEST(Csv, TakesARowForUnitsThatHasSomeItDoesNotKnow) {
   const CsvTable t = parse("p,e,T,remark\nkPa,-,Grad,\n1,2,20,\n");
   EXPECT_EQ(t.n_rows(), 1);

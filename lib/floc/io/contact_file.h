@@ -20,4 +20,10 @@ namespace floc {
 std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions& options, int dimension,
                                                             std::optional<std::int64_t> timestep = {});
 
+/// Reads bonds from the file `options.bonds`, which has the formats of a file of contacts. Bonds need a stiffness kn and
+/// act across a gap; without a listed force they are unstressed.
+/// @return the bonds; none if `options.bonds` is empty
+/// @throws InputError naming file, line and column
+std::vector<ListedContact> read_bond_file(const ImportOptions& options, int dimension);
+
 }  // namespace floc

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "floc/base/error.h"
-#include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
 
 namespace floc {
@@ -15,17 +14,11 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
         fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
                     *options.index));
   check_grain_columns("--columns", options.columns);
-  ListedPacking listed;
-  listed.place = path;
-  listed.law = required_law(path, options);
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
-  listed.cell_place = "--cell";
-  listed.cell = options.cell;
+  ListedPacking listed = listed_packing(path, options);
   const CsvTable table = CsvTable::read(path);
   listed.grains = read_grains(NamedColumns(table, options.columns));
-  listed.contacts = read_contact_file(options, static_cast<int>(listed.cell.size()));
-  return assemble(listed);
+  listed.space.place = path;
+  return assemble(std::move(listed), options);
 }
 
 }  // namespace floc

@@ -10,9 +10,9 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
-#include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
-#include "floc/io/listed_space.h"
+#include "floc/io/listed_packing.h"
+#include "floc/packing/body_name.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -113,6 +113,18 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
   return cell;
 }
 
+/// Reads the value of the key Origin, the corner of the cell, which OVITO writes.
+Eigen::Vector3d origin_of(const std::string& place, const std::string& text) {
+  const std::vector<std::string> tokens = tokenize(text);
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto value = tokens.size() == 3 ? parse_number<double>(tokens[k]) : std::nullopt;
+    if (!value) throw InputError(place, fmt::format("Origin=\"{}\", expected three finite numbers", text));
+    origin[static_cast<Eigen::Index>(k)] = *value;
+  }
+  return origin;
+}
+
 /// Reads the value of the key pbc, such as "T T F": whether the packing is periodic along each lattice vector.
 std::vector<bool> periodic_of(const std::string& place, const std::string& text) {
   std::vector<bool> periodic;
@@ -128,16 +140,31 @@ std::vector<bool> periodic_of(const std::string& place, const std::string& text)
   return periodic;
 }
 
-/// Reads cell, periodicity and dimension from the comment line of a frame.
-ListedSpace space_of(const std::string& place, const std::map<std::string, std::string>& keys,
-                     const ImportOptions& options) {
+/// Reads the key walls, which floc writes: the names of the walls at the faces of the box, such as "x- x+".
+void add_walls(const std::string& place, const std::string& names, ListedSpace& space) {
+  space.exact_walls = true;
+  for (const std::string& name : tokenize(names)) {
+    const auto wall = wall_side(name);
+    if (!wall || space.cell.empty())
+      throw InputError(place,
+                       fmt::format("walls=\"{}\", expected names of faces of the box (Lattice), such as x- "
+                                   "and x+",
+                                   names));
+    add_wall_at_face(*wall, space);
+  }
+}
+
+/// Reads cell, boundary and dimension from the comment line of a frame.
+ListedSpace space_of(const std::string& place, const std::map<std::string, std::string>& keys) {
   ListedSpace space;
   space.place = place;
-  if (options.cell.empty() && keys.contains("Lattice")) space.cell = lattice_of(place, keys.at("Lattice"));
-  if (options.cell.empty() && keys.contains("pbc")) {
+  if (keys.contains("Lattice")) space.cell = lattice_of(place, keys.at("Lattice"));
+  if (keys.contains("Origin")) space.origin = origin_of(place, keys.at("Origin"));
+  if (keys.contains("pbc")) {
     space.periodic = periodic_of(place, keys.at("pbc"));
-    space.boundary = fmt::format("pbc=\"{}\", expected T in every direction", keys.at("pbc"));
+    space.boundary = fmt::format("pbc=\"{}\"", keys.at("pbc"));
   }
+  if (keys.contains("walls")) add_walls(place, keys.at("walls"), space);
   if (!keys.contains("dimension")) return space;
   const auto dimension = parse_number<int>(keys.at("dimension"));
   if (!dimension || (*dimension != 2 && *dimension != 3))
@@ -171,17 +198,11 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   for (std::size_t k = 0; k < frame.rows.size(); ++k)
     table.add_row(frame.line + 2 + static_cast<int>(k), tokenize(frame.rows[k]));
 
-  ListedPacking listed;
-  listed.place = path;
-  listed.law = required_law(path, options);
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
+  ListedPacking listed = listed_packing(path, options);
   listed.grains = read_grains(NamedColumns(table, options.columns));
-  const int dimension = settle_space(space_of(place, keys, options), options, listed);
-  listed.contacts = read_contact_file(options, dimension);
-  Imported imported = assemble(listed);
-  imported.remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read", index, n - 1));
-  return imported;
+  listed.space = space_of(place, keys);
+  listed.remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read", index, n - 1));
+  return assemble(std::move(listed), options);
 }
 
 namespace {
@@ -196,8 +217,9 @@ std::string xyz_text(const State<Dim>& state) {
   for (int k = 0; k < 9; ++k) text += fmt::format("{}{}", k == 0 ? "" : " ", lattice(k / 3, k % 3));
   const auto periodic_along = [&](int a) { return between_walls(packing.walls, a) ? "F" : "T"; };
   text += fmt::format(
-      "\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"{} {} {}\" dimension={}\n",
-      periodic_along(0), periodic_along(1), Dim == 3 ? periodic_along(2) : "F", Dim);
+      "\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"{} {} {}\" dimension={}{}\n",
+      periodic_along(0), periodic_along(1), Dim == 3 ? periodic_along(2) : "F", Dim,
+      packing.walls.empty() ? "" : fmt::format(" walls=\"{}\"", wall_names(packing.walls)));
   for (int i = 0; i < grains.size(); ++i) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() = grains.position[i];

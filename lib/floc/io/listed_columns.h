@@ -20,18 +20,24 @@ class NamedColumns {
 
   const CsvTable& table() const { return table_; }
   const std::map<std::string, std::string>& names() const { return names_; }
-  bool has(const std::string& name) const { return names_.contains(name) || table_.has(name); }
+  bool has(const std::string& name) const { return table_.has(in_table(name)) || names_.contains(name); }
 
   /// Returns the index of the column that floc calls `name`.
   /// @throws InputError listing the columns of the table if this column is missing
-  int column(const std::string& name) const {
-    return table_.column(names_.contains(name) ? names_.at(name) : name);
-  }
+  int column(const std::string& name) const { return table_.column(in_table(name)); }
 
  private:
+  /// Returns the name in the table of the column that floc calls `name`. A word, such as "radius", may have capital letters
+  /// in the table.
+  std::string in_table(const std::string& name) const;
+
   const CsvTable& table_;
   std::map<std::string, std::string> names_;
 };
+
+/// Returns the name among `names` that is `name` but for capital letters; `name` itself if there is none, or if it is a
+/// single letter.
+std::string any_case(const std::string& name, const std::vector<std::string>& names);
 
 /// A column that gives the size of grains: a radius or a diameter.
 struct SizeColumn {
@@ -61,7 +67,8 @@ void require_same_size(const FileLine& place, const SizeColumn& one, double radi
 /// that is not positive, or a radius and a diameter that contradict each other
 std::vector<ListedGrain> read_grains(const NamedColumns& columns);
 
-/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains. The columns
+/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains, or of a grain
+/// and the name of a wall, such as "x-". The columns
 /// below are optional. Names that end in 1.. are those of several columns, the components of a vector: image1, image2
 /// and, in 3D, image3.
 ///   image1..         numbers of cells by which grain id2 is displaced along the lattice vectors

@@ -45,7 +45,8 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing) {
   const std::vector<double> force = wall_forces(packing);
   for (std::size_t w = 0; w < force.size(); ++w) {
     const int axis = packing.walls[w].axis;
-    pressure[axis] += 0.5 * force[w] / wall_area(packing, axis);
+    const double share = is_open_along(packing.walls, axis) ? 1.0 : 0.5;
+    pressure[axis] += share * force[w] / wall_area(packing, axis);
   }
   return pressure;
 }

@@ -216,10 +216,10 @@ TEST_F(VtuEncodings, NameWhatIsWrong) {
   nameless.replace(nameless.find("\"radius\""), 8, "\"colour\"");
   expect_refusal(nameless, "no point array radius or diameter; its point arrays are colour");
   std::string compressed = file(ascii_points_, "format=\"ascii\">0.5 1");
-  compressed.insert(compressed.find(" byte_order"), " compressor=\"vtkZLibDataCompressor\"");
+  compressed.insert(compressed.find(" byte_order"), " compressor=\"vtkLZ4DataCompressor\"");
   expect_refusal(compressed, "save it without compression");
   expect_refusal("<VTKFile type=\"UnstructuredGrid\"><Piece>", "is not XML");
-  expect_refusal("<VTKFile type=\"PolyData\"/>", "is not a VTKFile with an UnstructuredGrid");
+  expect_refusal("<VTKFile type=\"ImageData\"/>", "is not a VTKFile with an UnstructuredGrid");
 }
 
 void expect_refusal(Imported (*read)(const std::string&, const ImportOptions&), const std::string& text,

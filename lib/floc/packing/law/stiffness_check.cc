@@ -7,6 +7,7 @@
 #include <cmath>
 #include <variant>
 
+#include "floc/packing/body_name.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/law/law_response.h"
 
@@ -91,7 +92,7 @@ std::string stiffness_differences(const Packing<Dim>& packing) {
   StiffnessComparison comparison;
   for (const Contact<Dim>& c : packing.contacts)
     comparison.add(stiffnesses(c), law_stiffnesses(packing, c),
-                   fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j)));
+                   fmt::format("{}-{}", packing.grains.name(c.i), body_name(packing, c.j)));
   return fmt::format("{}", fmt::join(comparison.differences(packing.law.force_exponent()), "; "));
 }
 

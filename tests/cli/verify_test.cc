@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Runs `floc verify` on the jamBashbulk packing after `spoil` changed it.
+/// Runs `floc verify` on the packing of 16 disks after `spoil` changed it.
 template <class Spoil>
 Outcome verify_spoiled(const Spoil& spoil) {
   const ScratchDirectory scratch;

@@ -98,7 +98,7 @@ fit consolidation {source}/data/tables/demo --law log
 fit preconsolidation {source}/data/tables/reload
 fit consolidation {source}/data/tables/oedometer/oedometer.csv --columns P_star=Effective_Vertical_Stress,void_ratio=Void_Ratio
 plot {source}/data/tables/demo -o tables.svg
-convert {source}/data/packings/jambashbulk/N16~P1e-3~0001.txt disks.h5
+convert {source}/data/packings/disks/disks16.txt disks.h5
 tradeoff small.toml --budget 60 --samples 1 --observables phi
 """.strip().splitlines()
 

@@ -52,14 +52,14 @@ void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
 }
 
 void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& summary) {
-  summary.lines.push_back(fmt::format(
-      "contacts: {} have a gap, {} pull, {} have a tangential force or moment at its limit; normal forces "
-      "differ from the law by at most {:.1e} of their mean",
-      check.n_with_gap + check.n_distant, check.n_pulling, check.n_mobilised, check.largest_difference));
   if (check.n_bonds > 0)
     summary.lines.push_back(fmt::format(
         "contacts: {} are bonds, or act across a gap up to --touch-gap, with stiffnesses of their own",
         check.n_bonds));
+  summary.lines.push_back(fmt::format(
+      "contacts: {} have a gap, {} pull, {} have a tangential force or moment at its limit; normal forces "
+      "differ from the law by at most {:.1e} of their mean",
+      check.n_with_gap + check.n_distant, check.n_pulling, check.n_mobilised, check.largest_difference));
   if (check.n_with_gap > 0)
     summary.inconsistencies.push_back(
         fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));

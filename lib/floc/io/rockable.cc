@@ -153,6 +153,9 @@ Configuration read_configuration(const std::string& path) {
     }
   }
   if (out.bodies.empty()) throw InputError(path, "the file has no section Particles");
+  if (out.n_driven < 0 || out.n_driven > std::ssize(out.bodies))
+    throw InputError(path, fmt::format("nDriven is {}, expected a number of bodies from 0 to {}", out.n_driven,
+                                       out.bodies.size()));
   return out;
 }
 
@@ -224,7 +227,7 @@ Imported read_rockable(const std::string& path, const ImportOptions& options) {
   }
   if (!listed.grains.empty()) middle /= static_cast<double>(listed.grains.size());
   std::map<std::int64_t, WallSide> walls;
-  for (std::int64_t k = 0; k < from.n_driven && k < std::ssize(from.bodies) && options.walls.empty(); ++k) {
+  for (std::int64_t k = 0; k < from.n_driven && options.walls.empty(); ++k) {
     const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
     walls.emplace(k, add_face(body, shape_of(shapes, body, shape_path), middle, listed.space));
   }

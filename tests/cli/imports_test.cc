@@ -61,7 +61,7 @@ TEST_F(Imports, OfAClusterHaveContactsAndNoModuli) {
 /// the n - k spheres above.
 TEST_F(Imports, UnderGravityAreInBalanceWithTheirWeight) {
   constexpr int kSpheres = 5;
-  const double stiffness = 1000.0, weight = 2.0 * 9.81;
+  const double stiffness = 1e5, weight = 2.0 * 9.81;
   std::string text = "x,y,z,radius,mass\n";
   double z = 0.0, above = kSpheres * weight;
   z = 0.5 - above / stiffness;
@@ -71,12 +71,13 @@ TEST_F(Imports, UnderGravityAreInBalanceWithTheirWeight) {
     z += 1.0 - above / stiffness;
   }
   write("column.csv", text);
-  const Outcome o = convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:", "--gravity=0,0,-9.81"});
+  const Outcome o =
+      convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:", "--gravity=0,0,-9.81"}, "normal.stiffness=1e5");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, Not(HasSubstr("warning")));
   EXPECT_NEAR(row("info").at("p_wall").get<double>() * 3.0, kSpheres * weight, 1e-9);  // the mean of three axes
   EXPECT_EQ(row("verify").at("equilibrium"), true);
-  const Outcome without = convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:"});
+  const Outcome without = convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:"}, "normal.stiffness=1e5");
   EXPECT_THAT(without.err, HasSubstr("not in equilibrium"));
   const Outcome moduli = floc_arguments({"moduli", scratch_.file("s.h5"), "--force"});
   EXPECT_THAT(moduli.err, HasSubstr("these moduli are zero"));
@@ -113,17 +114,17 @@ TEST_F(Imports, HoldBondsAcrossGaps) {
     EXPECT_THAT(o.err, AllOf(HasSubstr("18 are bonds"), Not(HasSubstr("warning"))));
     const json moduli = row("moduli", {"--strains", "full"});
     EXPECT_EQ(moduli.at("n_contacts"), 18);
+    EXPECT_EQ(row("network").at("n_solid_bonds"), 18);
     EXPECT_NEAR(moduli.at("B").get<double>(), 500.0, 1e-9);
     EXPECT_NEAR(moduli.at("G").get<double>(), 500.0, 1e-9);
     EXPECT_NEAR(moduli.at("C33").get<double>(), 250.0, 1e-9);
     EXPECT_EQ(row("verify").at("equilibrium"), true);
   }
-  // Grains at work and a bond of one of their pairs: the bond alone counts.
+  // Grains touch across the side of a narrower cell, and the bond joins one more pair.
   write("one.csv", "id1,id2,kn\n0,1,7\n");
-  ASSERT_EQ(convert("grains.csv", {"--bonds", scratch_.file("one.csv"), "--cell", "2.97,0;0,3.03", "--columns",
-                                   "radius=radius"})
-                .code,
-            0);
+  ASSERT_EQ(convert("grains.csv", {"--bonds", scratch_.file("one.csv"), "--cell", "2.97,0;0,3.03"}).code, 0);
+  EXPECT_EQ(row("network").at("n_contacts"), 4);
+  EXPECT_EQ(row("network").at("n_solid_bonds"), 1);
 }
 
 TEST_F(Imports, ReadTheAtomStylesOfLammpsThatHaveRadii) {

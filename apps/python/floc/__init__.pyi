@@ -294,6 +294,7 @@ class Network(Record):
     positive_percolates_shuffled: float | None
     negative_percolates_shuffled: float | None
     p_wall: float | None
+    n_solid_bonds: int | None
 
 class Structure(Record):
     file: str

@@ -124,6 +124,7 @@ std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& optio
   for (const auto& [name, value] : bond_columns(options.bonds))
     columns.emplace_back(name, [value = value](const NetworkRow& r) { return value(r.bonds); });
   columns.emplace_back("p_wall", [](const NetworkRow& r) { return or_undefined(r.wall_pressure); });
+  columns.emplace_back("n_solid_bonds", [](const NetworkRow& r) { return count(r.n_bonds); });
   return columns;
 }
 

@@ -46,6 +46,7 @@ struct NetworkRow {
   int n_grains;
   double pressure;
   double reduced_pressure;
+  int n_bonds = 0;                      ///< number of contacts that act whatever their gap (Contact::bonded)
   std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Coordination coordination;

@@ -35,7 +35,7 @@ template <int Dim>
 Stiffnesses law_stiffnesses(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   Contact<Dim> by_law = contact;
   const Law& parameters = packing.is_wall(contact.j) ? packing.wall_law : packing.law;
-  if (parameters.is_rigid()) return stiffnesses(contact);
+  if (contact.bonded || parameters.is_rigid()) return stiffnesses(contact);
   std::visit(
       [&]<class Law>(const Law& law) {
         if (contact.distant || !kFollowsFromForce<Law>) return refresh_contact(packing, by_law);

@@ -163,6 +163,15 @@ TEST_F(Imports, ReadGeneralTriclinicBoxesOfLammps) {
   EXPECT_EQ(row("info").at("cell"), "0,3,0;-4,0.5,0;0,0,5");
 }
 
+TEST_F(Imports, ReadPlainXyzByTheNumbersOfItsColumns) {
+  write("plain.xyz", "2\nany comment\nA 0.5 0.5 0.5 0.5 1\nB 1.49 0.5 0.6 0.5 2\n");
+  EXPECT_THAT(convert("plain.xyz", {"--walls", "x=:,y=:,z=:"}).err, HasSubstr("give --columns radius=5"));
+  ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "radius=5,mass=6"}).code, 0);
+  EXPECT_EQ(row("network").at("n_contacts"), 1);
+  ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "x=4,y=3,z=2,diameter=5"}).code, 0);
+  EXPECT_EQ(row("network").at("n_contacts"), 0);
+}
+
 TEST_F(Imports, ReadCompressedFiles) {
   write("g.csv", "X,y,RADIUS\n0.5,0.5,0.5\n1.49,0.5,0.5\n");
   ASSERT_EQ(std::system(("gzip -k '" + scratch_.file("g.csv") + "'").c_str()), 0);

@@ -98,6 +98,25 @@ std::vector<std::string> columns_of(const std::string& place, const std::string&
   return columns;
 }
 
+/// Returns the columns of a frame of plain xyz, which does not name them: their numbers from 1 on. The positions are the
+/// columns 2 to 4, after the name of the element, unless the user says otherwise.
+/// @param given  columns that the user named; the positions are added
+std::vector<std::string> numbered_columns(const std::string& place, const XyzFrame& frame,
+                                          std::map<std::string, std::string>& given) {
+  if (!given.contains("radius") && !given.contains("diameter"))
+    throw InputError(
+        place,
+        "the comment line of the frame has no Properties=, so that the columns have no names: give --columns "
+        "radius=5 or diameter=5, with the number of the column, and x, y, z unless they are columns 2 to 4");
+  given.emplace("x", "2");
+  given.emplace("y", "3");
+  given.emplace("z", "4");
+  std::vector<std::string> columns;
+  for (std::size_t k = 0; !frame.rows.empty() && k < tokenize(frame.rows.front()).size(); ++k)
+    columns.push_back(std::to_string(k + 1));
+  return columns;
+}
+
 std::vector<std::vector<double>> lattice_of(const std::string& place, const std::string& text) {
   const std::vector<std::string> tokens = tokenize(text);
   if (tokens.size() != 9)
@@ -180,7 +199,9 @@ bool is_extended_xyz(const std::string& path) {
   std::string first, second;
   std::getline(in, first);
   std::getline(in, second);
-  return parse_number<std::int64_t>(first) && second.find("Properties=") != std::string::npos;
+  const bool named =
+      second.find("Properties=") != std::string::npos || path.ends_with(".xyz") || path.ends_with(".xyz.gz");
+  return parse_number<std::int64_t>(first) && named;
 }
 
 Imported read_extended_xyz(const std::string& path, const ImportOptions& options) {
@@ -193,13 +214,14 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   const XyzFrame& frame = frames[static_cast<std::size_t>(index)];
   const std::string place = fmt::format("{}:{}", path, frame.line + 1);
   std::map<std::string, std::string> keys = keys_of(place, frame.comment);
-  if (!keys.contains("Properties")) throw InputError(place, "the comment line of the frame has no Properties=");
-  CsvTable table(path, columns_of(place, keys["Properties"]));
+  ImportOptions named = options;
+  CsvTable table(path, keys.contains("Properties") ? columns_of(place, keys["Properties"])
+                                                   : numbered_columns(place, frame, named.columns));
   for (std::size_t k = 0; k < frame.rows.size(); ++k)
     table.add_row(frame.line + 2 + static_cast<int>(k), tokenize(frame.rows[k]));
 
   ListedPacking listed = listed_packing(path, options);
-  listed.grains = read_grains(NamedColumns(table, options.columns));
+  listed.grains = read_grains(NamedColumns(table, named.columns));
   listed.space = space_of(place, keys);
   listed.remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read", index, n - 1));
   return assemble(std::move(listed), options);

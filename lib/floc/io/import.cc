@@ -71,7 +71,7 @@ const std::vector<ImportFormat>& import_formats() {
        read_yade_text},
       {"mercurydpm", "restart file of MercuryDPM", is_mercurydpm, read_mercurydpm},
       {"rockable", "configuration of Rockable: spheres and flat walls", is_rockable, read_rockable},
-      {"extended-xyz", "extended XYZ with Lattice, pos and radius", is_extended_xyz, read_extended_xyz},
+      {"extended-xyz", "extended XYZ with Lattice, pos and radius, or plain XYZ with --columns", is_extended_xyz, read_extended_xyz},
       {"jambashbulk", "text file of the jamBashbulk code (2D, linear repulsion)", is_jambashbulk,
        read_jambashbulk},
   };

@@ -71,8 +71,8 @@ template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing) {
   Mat<Dim> stress = static_stress(packing);
   const Vec<Dim> pressure = wall_pressure(packing);
-  for (int a = 0; a < Dim; ++a)
-    if (between_walls(packing.walls, a)) stress(a, a) = pressure[a];
+  for (const Wall<Dim>& wall : packing.walls)
+    if (!wall.open) stress(wall.axis, wall.axis) = pressure[wall.axis];
   return stress;
 }
 

@@ -37,7 +37,7 @@ template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 
 /// Returns the stress that balances the load on the boundary (force/length^(Dim-1)): the static stress, but with the
-/// pressure on the walls as the diagonal component of each axis between walls. At rest, the static stress and the
+/// pressure on the walls as the diagonal component of each axis with a wall. At rest, the static stress and the
 /// pressure on the walls differ by stress_borne_by_friction().
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);

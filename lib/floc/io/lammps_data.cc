@@ -123,7 +123,7 @@ const std::map<std::string, Columns>& columns_of_styles() {
 /// Returns the columns of the section Atoms by the atom style in its line, such as "Atoms # sphere". The columns of
 /// "hybrid" are those that all styles share, and then those of each style.
 /// @throws InputError for a style without radii, or a style that is not known
-Columns columns_of(const std::string& place, const std::string& style) {
+Columns columns_of_style(const std::string& place, const std::string& style) {
   const std::vector<std::string> words = tokenize(style);
   const bool hybrid = words.size() > 1 && words[0] == "hybrid";
   Columns columns = {"id", "type"};
@@ -173,7 +173,7 @@ DataFile read_data(const std::string& path) {
         throw InputError(place, fmt::format("the section {} occurs twice", section));
       if (section == "Atoms") {
         style = style_of(line);
-        data.atoms = CsvTable(path, columns_of(place, style));
+        data.atoms = CsvTable(path, columns_of_style(place, style));
       }
     } else if (section.empty()) {
       read_header_line(place, tokens, data);

@@ -30,10 +30,10 @@ struct RockableShape {
   bool is_sphere() const { return vertices.size() == 1 && vertices.front().isZero(0.0); }
 };
 
-/// Lines of a text file, without comments and empty lines.
-class Lines {
+/// ConfigurationLines of a text file, without comments and empty lines.
+class ConfigurationLines {
  public:
-  explicit Lines(const std::string& path)
+  explicit ConfigurationLines(const std::string& path)
       : path_(path), before_number_(std::make_shared<const std::string>(path + ":")), in_(read_text(path)) {}
 
   /// Returns the next line, or nothing at the end of the file. The line is valid until the next call.
@@ -61,7 +61,7 @@ class Lines {
 
 std::map<std::string, RockableShape> read_shapes(const std::string& path) {
   std::map<std::string, RockableShape> shapes;
-  Lines lines(path);
+  ConfigurationLines lines(path);
   RockableShape* shape = nullptr;
   while (const std::optional<KeyedLine> line = lines.next()) {
     const std::string_view key = line->word(0);
@@ -128,7 +128,7 @@ ListedContact read_interaction(const KeyedLine& line) {
 
 Configuration read_configuration(const std::string& path) {
   Configuration out;
-  Lines lines(path);
+  ConfigurationLines lines(path);
   while (const std::optional<KeyedLine> line = lines.next()) {
     const std::string_view key = line->word(0);
     if (key == "shapeFile" && line->size() > 1) out.shape_file = line->word(1);
@@ -180,8 +180,8 @@ WallSide add_face(const RockableBody& body, const RockableShape& shape, const Ei
   return wall;
 }
 
-const RockableShape& shape_of(const std::map<std::string, RockableShape>& shapes, const RockableBody& body,
-                              const std::string& file) {
+const RockableShape& rockable_shape(const std::map<std::string, RockableShape>& shapes,
+                                    const RockableBody& body, const std::string& file) {
   const auto found = shapes.find(body.shape);
   if (found != shapes.end()) return found->second;
   throw InputError(body.place.text(),
@@ -208,7 +208,7 @@ Imported read_rockable(const std::string& path, const ImportOptions& options) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::int64_t k = from.n_driven; k < std::ssize(from.bodies); ++k) {
     const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
-    const RockableShape& shape = shape_of(shapes, body, shape_path);
+    const RockableShape& shape = rockable_shape(shapes, body, shape_path);
     if (!shape.is_sphere())
       throw InputError(body.place.text(),
                        fmt::format("the shape {} has {} vertices, expected a sphere, which has one", body.shape,
@@ -229,7 +229,7 @@ Imported read_rockable(const std::string& path, const ImportOptions& options) {
   std::map<std::int64_t, WallSide> walls;
   for (std::int64_t k = 0; k < from.n_driven && options.walls.empty(); ++k) {
     const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
-    walls.emplace(k, add_face(body, shape_of(shapes, body, shape_path), middle, listed.space));
+    walls.emplace(k, add_face(body, rockable_shape(shapes, body, shape_path), middle, listed.space));
   }
   for (ListedContact& c : from.contacts) name_wall(walls, c);
   if (!from.contacts.empty()) listed.contacts = std::move(from.contacts);

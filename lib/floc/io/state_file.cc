@@ -44,9 +44,9 @@ const std::string kShapes = "shapes";
 const std::string kRigid = "rigid";
 const std::string kBonds = "bonds";
 const std::string kOpenEnds = "open_ends";
-const std::string kGravity = "gravity";
-const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls,   kShapes,
-                                                 kRigid,      kOpenEnds,      kGravity, kBonds};
+const std::string kGravityFeature = "gravity";
+const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls,          kShapes,
+                                                 kRigid,      kOpenEnds,      kGravityFeature, kBonds};
 
 Quantity quantity_of(Unit unit) {
   switch (unit) {
@@ -185,7 +185,7 @@ std::string features_of(const Packing<Dim>& packing, bool remembers) {
   if (!packing.grains.are_round()) features.push_back(kShapes);
   if (packing.law.is_rigid()) features.push_back(kRigid);
   if (is_open(packing.walls)) features.push_back(kOpenEnds);
-  if (!packing.gravity.isZero(0.0)) features.push_back(kGravity);
+  if (!packing.gravity.isZero(0.0)) features.push_back(kGravityFeature);
   if (has_bonds(packing)) features.push_back(kBonds);
   return features.empty() ? kNoFeatures : fmt::format("{}", fmt::join(features, " "));
 }

@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-std::string numbers(const Eigen::Vector3d& v) {
+std::string three_numbers(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v[0], v[1], v[2]);
 }
 
@@ -26,7 +26,7 @@ std::string wall_line(int index, int axis, int side, double position) {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
   at[axis] = position;
   return fmt::format("InfiniteWall id {} indSpecies 0 position {} orientation {} velocity 0 0 0 force 0 0 0\n",
-                     index, numbers(at), orientations[axis][side > 0]);
+                     index, three_numbers(at), orientations[axis][side > 0]);
 }
 
 /// Writes a packing as a restart file of MercuryDPM: forces act on the first particle.
@@ -35,7 +35,7 @@ std::string restart(const Packing<Dim>& p) {
   std::string text = "MercuryDPM 1.0 name test\nxMin 0 xMax 4 yMin 0 yMax 4 zMin 0 zMax 4\n";
   text += fmt::format(
       "systemDimensions {} particleDimensions {} gravity {} \nSpecies 1\nLinearSpecies id 0 density 1\n", Dim,
-      Dim, numbers(test::in_space<Dim>(p.gravity)));
+      Dim, three_numbers(test::in_space<Dim>(p.gravity)));
   std::string walls, boundaries;
   int n_walls = 0, n_boundaries = 0;
   std::vector<int> wall_index;
@@ -46,21 +46,22 @@ std::string restart(const Packing<Dim>& p) {
   for (int a = 0; a < Dim; ++a)
     if (!between_walls(p.walls, a)) {
       Eigen::Vector3d normal = Eigen::Vector3d::Unit(a), shift = p.cell.matrix(a, a) * normal;
-      boundaries += fmt::format("PeriodicBoundary id {} normal {} distanceLeft 0 distanceRight {} shift {}\n",
-                                n_boundaries++, numbers(normal), p.cell.matrix(a, a), numbers(shift));
+      boundaries +=
+          fmt::format("PeriodicBoundary id {} normal {} distanceLeft 0 distanceRight {} shift {}\n",
+                      n_boundaries++, three_numbers(normal), p.cell.matrix(a, a), three_numbers(shift));
     }
   text += fmt::format("Walls {}\n{}Boundaries {}\n{}Particles {}\n", n_walls, walls, n_boundaries, boundaries,
                       p.grains.size());
   for (int i = 0; i < p.grains.size(); ++i)
     text += fmt::format(
         "BaseParticle id {} indSpecies 0 position {} orientation 1 0 0 0 radius {} invMass {}\n", i,
-        numbers(test::in_space<Dim>(p.grains.position[i])), p.grains.radius[i], 1.0 / p.grains.mass[i]);
+        three_numbers(test::in_space<Dim>(p.grains.position[i])), p.grains.radius[i], 1.0 / p.grains.mass[i]);
   text += fmt::format("Interactions {}\n", p.contacts.size());
   for (const Contact<Dim>& c : p.contacts)
     text += fmt::format("LinearInteraction {} {} {} timeStamp 1 contactPoint 0 0 0 force {} torque 0 0 0\n",
                         p.is_wall(c.j) ? "particleWallIds" : "particleIds", c.i,
                         p.is_wall(c.j) ? wall_index[c.j - p.grains.size()] : c.j,
-                        numbers(test::in_space<Dim>(test::force_on_first(c))));
+                        three_numbers(test::in_space<Dim>(test::force_on_first(c))));
   return text;
 }
 
@@ -75,7 +76,7 @@ std::string fstat(const Packing<Dim>& p) {
                           t = test::in_space<Dim>(Vec<Dim>(c.shear_force / shear));
     const auto row = [&](int i, int j, double sign) {
       text += fmt::format("1 {} {} 0 0 0 {} 0 {} {} {} {}\n", i, j, -c.gap, c.normal_force, shear,
-                          numbers(sign * n), numbers(sign * t));
+                          three_numbers(sign * n), three_numbers(sign * t));
     };
     if (p.is_wall(c.j)) {
       row(c.i, p.grains.size() - c.j - 1, -1.0);

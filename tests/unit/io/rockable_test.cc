@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-std::string numbers(const Eigen::Vector3d& v) {
+std::string components(const Eigen::Vector3d& v) {
   return fmt::format("{} {} {}", v[0], v[1], v[2]);
 }
 
@@ -28,11 +28,11 @@ const std::string kShapes =
 /// from j to i, and the force on i is fn n + ft.
 std::string configuration(const Packing<3>& p) {
   std::string text = "Rockable 29-11-2018\n# a comment\nshapeFile shapes.txt\n";
-  text += fmt::format("gravity {}\nnDriven {}\n", numbers(p.gravity), p.walls.size());
+  text += fmt::format("gravity {}\nnDriven {}\n", components(p.gravity), p.walls.size());
   if (p.walls.empty()) {
     text += "usePeriodicCell 1\nh";
     for (int a = 0; a < 3; ++a)
-      text += " " + numbers(p.cell.matrix.col(a));  // the columns of h are the lattice vectors
+      text += " " + components(p.cell.matrix.col(a));  // the columns of h are the lattice vectors
     text += "\n";
   }
   const int n_driven = static_cast<int>(p.walls.size());
@@ -41,23 +41,23 @@ std::string configuration(const Packing<3>& p) {
     const double scale = p.grains.radius[i] / 0.5;
     densities += fmt::format("density {} {}\n", i, p.grains.mass[i] / (0.25 * std::pow(scale, 3)));
     bodies += fmt::format("Sphere {} 0 {} {} 0 0 0 0 0 0 1 0 0 0 0 0 0 0 0 0\n", i, scale,
-                          numbers(p.grains.position[i]));
+                          components(p.grains.position[i]));
   }
   std::string plates;
   for (const Wall<3>& wall : p.walls) {
     const double half = std::sqrt(0.5);
     const std::string turned[] = {fmt::format("{} 0 {} 0", half, half), fmt::format("{} {} 0 0", half, half),
                                   "1 0 0 0"};
-    plates +=
-        fmt::format("Plate 0 0 1 {} 0 0 0 0 0 0 {} 0 0 0 0 0 0\n",
-                    numbers((wall.position + wall.side * 0.125) * Vec<3>::Unit(wall.axis)), turned[wall.axis]);
+    plates += fmt::format("Plate 0 0 1 {} 0 0 0 0 0 0 {} 0 0 0 0 0 0\n",
+                          components((wall.position + wall.side * 0.125) * Vec<3>::Unit(wall.axis)),
+                          turned[wall.axis]);
   }
   text += densities + fmt::format("Particles {}\n{}{}", p.grains.size() + n_driven, plates, bodies);
   text += fmt::format("Interactions {}\n", p.contacts.size());
   for (const Contact<3>& c : p.contacts)
     text += fmt::format("{} {} 0 0 0 {} {} 0 0 0 0 0 0 {} {} 0 0 0 0\n", c.i + n_driven,
-                        p.is_wall(c.j) ? c.j - p.grains.size() : c.j + n_driven, numbers(-c.normal), c.gap,
-                        c.normal_force, numbers(c.shear_force));
+                        p.is_wall(c.j) ? c.j - p.grains.size() : c.j + n_driven, components(-c.normal), c.gap,
+                        c.normal_force, components(c.shear_force));
   return text;
 }
 

@@ -217,8 +217,10 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
   }
   listed.grains = listed_grains(position, radius, mass, ids, dimension);
   if (contacts) listed.contacts = ContactArrays(*contacts, dimension).listed();
-  return assembled(listed, {"law", numbers_of("stress", stress), "stress",
-                            number_if_any("tolerance", tolerance, kPositiveNumber)});
+  return assembled(listed, {.law_place = "law",
+                            .stress = numbers_of("stress", stress),
+                            .stress_place = "stress",
+                            .tolerance = number_if_any("tolerance", tolerance, kPositiveNumber)});
 }
 
 }  // namespace

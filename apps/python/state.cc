@@ -110,7 +110,7 @@ py::list walls_of(const Packing<Dim>& packing) {
   for (const Wall<Dim>& w : packing.walls) {
     py::dict wall;
     wall["axis"] = w.axis, wall["side"] = w.side, wall["position"] = w.position;
-    wall["velocity"] = w.velocity, wall["mass"] = w.mass;
+    wall["velocity"] = w.velocity, wall["mass"] = w.mass, wall["open"] = w.open;
     walls.append(wall);
   }
   return walls;

@@ -53,7 +53,7 @@ floc_package(library libfloc-dev
   "This package has the static C++ libraries of floc, their headers, and what
 CMake needs to find them: find_package(floc)."
   SECTION libdevel
-  DEPENDS "libeigen3-dev, libspectra-dev, libsuitesparse-dev, libopenblas-dev, libceres-dev, libtomlplusplus-dev, nlohmann-json3-dev, libfmt-dev, libspdlog-dev, libhdf5-dev, libpugixml-dev, libfftw3-dev, voro++-dev, libcairo2-dev, pkg-config, libgomp1")
+  DEPENDS "libeigen3-dev, libspectra-dev, libsuitesparse-dev, libopenblas-dev, libceres-dev, libtomlplusplus-dev, nlohmann-json3-dev, libfmt-dev, libspdlog-dev, libhdf5-dev, libpugixml-dev, zlib1g-dev, libfftw3-dev, voro++-dev, libcairo2-dev, pkg-config, libgomp1")
 if(FLOC_PETSC)
   floc_package(petsc floc-petsc
     "With this package the option --solver petsc of floc moduli solves for the

@@ -101,7 +101,7 @@ TEST(Info, SaysWhereAStateComesFrom) {
   ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.h5")}).code, 0);
   const auto said = info(scratch.file("s.h5"));
   EXPECT_THAT(said["program"].get<std::string>(), StartsWith("floc "));
-  EXPECT_THAT(said["source"].get<std::string>(), StartsWith("N16~P1e-3~0001.txt, SHA-256 c63c0a8c380f85a0"));
+  EXPECT_THAT(said["source"].get<std::string>(), StartsWith("disks16.txt, SHA-256 d74e8cd04c9f398c"));
   EXPECT_NEAR(said["P_star"].get<double>(), 1e-3, 1e-12);  // P/K_N: nothing adheres
   EXPECT_EQ(said["z"], 4.125);
   EXPECT_THAT(floc_arguments({"info", scratch.file("s.h5"), "--format", "table"}).out,

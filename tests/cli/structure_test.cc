@@ -172,8 +172,8 @@ TEST_F(Structure, PorosityAndProfilesGoToFiles) {
   EXPECT_NEAR(e.number(4, 5), 1.0 - phi, 1e-12);
   EXPECT_NEAR(e.number(4, 2), 1.0 / phi - 1.0, 1e-12);
   EXPECT_NEAR(e.number(0, 3), 0.0, 1e-12);
-  EXPECT_THAT(p.columns(),
-              ElementsAre("file", "low", "high", "phi", "void_ratio", "n_grains", "z", "pressure"));
+  EXPECT_THAT(p.columns(), ElementsAre("file", "low", "high", "phi", "void_ratio", "n_grains", "z", "pressure",
+                                       "sigma_1", "sigma_2", "sigma_3"));
   ASSERT_EQ(p.n_rows(), 8);
   double mean = 0.0;
   for (int r = 0; r < 4; ++r) mean += p.number(r, 3) / 4.0;

@@ -154,7 +154,7 @@ TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
 TEST(ModuliWithinAnAccuracy, AreKeptOnShippedPackings) {
   const ScratchDirectory scratch;
   const std::string packings = source_directory() + "/data/packings/";
-  ASSERT_EQ(run_floc("convert '" + packings + "jambashbulk/N16~P1e-3~0001.txt' bulk.h5", scratch.path()).code,
+  ASSERT_EQ(run_floc("convert '" + packings + "disks/disks16.txt' bulk.h5", scratch.path()).code,
             0);
   ASSERT_EQ(
       run_floc("convert " + packings + "lammps/disks.dump disks.h5 --contacts " + packings +

@@ -21,7 +21,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Runs `floc verify` on the jamBashbulk packing after `spoil` changed it.
+/// Runs `floc verify` on the packing of 16 disks after `spoil` changed it.
 template <class Spoil>
 Outcome verify_spoiled(const Spoil& spoil) {
   const ScratchDirectory scratch;
@@ -114,8 +114,8 @@ TEST(Verify, HoldsTheStressThatTheFileRecordsAgainstTheForces) {
 }
 
 TEST(Verify, HoldsResidualsCountsAndFlagsThatTheFileRecordsAgainstWhatItFinds) {
-  expect_failed(verify_spoiled([](State<2>& s) { s.residuals.force = 1e-9; }), "recorded",
-                "residuals.force is recorded as 1e-09, but its value is");
+  expect_failed(verify_spoiled([](State<2>& s) { s.residuals.force = 1e-8; }), "recorded",
+                "residuals.force is recorded as 1e-08, but its value is");
   expect_failed(verify_spoiled([](State<2>& s) { s.residuals.energy = 1e-9; }), "recorded", "residuals.energy");
   expect_failed(verify_spoiled([](State<2>& s) { s.n_negative = 2; }), "recorded",
                 "n_negative is recorded as 2, but its value is 0");

@@ -216,7 +216,8 @@ def columns(s):
     # A force of the last digits is neither tension nor compression: no count may hang on it.
     out = {"file": Same(s.path), "dimension": Same(s.dim), "n_grains": Same(s.n), "units": Same(s.units),
            "P": Close(s.P, s.stress_scale), "P_star": Close(s.reduced(s.P), s.reduced(s.stress_scale)), **s.driven_columns(),
-           "p_wall": Close(s.p_wall), "phi": Close(s.phi), "seconds": Exempt("a time")}
+           "p_wall": Close(s.p_wall), "n_solid_bonds": Same(0),  # no state of the samples has bonds: cli.Imports counts them
+            "phi": Close(s.phi), "seconds": Exempt("a time")}
     out |= counted_columns(s, zero)
     out |= phase_columns(s, p)
     carrying, kept = carrying_columns(s, zero)

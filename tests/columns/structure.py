@@ -364,7 +364,19 @@ def profile(s, table, first):
     p = pressures(s)
     pressure = Same([None] * SLICES) if s.walls else Close(
         np.array([p[own == k].mean() if count[k] else None for k in range(SLICES)], object), np.abs(p).max())
-    return {"file": Same([s.path] * SLICES), "low": Close(edges[:-1]), "high": Close(edges[1:]), "phi": Close(phi),
+    # The stress of a slice is the mean of that across planes: contacts cut a plane in between their ends.
+    begin = (s.x[s.i] @ inverse - (min(s.walls["position"][s.walls["axis"] == axis]) / height if walled else 0)) * SLICES
+    step = s.branch @ inverse * SLICES
+    on_j = s.N[:, None] * s.normal - s.shear
+    stress = np.zeros((SLICES, s.dim))
+    for first, length, along in zip(begin, step, on_j * s.branch / (s.volume / SLICES)):
+        cuts = sorted({0.0, 1.0, *((k - first) / length for k in range(-3 * SLICES, 4 * SLICES) if length and
+                                   0 < (k - first) / length < 1)})
+        for a, b in zip(cuts, cuts[1:]):
+            k = int(np.floor(first + 0.5 * (a + b) * length))
+            stress[min(max(k, 0), SLICES - 1) if walled else k % SLICES] += (b - a) * along
+    sigma = {f"sigma_{a + 1}": Close(stress[:, a], np.abs(stress).max()) if a < s.dim else Same([None] * SLICES) for a in range(3)}
+    return sigma | {"file": Same([s.path] * SLICES), "low": Close(edges[:-1]), "high": Close(edges[1:]), "phi": Close(phi),
             "void_ratio": Close([1 / x - 1 for x in phi], 1.0), "n_grains": Same(count.tolist()),
             "z": Close(np.array(z, object)), "pressure": pressure}
 

@@ -1,7 +1,6 @@
 #include "readers.h"
 
 #include <hdf5.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -28,6 +27,7 @@
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
 #include "floc/tables/fit_tables.h"
+#include "read_packing.h"
 #include "support/sealed.h"
 #include "support/states.h"
 
@@ -35,26 +35,6 @@ namespace floc::fuzz {
 namespace {
 
 const std::filesystem::path kData = std::filesystem::path(FLOC_SOURCE_DIR) / "data";
-
-/// A file in memory with a name that any reader can open.
-class MemoryFile {
- public:
-  explicit MemoryFile(const std::string& bytes) : descriptor_(::memfd_create("fuzz", 0)) {
-    for (std::size_t done = 0; done < bytes.size();) {
-      const ssize_t n = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
-      if (n <= 0) throw std::runtime_error("no memory file");
-      done += static_cast<std::size_t>(n);
-    }
-  }
-  ~MemoryFile() { ::close(descriptor_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-
- private:
-  int descriptor_;
-};
 
 /// Where the data of all datasets of an HDF5 image lie.
 std::vector<std::size_t> dataset_bytes(const std::string& image) {
@@ -85,27 +65,6 @@ std::string content_of(const std::filesystem::path& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();
   return text.str();
-}
-
-Law law() {
-  return parse_law("fuzz",
-                   "normal.stiffness=1e3,adhesion.force=1,adhesion.range=1e-3,friction.coefficient=0.5,"
-                   "friction.stiffness=1e3,rolling.coefficient=0.01,rolling.stiffness=1");
-}
-
-/// Reads as `floc convert` does, contacts included.
-template <class Read>
-void read_packing(const Read& read, const std::string& bytes,
-                  const std::function<void(ImportOptions&)>& set = {}) {
-  const MemoryFile file(bytes);
-  ImportOptions options;
-  options.law = law();
-  if (set) set(options);
-  try {
-    Imported imported = read(file.path(), options);
-    if (!imported.contacts_known) std::visit([](auto& state) { find_contacts(state.packing); }, imported.state);
-  } catch (const InputError&) {
-  }
 }
 
 void read_scene_bytes(const std::string& bytes) {
@@ -295,10 +254,10 @@ const std::vector<Reader>& readers() {
         {"yade", read_yade_bytes, [] { return shipped("packings/yade/spheres.txt"); }},
         {"vtu", read_vtu_bytes, [] { return written_states(".vtu"); }},
         {"extended_xyz", read_xyz_bytes, [] { return written_states(".xyz"); }},
-        {"jambashbulk", read_jambashbulk_bytes,
-         [] { return shipped("packings/jambashbulk/N16~P1e-3~0001.txt"); }},
+        {"jambashbulk", read_jambashbulk_bytes, [] { return shipped("packings/disks/disks16.txt"); }},
     };
     for (const Reader& reader : shape_readers()) made.push_back(reader);
+    for (const Reader& reader : foreign_readers()) made.push_back(reader);
     return made;
   }();
   return all;

@@ -19,6 +19,9 @@ struct Reader {
 /// Readers of the shapes of grains: .off, .obj, .stl (text and binary), .csv (in 2D and 3D) and .shp.
 std::vector<Reader> shape_readers();
 
+/// Readers of packings of MercuryDPM, LMGC90 and Rockable, of VTK's formats but that of floc, and of contacts with walls.
+std::vector<Reader> foreign_readers();
+
 /// All readers of input that users bring.
 const std::vector<Reader>& readers();
 

@@ -79,12 +79,7 @@ class Export(unittest.TestCase):
                 run = samples.directory() / f"export-{k}"
                 samples.floc_program("run", scene, "-o", run, *few, "--until", 4)
                 files = sorted(run.glob("state-*.h5"))
-                if floc.read(files[-1]).walls:
-                    n_walls += 1
-                    self.assertIn("this state has walls, which cannot be written to a table of grains", subprocess.run(
-                        [samples.PROGRAM, "export", files[-1], "--grains", run / "g.csv"], capture_output=True, text=True,
-                        check=False).stderr)
-                    continue
+                n_walls += bool(floc.read(files[-1]).walls)
                 for state in files[::max(1, len(files) - 1)]:
                     self.same(state, self.round_trip(state, samples.directory() / "export"))
                     contacts = floc.read(state).contacts
@@ -93,7 +88,7 @@ class Export(unittest.TestCase):
                         n_wet += (contacts["bridge_volume"] != 0).any()
                         n_across += ((contacts["bridge_volume"] != 0) & (contacts["gap"] > 0)).sum()
         print(f"\n{len(cases)} scenes, {n_states} states exported and made again, {n_wet} wet with {n_across} bridges across gaps, "
-              f"{n_walls} boxes refused")
+              f"{n_walls} of boxes")
         self.assertGreater(n_across, 0)
 
     def test_prints_a_command_for_any_names(self):

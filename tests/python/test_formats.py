@@ -87,14 +87,21 @@ class EveryFormat(unittest.TestCase):
                 self.assertAlmostEqual(back.solid_fraction / state.solid_fraction, 1.0, delta=1e-13)
         print(f"\n{len(kinds)} kinds of states through {len(FORMATS)} formats and back")
 
-    def test_that_holds_walls_is_refused(self):
+    def test_gives_back_walls(self):
         path = samples.last_state("box")
         state = floc.read(path)
         for extension in FORMATS:
             with self.subTest(format=extension):
                 convert(path, f"box.{extension}")
-                words = convert(f"box.{extension}", "none.h5", "--law", LAW, code=4)
-                self.assertRegex(words, r"the box is not periodic \(.*\), and packings between walls cannot be read; --cell puts")
+                words = convert(f"box.{extension}", "back.h5", "--law", LAW)
+                self.assertNotIn("free space", words)
+                back = floc.read(samples.directory() / "back.h5")
+                lowest = [wall["position"] for wall in state.walls if wall["side"] < 0]
+                self.assertEqual([(w["axis"], w["side"], w["open"]) for w in back.walls],
+                                 [(w["axis"], w["side"], w["open"]) for w in state.walls])
+                np.testing.assert_allclose([w["position"] for w in back.walls],
+                                           [w["position"] - lowest[k // 2] for k, w in enumerate(state.walls)], atol=1e-12)
+                self.assertEqual(len(back.contacts), (~state.contacts["distant"]).sum())
                 sides = np.diag(state.cell) + 2.0
                 words = convert(f"box.{extension}", "apart.h5", "--law", LAW, "--cell", f"{sides[0]},0;0,{sides[1]}")
                 self.assertEqual(floc.read(samples.directory() / "apart.h5").n_contacts,
@@ -190,7 +197,7 @@ class FilesOfOtherPrograms(unittest.TestCase):
         print(f"\n{len(every)} files of a layer: 5 formats, heights, flags, tilts, options")
         self.assertIn("not converted", self.read(xyz(*flat, 'pbc="T T T"'), "--strict", code=5)[0])
 
-    def test_that_are_not_periodic_are_refused_unless_a_cell_is_given(self):
+    def test_that_are_not_periodic_are_open_or_walled_unless_a_cell_is_given(self):
         cell, rows = layer(3.0)
         spheres = [(*row[:2], 0.4 + 0.1 * k, row[3]) for k, row in enumerate(rows)]
         walls = '<DataArray type="Float64" Name="walls" NumberOfComponents="3" format="ascii">{} -1 0 {} 1 3</DataArray>'
@@ -199,16 +206,17 @@ class FilesOfOtherPrograms(unittest.TestCase):
             for axes in range(dimension):
                 letters = ["f" if a == axes else "p" for a in range(3)]
                 pbc = " ".join("F" if a == axes else "T" for a in range(3))
-                refused = [xyz(cell, grains, f'pbc="{pbc}"'), xyz(cell, grains, f'pbc="{pbc.replace("F", "0").replace("T", "1")}"'),
-                           dump(cell, grains, " ".join(2 * a for a in letters)),
-                           data(cell, grains, f"floc: walls at the faces across x: boundary {' '.join(letters)}, fix wall/gran"),
-                           vtu(cell, grains, walls.format(axes, axes))]
-                for written in refused:
+                files = [xyz(cell, grains, f'pbc="{pbc}"'), xyz(cell, grains, f'pbc="{pbc.replace("F", "0").replace("T", "1")}"'),
+                         dump(cell, grains, " ".join(2 * a for a in letters)),
+                         data(cell, grains, f"floc: walls at the faces across x: boundary {' '.join(letters)}, fix wall/gran"),
+                         vtu(cell, grains, walls.format(axes, axes))]
+                for k, written in enumerate(files):
                     with self.subTest(axis=axes, dimension=dimension, text=written[1][:200]):
                         n += 1
-                        words, _ = self.read(written, code=4)
-                        self.assertIn("the box is not periodic (", words)
-                        self.assertIn("packings between walls cannot be read; --cell puts", words)
+                        walled = k == 4 or k == 3 and axes == 0
+                        words, state = self.read(written, "--tolerance", 1e9)
+                        self.assertEqual("it ends in free space there" in words, not walled)
+                        self.assertEqual([(w["axis"], w["open"]) for w in state.walls], 2 * [(axes, not walled)])
                         size = "4,0;0,4" if dimension == 2 else "4,0,0;0,4,0;0,0,4"
                         words, state = self.read(written, "--cell", size, "--tolerance", 1e9)
                         self.assertEqual(state.dimension, dimension)

@@ -101,7 +101,7 @@ fit preconsolidation {source}/data/tables/reload
 fit consolidation {source}/data/tables/oedometer/oedometer.csv --loading virgin --law log --window 200,6400
 info {source}/data/tables/oedometer/oedometer.csv
 plot {source}/data/tables/demo -o tables.svg
-convert {source}/data/packings/jambashbulk/N16~P1e-3~0001.txt disks.h5
+convert {source}/data/packings/disks/disks16.txt disks.h5
 tradeoff small.toml --budget 60 --samples 1 --observables phi
 """.strip().splitlines()
 

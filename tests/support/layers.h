@@ -67,6 +67,7 @@ inline const std::vector<std::pair<std::string, std::set<std::string>>>& foreign
       {"hdf5", {"io"}},
       {"H5", {"io"}},
       {"pugixml", {"io"}},
+      {"zlib", {"base"}},
       {"toml", {"scene", "campaign"}},
       {"cairo", {"picture"}},
       {"fftw3", {"structure"}},

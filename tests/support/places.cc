@@ -7,7 +7,7 @@ std::string source_directory() {
 }
 
 std::string jambashbulk_file() {
-  return source_directory() + "/data/packings/jambashbulk/N16~P1e-3~0001.txt";
+  return source_directory() + "/data/packings/disks/disks16.txt";
 }
 
 std::string demo_tables() {

@@ -9,7 +9,7 @@ namespace floc::test {
 /// The checkout, without a slash at the end.
 std::string source_directory();
 
-/// A packing of 16 disks by jambashbulk.
+/// A packing of 16 frictionless disks in the format of jamBashbulk.
 std::string jambashbulk_file();
 
 /// The tables of the runs of data/scenes/demo.toml.

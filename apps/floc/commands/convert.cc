@@ -13,6 +13,7 @@
 #include "floc/io/export.h"
 #include "floc/io/import.h"
 #include "floc/io/law_text.h"
+#include "floc/io/lmgc90.h"
 #include "floc/packing/overlaps.h"
 #include "process/command.h"
 #include "process/output.h"
@@ -31,6 +32,13 @@ struct ConvertArguments {
   std::string contacts;
   std::string stress;
   std::string units = "reduced";
+  std::string walls;
+  std::string wall_law;
+  std::string wall_ids;
+  std::string gravity;
+  std::string bonds;
+  double touch_gap = 0.0;
+  bool pairs_twice = false;
   std::optional<int> dimension;
   std::optional<int> index;
   std::optional<double> tolerance;
@@ -80,12 +88,34 @@ std::map<std::string, std::string> parse_columns(const std::string& option, cons
   return columns;
 }
 
+/// Reads the option `--wall-ids`: identifiers of bodies and the walls that they are, such as "0=x-,1=x+".
+std::map<std::int64_t, WallSide> parse_wall_ids(const std::string& text) {
+  std::map<std::int64_t, WallSide> walls;
+  for (const auto& [id, name] : parse_columns("--wall-ids", text)) {
+    const auto number = parse_number<std::int64_t>(id);
+    const auto side = wall_side(name);
+    if (!number || !side)
+      throw InputError(
+          "--wall-ids",
+          fmt::format("\"{}={}\": expected the id of a body and a wall, for example 0=x-", id, name));
+    walls.emplace(*number, *side);
+  }
+  return walls;
+}
+
 ImportOptions import_options(const ConvertArguments& arguments) {
   ImportOptions options;
   if (!arguments.law.empty()) options.law = parse_law("--law", arguments.law);
   if (!arguments.cell.empty())
     for (const std::string& vector : split(arguments.cell, ';'))
       options.cell.push_back(parse_numbers("--cell", vector));
+  if (!arguments.wall_law.empty()) options.wall_law = parse_law("--wall-law", arguments.wall_law);
+  if (!arguments.gravity.empty()) options.gravity = parse_numbers("--gravity", arguments.gravity);
+  options.walls = arguments.walls;
+  options.wall_ids = parse_wall_ids(arguments.wall_ids);
+  options.bonds = arguments.bonds;
+  options.touch_gap = arguments.touch_gap;
+  options.pairs_twice = arguments.pairs_twice;
   options.columns = parse_columns("--columns", arguments.columns);
   options.contact_columns = parse_columns("--contact-columns", arguments.contact_columns);
   options.contacts = arguments.contacts;
@@ -110,11 +140,14 @@ void complete(const std::string& in, const Imported& imported, const ConvertArgu
   if (!arguments.stress.empty()) completion.stress = parse_numbers("--stress", arguments.stress);
   completion.stress_place = "--stress";
   completion.tolerance = arguments.tolerance;
+  completion.touch_gap = arguments.touch_gap;
   const std::string remark = complete_import(in, imported, completion, state);
   if (!remark.empty()) spdlog::info("{}: {}", in, remark);
   const std::filesystem::path source(in);
+  // The input of LMGC90 is a directory.
+  const std::string file = std::filesystem::is_directory(in) ? lmgc90_bodies(in) : in;
   state.provenance.source =
-      in == "-" ? "stdin" : fmt::format("{}, SHA-256 {}", source.filename().string(), sha256_of_file(in));
+      in == "-" ? "stdin" : fmt::format("{}, SHA-256 {}", source.filename().string(), sha256_of_file(file));
 }
 
 template <int Dim>
@@ -202,6 +235,20 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
   app.add_option(
       "--cell", arguments.cell,
       "lattice vectors of the periodic cell, separated by semicolons, e.g. \"9.5,0;0.06,9.57\" (length)");
+  app.add_option(
+      "--walls", arguments.walls,
+      "axes that are not periodic, separated by commas: x (walls at both faces of the box across x), z- or "
+      "z+ (a wall at the lower or upper face, and a free surface), z=0:5 (walls at these places), z=0: (a "
+      "floor at 0 and a free surface) [those that IN states; without them the packing is periodic or ends "
+      "in free space]");
+  app.add_option("--wall-law", arguments.wall_law,
+                 "contact law between grains and walls, given as for --law [the law between grains]");
+  app.add_option("--wall-ids", arguments.wall_ids,
+                 "ID=WALL,...: bodies in the file of contacts that are walls, e.g. 0=x-,1=x+,2=z-");
+  app.add_option(
+      "--gravity", arguments.gravity,
+      "components of the acceleration due to gravity, separated by commas, e.g. 0,0,-9.81 [that of IN; "
+      "without it none]");
   app.add_option("--columns", arguments.columns,
                  "NAME=COLUMN,...: header of the column that contains each quantity, for a csv file of grains, "
                  "e.g. x=X,y=Y,radius=R")
@@ -210,6 +257,17 @@ void add_reading_options(CommandLine app, ConvertArguments& arguments) {
                  "file of the contacts: csv with the columns id1, id2 and optionally image1.., normal_force, "
                  "shear_force1.., rolling_moment.., twisting_moment; or a LAMMPS dump of style local; or YADE "
                  "interactions [contacts are found from the positions and radii]");
+  app.add_option(
+      "--bonds", arguments.bonds,
+      "file of bonds, which has the formats of a file of contacts: they act across gaps with their own "
+      "stiffnesses kn, kt, kr and ktw, and are unstressed without a force");
+  app.add_option(
+         "--touch-gap", arguments.touch_gap,
+         "gap up to which grains and walls touch if contacts are found from the geometry; contacts across a "
+         "gap get no force (length) [0]")
+      .non_negative();
+  app.add_flag("--pairs-twice", arguments.pairs_twice,
+               "merge contacts that IN or the file of contacts lists twice, once from each grain");
   app.add_option(
          "--contact-columns", arguments.contact_columns,
          "NAME=COLUMN,...: header of the column that contains each quantity, for the file of contacts, e.g. "

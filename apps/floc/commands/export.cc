@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/base/shell_word.h"
 #include "floc/io/law_text.h"
+#include "floc/packing/body_name.h"
 #include "floc/packing/liquid/liquid.h"
 #include "floc/packing/require_elastic.h"
 #include "floc/tables/column.h"
@@ -68,7 +69,11 @@ Table contact_table(const Packing<Dim>& packing) {
   if (holds_liquid(packing)) table.columns.emplace_back("bridge_volume");
   for (const Contact<Dim>& c : packing.contacts) {
     auto& row = table.rows.emplace_back();
-    row = {packing.grains.name(c.i), packing.grains.name(c.j)};
+    row.emplace_back(packing.grains.name(c.i));
+    if (packing.is_wall(c.j))
+      row.emplace_back(body_name(packing, c.j));
+    else
+      row.emplace_back(packing.grains.name(c.j));
     for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
     row.emplace_back(c.normal_force);
     for (int a = 0; a < Dim; ++a) row.emplace_back(c.shear_force[a]);
@@ -79,6 +84,23 @@ Table contact_table(const Packing<Dim>& packing) {
     if (holds_liquid(packing)) row.emplace_back(bridge_volume(packing, c));
   }
   return table;
+}
+
+/// Returns the options of `floc convert` that give the walls and the body force of a packing; empty if it has neither.
+template <int Dim>
+std::string boundary_options(const Packing<Dim>& packing) {
+  std::string walls, options;
+  for (std::size_t w = 0; w + 1 < packing.walls.size(); w += 2) {
+    const auto place = [](const Wall<Dim>& wall) {
+      return wall.open ? std::string() : fmt::format("{}", wall.position);
+    };
+    walls += fmt::format("{}{}={}:{}", walls.empty() ? "" : ",", kAxes[packing.walls[w].axis],
+                         place(packing.walls[w]), place(packing.walls[w + 1]));
+  }
+  if (!walls.empty()) options = fmt::format(" --walls {} --wall-law '{}'", walls, law_text(packing.wall_law));
+  if (!packing.gravity.isZero(0.0))
+    options += fmt::format(" --gravity={}", fmt::join(packing.gravity.begin(), packing.gravity.end(), ","));
+  return options;
 }
 
 /// Returns the command line of `floc convert` that restores the state from the two tables, of grains and of contacts.
@@ -92,18 +114,15 @@ std::string convert_command(const ExportArguments& arguments, const State<Dim>& 
   }
   const bool named_csv = std::filesystem::path(arguments.grains).extension() == ".csv";
   return fmt::format(
-      "floc convert {} STATE.h5{} --cell '{}' --law '{}' --stress={} --units {} --tolerance {} --contacts {}",
+      "floc convert {} STATE.h5{} --cell '{}'{} --law '{}' --stress={} --units {} --tolerance {} --contacts {}",
       shell_word(arguments.grains), named_csv ? "" : " --from csv", fmt::join(vectors, ";"),
-      law_text(state.packing.law), fmt::join(state.target_stress.begin(), state.target_stress.end(), ","),
-      state.units, state.tolerance.force, shell_word(arguments.contacts));
+      boundary_options(state.packing), law_text(state.packing.law),
+      fmt::join(state.target_stress.begin(), state.target_stress.end(), ","), state.units,
+      state.tolerance.force, shell_word(arguments.contacts));
 }
 
 template <int Dim>
 void export_state(const ExportArguments& arguments, const State<Dim>& state) {
-  if (!state.packing.walls.empty())
-    throw InputError(arguments.state,
-                     "this state has walls, which cannot be written to a table of grains: floc export needs a "
-                     "state with a periodic cell");
   const bool both = !arguments.grains.empty() && !arguments.contacts.empty();
   if (!arguments.grains.empty()) write_csv(arguments.grains, grain_table(state.packing));
   if (!arguments.contacts.empty()) write_csv(arguments.contacts, contact_table(state.packing));
@@ -139,7 +158,8 @@ Command add_export(CommandLine program) {
                  "csv file to write, with one row per contact: forces, moments, stiffnesses");
   app.footer(
       "If both files are written, the command is printed that restores the state from them; it contains the "
-      "cell, the\ncontact law and the load, which are not in the tables. Velocities, angles and the history of "
+      "cell, the\nwalls, the contact law and the load, which are not in the tables. Velocities, angles and the "
+      "history of "
       "the run are not written.");
   return {app, [arguments] { return run_export(*arguments); }};
 }

@@ -298,6 +298,7 @@ class Network(Record):
     p_wall: float | None
     P_driven: float | None
     P_driven_star: float | None
+    n_solid_bonds: int | None
 
 class Structure(Record):
     file: str

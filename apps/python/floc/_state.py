@@ -64,8 +64,8 @@ class State(_core.State):
     units = _documented("units", "\"reduced\" or \"SI\".")
     law = _documented("law", "The contact law in one line, as ``floc convert --law`` and ``Packing.from_arrays`` "
                              "read it.")
-    walls = _documented("walls", "Walls of a box: dicts of axis, side, position, velocity, mass; empty in a periodic "
-                                 "cell.")
+    walls = _documented("walls", "Ends of the axes that are not periodic: dicts of axis, side, position, velocity, mass, "
+                                 "open (no wall, but free space); empty in a periodic cell.")
     path = _documented("path", "Position of the state on its load path: step, branch, time, n_steps, ending.")
     scene = _documented("scene", "Text of the scene; empty for a packing of another program.")
     provenance = _documented("provenance", "Origin of the state: program, commit, compiler, seed, parent_sha256, "

@@ -4,9 +4,12 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "floc/base/error.h"
+#include "floc/base/gzip_stream.h"
 
 namespace floc {
 namespace {
@@ -15,7 +18,17 @@ constexpr std::size_t kPiece = 1 << 16;
 
 void read_all(const std::string& place, std::FILE* file, const std::function<void(std::string_view)>& take) {
   std::vector<char> buffer(kPiece);
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) take({buffer.data(), n});
+  std::optional<GzipStream> gzip;
+  bool first = true;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), file)) {
+    const std::string_view piece(buffer.data(), n);
+    if (std::exchange(first, false) && is_gzip(piece)) gzip.emplace(place);
+    if (gzip)
+      gzip->pass(piece, take);
+    else
+      take(piece);
+  }
+  if (gzip) gzip->finish();
   // Opening a directory succeeds; only reading it fails.
   if (std::ferror(file))
     throw InputError(place,

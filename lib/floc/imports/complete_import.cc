@@ -2,13 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+#include <vector>
+
 #include "floc/base/error.h"
 #include "floc/base/version.h"
 #include "floc/neighbors/find_contacts.h"
 #include "floc/neighbors/spread_liquid.h"
-#include "floc/packing/balance.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/law/contact_forces.h"
 #include "floc/packing/liquid/liquid.h"
 #include "floc/packing/overlaps.h"
+#include "floc/packing/wall_forces.h"
+#include "floc/rigid/near_contacts.h"
 
 namespace floc {
 namespace {
@@ -45,13 +53,45 @@ void refuse_impossible_density(const std::string& place, const Packing<Dim>& pac
 template <int Dim>
 void set_target_stress(const Imported& imported, const ImportCompletion& completion, State<Dim>& state) {
   if (completion.stress.empty()) {
-    if (!imported.target_stress_known) state.target_stress = static_stress(state.packing).diagonal();
+    if (!imported.target_stress_known) state.target_stress = load_stress(state.packing).diagonal();
     return;
   }
   if (completion.stress.size() != Dim)
     throw InputError(completion.stress_place,
                      fmt::format("the stress has {} numbers, expected {}", completion.stress.size(), Dim));
   for (int a = 0; a < Dim; ++a) state.target_stress[a] = completion.stress[a];
+}
+
+/// Adds contacts of surfaces that are closer than `gap`. Their forces are unknown and set to zero; their stiffnesses are
+/// those of the law for surfaces that just touch.
+template <int Dim>
+void add_touching(double gap, Packing<Dim>& packing) {
+  constexpr double kCapTolerance = 1e-6;
+  const auto known = packing.contacts;
+  add_near_contacts(packing, gap);
+  auto next = known.begin();
+  for (Contact<Dim>& c : packing.contacts) {
+    if (next != known.end() && !precedes(c, *next))
+      ++next;
+    else
+      set_given_forces(packing, {}, {}, kCapTolerance, c), c.bonded = true;
+  }
+}
+
+/// Finds the contacts of a packing from its geometry, in addition to the bonds that it has already.
+template <int Dim>
+void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
+  std::vector<Contact<Dim>> bonds = std::move(packing.contacts);
+  find_contacts(packing);
+  if (touch_gap > 0.0) add_touching(touch_gap, packing);
+  if (bonds.empty()) return;
+  std::vector<Contact<Dim>> found = std::move(packing.contacts);
+  packing.contacts.clear();
+  // A bond takes the place of a contact of the same two bodies.
+  std::set_difference(found.begin(), found.end(), bonds.begin(), bonds.end(),
+                      std::back_inserter(packing.contacts), precedes<Contact<Dim>>);
+  packing.contacts.insert(packing.contacts.end(), bonds.begin(), bonds.end());
+  std::sort(packing.contacts.begin(), packing.contacts.end(), precedes<Contact<Dim>>);
 }
 
 }  // namespace
@@ -62,7 +102,7 @@ std::string complete_import(const std::string& place, const Imported& imported,
   if (const std::string fault = state.packing.law.fault_in_dimension(Dim); !fault.empty())
     throw InputError(completion.law_place, fault);
   if (!imported.contacts_known)
-    find_contacts(state.packing);
+    find_missing_contacts(completion.touch_gap, state.packing);
   else if (!imported.liquid_known)
     spread_liquid(state.packing);
   refuse_impossible_density(place, state.packing);

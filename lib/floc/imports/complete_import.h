@@ -18,6 +18,7 @@ struct ImportCompletion {
   /// Tolerance of the equilibrium; if absent, the default of floc or, if the file gives no imposed stress, a larger
   /// value.
   std::optional<double> tolerance;
+  double touch_gap = 0.0;  ///< largest gap at which grains count as touching: see ImportOptions
 };
 
 /// Completes the state of a packing of another program with the data that its file lacks and an analysis needs:

@@ -27,6 +27,12 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
         "{} of the {} contacts listed have a gap, no force and no attraction in the law: they are pairs of "
         "neighbours that do not touch, and are left out",
         listed.n_neighbors, listed.n_read));
+  if (listed.n_across_no_lattice > 0)
+    summary.inconsistencies.push_back(
+        fmt::format("{} of the {} contacts listed cross a boundary that turns the grains: they keep the forces "
+                    "of the file and have no "
+                    "stiffness, and their normals and the balance of their second grains are not right",
+                    listed.n_across_no_lattice, listed.n_read));
   if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(
         fmt::format("{} of the {} contacts listed pull, and are left out", listed.n_tensile, listed.n_read));
@@ -46,6 +52,10 @@ void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
 }
 
 void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& summary) {
+  if (check.n_bonds > 0)
+    summary.lines.push_back(fmt::format(
+        "contacts: {} are bonds, or act across a gap up to --touch-gap, with stiffnesses of their own",
+        check.n_bonds));
   summary.lines.push_back(fmt::format(
       "contacts: {} have a gap, {} pull, {} have a tangential force or moment at its limit; normal forces "
       "differ from the law by at most {:.1e} of their mean",
@@ -84,8 +94,9 @@ void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& sum
     const double radii = radius[nearest->i] + radius[nearest->j];
     if (nearest->gap <= kHard * radii)
       cause =
-          "simulations of hard grains end with small gaps; grains touch if each radius is increased by more "
-          "than half of this gap";
+          "simulations of hard grains end with small gaps; --touch-gap, with a length above this gap, says "
+          "that such "
+          "grains touch";
     else if (std::abs(nearest->gap - radii) <= kDoubled * radii)
       cause =
           "the nearest grains would touch if their radii were twice as large: are the values read as diameters "

@@ -23,4 +23,10 @@ std::optional<std::vector<ListedContact>> read_contact_file(const ImportOptions&
                                                             std::optional<std::int64_t> timestep = {},
                                                             std::vector<std::string>* remarks = nullptr);
 
+/// Reads bonds from the file `options.bonds`, which has the formats of a file of contacts. Bonds need a stiffness kn and
+/// act across a gap; without a listed force they are unstressed.
+/// @return the bonds; none if `options.bonds` is empty
+/// @throws InputError naming file, line and column
+std::vector<ListedContact> read_bond_file(const ImportOptions& options, int dimension);
+
 }  // namespace floc

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "floc/base/error.h"
-#include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
 
 namespace floc {
@@ -15,19 +14,13 @@ Imported read_csv_packing(const std::string& path, const ImportOptions& options)
         fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
                     *options.index));
   check_grain_columns("--columns", options.columns);
-  ListedPacking listed;
-  listed.place = path;
-  listed.law = required_law(path, options);
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
-  listed.cell_place = "--cell";
-  listed.cell = options.cell;
+  ListedPacking listed = listed_packing(path, options);
   const CsvTable table = CsvTable::read(path, wanted_names(grain_names(), options.columns));
   if (!table.description().empty())
     listed.remarks.push_back(fmt::format("read {}: {}", table.rows_in_words(), table.description()));
   listed.grains = read_grains(NamedColumns(table, options.columns), options.units);
-  listed.contacts = read_contact_file(options, static_cast<int>(listed.cell.size()), {}, &listed.remarks);
-  return assemble(listed);
+  listed.space.place = path;
+  return assemble(std::move(listed), options);
 }
 
 }  // namespace floc

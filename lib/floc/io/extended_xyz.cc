@@ -10,9 +10,9 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
-#include "floc/io/contact_file.h"
 #include "floc/io/listed_columns.h"
-#include "floc/io/listed_space.h"
+#include "floc/io/listed_packing.h"
+#include "floc/packing/body_name.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -98,6 +98,25 @@ std::vector<std::string> columns_of(const std::string& place, const std::string&
   return columns;
 }
 
+/// Returns the columns of a frame of plain xyz, which does not name them: their numbers from 1 on. The positions are the
+/// columns 2 to 4, after the name of the element, unless the user says otherwise.
+/// @param given  columns that the user named; the positions are added
+std::vector<std::string> numbered_columns(const std::string& place, const XyzFrame& frame,
+                                          std::map<std::string, std::string>& given) {
+  if (!given.contains("radius") && !given.contains("diameter"))
+    throw InputError(
+        place,
+        "the comment line of the frame has no Properties=, so that the columns have no names: give --columns "
+        "radius=5 or diameter=5, with the number of the column, and x, y, z unless they are columns 2 to 4");
+  given.emplace("x", "2");
+  given.emplace("y", "3");
+  given.emplace("z", "4");
+  std::vector<std::string> columns;
+  for (std::size_t k = 0; !frame.rows.empty() && k < tokenize(frame.rows.front()).size(); ++k)
+    columns.push_back(std::to_string(k + 1));
+  return columns;
+}
+
 std::vector<std::vector<double>> lattice_of(const std::string& place, const std::string& text) {
   const std::vector<std::string> tokens = tokenize(text);
   if (tokens.size() != 9)
@@ -111,6 +130,18 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
     cell[k / 3].push_back(*value);
   }
   return cell;
+}
+
+/// Reads the value of the key Origin, the corner of the cell, which OVITO writes.
+Eigen::Vector3d origin_of(const std::string& place, const std::string& text) {
+  const std::vector<std::string> tokens = tokenize(text);
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto value = tokens.size() == 3 ? parse_number<double>(tokens[k]) : std::nullopt;
+    if (!value) throw InputError(place, fmt::format("Origin=\"{}\", expected three finite numbers", text));
+    origin[static_cast<Eigen::Index>(k)] = *value;
+  }
+  return origin;
 }
 
 /// Reads the value of the key pbc, such as "T T F": whether the packing is periodic along each lattice vector.
@@ -128,16 +159,31 @@ std::vector<bool> periodic_of(const std::string& place, const std::string& text)
   return periodic;
 }
 
-/// Reads cell, periodicity and dimension from the comment line of a frame.
-ListedSpace space_of(const std::string& place, const std::map<std::string, std::string>& keys,
-                     const ImportOptions& options) {
+/// Reads the key walls, which floc writes: the names of the walls at the faces of the box, such as "x- x+".
+void add_walls(const std::string& place, const std::string& names, ListedSpace& space) {
+  space.exact_walls = true;
+  for (const std::string& name : tokenize(names)) {
+    const auto wall = wall_side(name);
+    if (!wall || space.cell.empty())
+      throw InputError(place,
+                       fmt::format("walls=\"{}\", expected names of faces of the box (Lattice), such as x- "
+                                   "and x+",
+                                   names));
+    add_wall_at_face(*wall, space);
+  }
+}
+
+/// Reads cell, boundary and dimension from the comment line of a frame.
+ListedSpace space_of(const std::string& place, const std::map<std::string, std::string>& keys) {
   ListedSpace space;
   space.place = place;
-  if (options.cell.empty() && keys.contains("Lattice")) space.cell = lattice_of(place, keys.at("Lattice"));
-  if (options.cell.empty() && keys.contains("pbc")) {
+  if (keys.contains("Lattice")) space.cell = lattice_of(place, keys.at("Lattice"));
+  if (keys.contains("Origin")) space.origin = origin_of(place, keys.at("Origin"));
+  if (keys.contains("pbc")) {
     space.periodic = periodic_of(place, keys.at("pbc"));
-    space.boundary = fmt::format("pbc=\"{}\", expected T in every direction", keys.at("pbc"));
+    space.boundary = fmt::format("pbc=\"{}\"", keys.at("pbc"));
   }
+  if (keys.contains("walls")) add_walls(place, keys.at("walls"), space);
   if (!keys.contains("dimension")) return space;
   const auto dimension = parse_number<int>(keys.at("dimension"));
   if (!dimension || (*dimension != 2 && *dimension != 3))
@@ -153,7 +199,9 @@ bool is_extended_xyz(const std::string& path) {
   std::string first, second;
   std::getline(in, first);
   std::getline(in, second);
-  return parse_number<std::int64_t>(first) && second.find("Properties=") != std::string::npos;
+  const bool named =
+      second.find("Properties=") != std::string::npos || path.ends_with(".xyz") || path.ends_with(".xyz.gz");
+  return parse_number<std::int64_t>(first) && named;
 }
 
 Imported read_extended_xyz(const std::string& path, const ImportOptions& options) {
@@ -166,22 +214,17 @@ Imported read_extended_xyz(const std::string& path, const ImportOptions& options
   const XyzFrame& frame = frames[static_cast<std::size_t>(index)];
   const std::string place = fmt::format("{}:{}", path, frame.line + 1);
   std::map<std::string, std::string> keys = keys_of(place, frame.comment);
-  if (!keys.contains("Properties")) throw InputError(place, "the comment line of the frame has no Properties=");
-  CsvTable table(path, columns_of(place, keys["Properties"]));
+  ImportOptions named = options;
+  CsvTable table(path, keys.contains("Properties") ? columns_of(place, keys["Properties"])
+                                                   : numbered_columns(place, frame, named.columns));
   for (std::size_t k = 0; k < frame.rows.size(); ++k)
     table.add_row(frame.line + 2 + static_cast<int>(k), tokenize(frame.rows[k]));
 
-  ListedPacking listed;
-  listed.place = path;
-  listed.law = required_law(path, options);
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
-  listed.grains = read_grains(NamedColumns(table, options.columns));
-  const int dimension = settle_space(space_of(place, keys, options), options, listed);
-  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
-  Imported imported = assemble(listed);
-  imported.remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read", index, n - 1));
-  return imported;
+  ListedPacking listed = listed_packing(path, options);
+  listed.grains = read_grains(NamedColumns(table, named.columns));
+  listed.space = space_of(place, keys);
+  listed.remarks.push_back(fmt::format("frame {} of the frames 0 to {} is read", index, n - 1));
+  return assemble(std::move(listed), options);
 }
 
 namespace {
@@ -196,8 +239,9 @@ std::string xyz_text(const State<Dim>& state) {
   for (int k = 0; k < 9; ++k) text += fmt::format("{}{}", k == 0 ? "" : " ", lattice(k / 3, k % 3));
   const auto periodic_along = [&](int a) { return between_walls(packing.walls, a) ? "F" : "T"; };
   text += fmt::format(
-      "\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"{} {} {}\" dimension={}\n",
-      periodic_along(0), periodic_along(1), Dim == 3 ? periodic_along(2) : "F", Dim);
+      "\" Properties=species:S:1:pos:R:3:radius:R:1:mass:R:1:id:I:1 pbc=\"{} {} {}\" dimension={}{}\n",
+      periodic_along(0), periodic_along(1), Dim == 3 ? periodic_along(2) : "F", Dim,
+      packing.walls.empty() ? "" : fmt::format(" walls=\"{}\"", wall_names(packing.walls)));
   for (int i = 0; i < grains.size(); ++i) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
     x.head<Dim>() = grains.position[i];

@@ -6,13 +6,14 @@
 
 namespace floc {
 
-/// Whether a file is probably extended XYZ: its first line is a number, and its second line contains "Properties=".
+/// Whether a file is probably XYZ: its first line is a number, and its second line contains "Properties=" (extended XYZ)
+/// or its name ends in .xyz.
 bool is_extended_xyz(const std::string& path);
 
 /// Reads one frame of an extended XYZ file: the frame number `options.index` (from 0), by default the last frame. The
 /// comment line of a frame contains keys with values. The key Properties names the columns of the frame, among them
 /// pos:R:3, radius (or diameter) and, optionally, mass and id, which are the columns of read_grains();
-/// `options.columns` renames them. The other keys that are read:
+/// `options.columns` renames them. Columns of a plain XYZ file, which has no Properties, are named by their numbers. The other keys that are read:
 ///   Lattice     cell, as Lattice="ax ay az bx by bz cx cy cz"; in 2D, the x and y components of the first two vectors
 ///   pbc         periodicity along each lattice vector; if present, it has to be T along every vector of the packing
 ///   dimension   2 or 3; without this key, settle_space() decides

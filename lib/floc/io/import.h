@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "floc/contact/law.h"
+#include "floc/io/listed_space.h"
 #include "floc/io/state_file.h"
 
 namespace floc {
@@ -16,11 +17,19 @@ struct ImportOptions {
   /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. Empty: the
   /// cell in the file is used.
   std::vector<std::vector<double>> cell;
+  std::optional<Law> wall_law;  ///< contact law between grains and walls; absent: `law`
+  std::string walls;            ///< axes that are not periodic: see parse_walls(); empty: the file decides
+  std::vector<double>
+      gravity;  ///< acceleration due to gravity, one component per axis; empty: that of the file
+  std::map<std::int64_t, WallSide>
+      wall_ids;  ///< bodies of the file of contacts that are walls, by their identifiers
   /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
   /// A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> columns;
   /// Path of a file that lists the contacts; empty: contacts are found from the positions and radii.
   std::string contacts;
+  /// Path of a file that lists bonds: contacts with stiffnesses of their own that act across gaps; empty: none.
+  std::string bonds;
   /// Maps the names that floc uses for columns of contacts to the names of these columns in the file `contacts`. A
   /// column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> contact_columns;
@@ -32,6 +41,10 @@ struct ImportOptions {
   /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, such contacts are an
   /// error.
   bool drop_tensile = false;
+  /// Largest gap at which grains count as touching if their contacts are found from the geometry (length). Contacts across
+  /// a gap get no force.
+  double touch_gap = 0.0;
+  bool pairs_twice = false;  ///< whether the file lists pairs twice, once from each grain: see merge_pairs()
 };
 
 /// Numbers of the contacts that a file lists: in total, left out, and kept with another image.
@@ -45,6 +58,9 @@ struct ListedContactCounts {
   /// Number of contacts that were kept, but at the nearest periodic image of grain id2, because the listed image
   /// contradicts the positions.
   int n_other_image = 0;
+  /// Number of contacts across a boundary that is no lattice, which keep their forces and have no stiffness.
+  int n_across_no_lattice = 0;
+  int n_bonds = 0;  ///< number of contacts that act across a gap with stiffnesses of their own
   /// Sentences about the contacts whose listed stiffnesses differ from those that the contact law gives for the listed
   /// forces.
   std::vector<std::string> stiffness_differences;

@@ -6,7 +6,13 @@
 
 namespace floc {
 
+void LammpsBox::set_general(int index, const Eigen::Vector3d& vector) {
+  if (!general) general = Eigen::Matrix3d::Zero();
+  general->row(index) = vector.transpose();
+}
+
 Eigen::Matrix3d LammpsBox::matrix() const {
+  if (general) return *general;
   Eigen::Matrix3d m;
   m << side[0], 0.0, 0.0, xy, side[1], 0.0, xz, yz, side[2];
   return m;
@@ -18,14 +24,6 @@ std::vector<std::vector<double>> LammpsBox::vectors() const {
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) vectors[a].push_back(rows(a, b));
   return vectors;
-}
-
-void LammpsBox::require_sides(const std::string& place, int dimension) const {
-  for (int a = 0; a < dimension; ++a)
-    if (!(side[a] > 0.0))
-      throw InputError(
-          place, fmt::format("the cell is degenerate: its side along {} is {:.6g}, must be positive", "xyz"[a],
-                             side[a]));
 }
 
 }  // namespace floc

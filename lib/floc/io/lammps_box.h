@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,17 +15,17 @@ struct LammpsBox {
   double xy = 0.0;
   double xz = 0.0;
   double yz = 0.0;
+  /// Lattice vectors of a general triclinic box, one per row, which replace the sides and tilts.
+  std::optional<Eigen::Matrix3d> general;
+
+  /// Sets one lattice vector of a general triclinic box.
+  void set_general(int index, const Eigen::Vector3d& vector);
 
   /// Returns the matrix whose rows are the lattice vectors of the box.
   Eigen::Matrix3d matrix() const;
 
   /// Returns the lattice vectors of the box, one list of three components per vector.
   std::vector<std::vector<double>> vectors() const;
-
-  /// Checks that the first `dimension` sides of the box are positive.
-  /// @param place  place of the box in its file, for messages
-  /// @throws InputError if one of these sides is not positive
-  void require_sides(const std::string& place, int dimension) const;
 
   /// Whether LAMMPS accepts the box and grains at height `z` as two-dimensional: `z` is 0, and the box extends equally
   /// far above and below z = 0.

@@ -1,9 +1,11 @@
 #include "floc/io/lammps_data.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -13,10 +15,10 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
 #include "floc/geometry/tilt.h"
-#include "floc/io/contact_file.h"
 #include "floc/io/lammps_box.h"
 #include "floc/io/listed_columns.h"
-#include "floc/io/listed_space.h"
+#include "floc/io/listed_packing.h"
+#include "floc/packing/body_name.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
@@ -69,6 +71,14 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   } else if (key == "xy xz yz") {
     expect(3);
     data.box.xy = values[0], data.box.xz = values[1], data.box.yz = values[2];
+  } else if (key == "avec" || key == "bvec" || key == "cvec" || key == "abc origin") {
+    expect(3);
+    const Eigen::Vector3d vector(values[0], values[1], values[2]);
+    if (key == "abc origin")
+      data.box.low = vector;
+    else
+      data.box.set_general(key[0] - 'a', vector);
+    data.box_place = place;
   } else if (key == "xlo xhi" || key == "ylo yhi" || key == "zlo zhi") {
     expect(2);
     const int a = key[0] - 'x';
@@ -91,20 +101,65 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   }
 }
 
-/// Checks the atom style in the line "Atoms # sphere", because other styles have no radii.
-void check_style(const std::string& place, const std::string& line) {
+using Columns = std::vector<std::string>;
+
+/// Columns of an atom style between the type and the position (LAMMPS manual, read_data, section Atoms).
+const std::map<std::string, Columns>& columns_of_styles() {
+  static const std::map<std::string, Columns> columns = {
+      {"sphere", {"diameter", "density"}},
+      {"granular", {"diameter", "density"}},  // older name of sphere
+      {"bpm/sphere", {"molecule", "diameter", "density"}},
+      {"atomic", {}},
+      {"charge", {"q"}},
+      {"bond", {"molecule"}},
+      {"angle", {"molecule"}},
+      {"molecular", {"molecule"}},
+      {"full", {"molecule", "q"}},
+      {"dipole", {"q", "mux", "muy", "muz"}},
+  };
+  return columns;
+}
+
+/// Returns the columns of the section Atoms by the atom style in its line, such as "Atoms # sphere". The columns of
+/// "hybrid" are those that all styles share, and then those of each style.
+/// @throws InputError for a style without radii, or a style that is not known
+Columns columns_of_style(const std::string& place, const std::string& style) {
+  const std::vector<std::string> words = tokenize(style);
+  const bool hybrid = words.size() > 1 && words[0] == "hybrid";
+  Columns columns = {"id", "type"};
+  if (hybrid) columns.insert(columns.end(), {"x", "y", "z"});
+  for (const std::string& word : hybrid ? Columns(words.begin() + 1, words.end()) : words) {
+    const auto found = columns_of_styles().find(word);
+    if (found == columns_of_styles().end())
+      throw InputError(
+          place, fmt::format("atom_style {} is not known, expected sphere, bpm/sphere, or hybrid with one of "
+                             "them",
+                             style));
+    // In bpm/sphere the molecule comes first, before the type.
+    const bool molecule_first = !hybrid && !found->second.empty() && found->second[0] == "molecule";
+    columns.insert(columns.end() - (molecule_first ? 1 : 0), found->second.begin(),
+                   found->second.begin() + (molecule_first ? 1 : 0));
+    columns.insert(columns.end(), found->second.begin() + (molecule_first ? 1 : 0), found->second.end());
+  }
+  if (!hybrid) columns.insert(columns.end(), {"x", "y", "z"});
+  if (std::find(columns.begin(), columns.end(), "diameter") == columns.end())
+    throw InputError(
+        place, fmt::format("atom_style {} has no radii, expected sphere, bpm/sphere, or hybrid with one of "
+                           "them",
+                           style));
+  return columns;
+}
+
+/// Returns the atom style that the line "Atoms # sphere" names; sphere if it names none.
+std::string style_of(const std::string& line) {
   const std::size_t comment = line.find('#');
-  if (comment == std::string::npos) return;
-  const std::string style(trimmed(line.substr(comment + 1)));
-  if (style == "sphere" || style == "granular") return;  // granular: older name of sphere
-  throw InputError(
-      place, fmt::format("atom_style{} has no radii, expected atom_style sphere", line.substr(comment + 1)));
+  return comment == std::string::npos ? "sphere" : std::string(trimmed(line.substr(comment + 1)));
 }
 
 DataFile read_data(const std::string& path) {
   DataFile data;
   std::istringstream in(read_text(path));
-  std::string section;
+  std::string section, style;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     const std::string place = fmt::format("{}:{}", path, ++number);
@@ -116,22 +171,23 @@ DataFile read_data(const std::string& path) {
       section = text;
       if (!data.given.insert(section).second)
         throw InputError(place, fmt::format("the section {} occurs twice", section));
-      if (section == "Atoms") check_style(place, line);
+      if (section == "Atoms") {
+        style = style_of(line);
+        data.atoms = CsvTable(path, columns_of_style(place, style));
+      }
     } else if (section.empty()) {
       read_header_line(place, tokens, data);
     } else if (section == "Atoms") {
-      if (tokens.size() != 7 && tokens.size() != 10)
-        throw InputError(
-            place, fmt::format("the line has {} cells, expected id type diameter density x y z [ix iy iz] of "
-                               "atom_style sphere",
-                               tokens.size()));
-      tokens.resize(7);
-      if (data.atoms.columns().empty())
-        data.atoms = CsvTable(path, {"id", "type", "diameter", "density", "x", "y", "z"});
+      const Columns& columns = data.atoms.columns();
+      if (tokens.size() != columns.size() && tokens.size() != columns.size() + 3)
+        throw InputError(place, fmt::format("the line has {} cells, expected {} [ix iy iz] of atom_style {}",
+                                            tokens.size(), fmt::join(columns, " "), style));
+      tokens.resize(columns.size());
       data.atoms.add_row(number, tokens);
     }
   }
-  if (data.box_place.empty()) throw InputError(path, "the file has no box: it lacks a line \"... xlo xhi\"");
+  if (data.box_place.empty())
+    throw InputError(path, "the file has no box: it lacks a line \"... xlo xhi\" or \"... avec\"");
   if (data.n_atoms != data.atoms.n_rows())
     throw InputError(path, fmt::format("the file has {} atoms in its section Atoms, but its header says {}",
                                        data.atoms.n_rows(), data.n_atoms));
@@ -149,12 +205,28 @@ std::vector<std::string> words_after(const std::string& title, const std::string
   return tokens;
 }
 
+/// Adds the walls that a title written by floc names: "walls at the faces across x and z", except the ends after
+/// "open at", such as "open at z+".
+void add_titled_walls(const std::string& title, ListedSpace& space) {
+  std::vector<std::string> across = words_after(title, "across");
+  across.erase(std::find(across.begin(), across.end(), "boundary"), across.end());
+  const std::vector<std::string> open = words_after(title, "open");
+  for (const std::string& word : across)
+    for (const char* side : {"-", "+"})
+      if (const auto wall = wall_side(word + side);
+          wall && !space.periodic[static_cast<std::size_t>(wall->axis)] &&
+          std::find(open.begin(), open.end(), word + side) == open.end())
+        add_wall_at_face(*wall, space), space.exact_walls = true;
+}
+
 /// Returns the cell, periodicity and dimension of the packing. A title written by floc contains the dimension and the
 /// boundary ("dimension 2", "boundary f f p"), which LAMMPS takes from its input script, not from a data file.
 ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grains) {
   ListedSpace space;
   space.place = data.box_place;
   space.cell = data.box.vectors();
+  space.origin = data.box.low;
+  space.positive_sides = !data.box.general;
   space.mid_plane = data.box.has_mid_plane(grains.empty() ? 0.0 : grains.front().position[2]);
   if (const auto words = words_after(data.title, "dimension");
       !words.empty() && (words[0] == "2" || words[0] == "3"))
@@ -166,8 +238,8 @@ ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grain
   if (boundary.size() < 3 || !std::all_of(boundary.begin(), boundary.begin() + 3, is_style)) return space;
   for (int a = 0; a < 3; ++a) space.periodic.push_back(boundary[a] == "p" || boundary[a] == "pp");
   space.boundary =
-      fmt::format("the title of the file says \"boundary {} {} {}\", expected p in every direction",
-                  boundary[0], boundary[1], boundary[2]);
+      fmt::format("the title of the file says \"boundary {} {} {}\"", boundary[0], boundary[1], boundary[2]);
+  add_titled_walls(data.title, space);
   return space;
 }
 
@@ -175,8 +247,8 @@ ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grain
 
 bool is_lammps_data(const std::string& path) {
   const std::string text = read_text(path);
-  return text.find(" atoms") != std::string::npos && text.find("xlo xhi") != std::string::npos &&
-         text.find("\nAtoms") != std::string::npos;
+  const bool box = text.find("xlo xhi") != std::string::npos || text.find(" avec") != std::string::npos;
+  return text.find(" atoms") != std::string::npos && box && text.find("\nAtoms") != std::string::npos;
 }
 
 Imported read_lammps_data(const std::string& path, const ImportOptions& options) {
@@ -188,23 +260,18 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
   if (!options.columns.empty())
     throw InputError("--columns", "the columns of a LAMMPS data file are fixed: leave this option out");
   const DataFile data = read_data(path);
-  ListedPacking listed;
-  listed.place = path;
-  listed.law = required_law(path, options);
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
+  ListedPacking listed = listed_packing(path, options);
   if (data.n_atoms == 0) throw InputError(path, "the file has no grains");
   listed.grains = read_grains(NamedColumns(data.atoms, {}));
+  const int density_column = data.atoms.column("density");
   for (int i = 0; i < data.atoms.n_rows(); ++i) {
-    const double density = data.atoms.number(i, 3);
+    const double density = data.atoms.number(i, density_column);
     if (!(density > 0.0))
       throw InputError(data.atoms.place(i), fmt::format("density = {}, must be positive", density));
     listed.grains[i].mass = density * sphere_volume(listed.grains[i].radius);
   }
-  const int dimension = settle_space(space_of(data, listed.grains), options, listed);
-  if (options.cell.empty()) data.box.require_sides(data.box_place, dimension);
-  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
-  return assemble(listed);
+  listed.space = space_of(data, listed.grains);
+  return assemble(std::move(listed), options);
 }
 
 namespace {
@@ -247,16 +314,22 @@ void reduce_tilts(Mat<Dim>& rows) {
 /// contains this text, because the format of data files has no other place for it.
 template <int Dim>
 std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
-  std::string axes, boundary;
+  std::string axes, boundary, open;
+  for (const Wall<Dim>& wall : walls)
+    if (wall.open) open += " " + wall_name(wall);
   for (int a = 0; a < Dim; ++a) {
-    const bool walled = between_walls(walls, a);
+    const bool ends = between_walls(walls, a);
+    const bool walled =
+        std::any_of(walls.begin(), walls.end(), [&](const Wall<Dim>& w) { return w.axis == a && !w.open; });
     if (walled) axes += fmt::format("{}{}", axes.empty() ? "" : " and ", "xyz"[a]);
-    boundary += walled ? " f" : " p";
+    boundary += ends ? " f" : " p";
   }
+  if (!open.empty()) open = "; open at" + open;
   if (Dim == 2) boundary += " p";
   if (walls.empty()) return fmt::format("; dimension {}, boundary{}", Dim, boundary);
-  return fmt::format("; dimension {}; walls at the faces across {}: boundary{}, fix wall/gran", Dim, axes,
-                     boundary);
+  if (axes.empty()) return fmt::format("; dimension {}, boundary{}{}", Dim, boundary, open);
+  return fmt::format("; dimension {}; walls at the faces across {}: boundary{}, fix wall/gran{}", Dim, axes,
+                     boundary, open);
 }
 
 /// Returns the identifiers of the atoms for LAMMPS, which have to be 1 or more. The identifiers of the grains are kept

@@ -138,10 +138,44 @@ struct DumpFrame {
   }
 };
 
+/// Reads the numbers of a line of the box. @param what  contents of the line, for messages
+std::vector<double> box_numbers(const FrameText& dump, std::size_t at, const std::string& what,
+                                std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& token : tokenize(dump.line(at, what))) {
+    const auto value = parse_number<double>(token);
+    if (!value)
+      throw InputError(dump.place(at),
+                       fmt::format("a bound or tilt of the box is \"{}\", expected a finite number{}", token,
+                                   decimal_comma_hint(token)));
+    numbers.push_back(*value);
+  }
+  if (numbers.size() != count)
+    throw InputError(dump.place(at), fmt::format("the line has {} numbers, expected {}", numbers.size(), what));
+  return numbers;
+}
+
+/// Reads a general triclinic box, "ITEM: BOX BOUNDS abc origin": three lines, each with a lattice vector and a component
+/// of the corner of the box.
+void read_general_box(const FrameText& dump, std::size_t at, const std::vector<std::string>& tokens,
+                      DumpFrame& frame) {
+  frame.box_place = dump.place(at);
+  frame.header = dump[at];
+  frame.flags.assign(tokens.begin() + 2, tokens.end());
+  for (int a = 0; a < 3; ++a) {
+    const std::vector<double> row = box_numbers(dump, at + 1 + static_cast<std::size_t>(a),
+                                                "a lattice vector and a component of the origin", 4);
+    frame.box.set_general(a, {row[0], row[1], row[2]});
+    frame.box.low[a] = row[3];
+  }
+}
+
 /// Reads the box of a frame. Line `at` of the frame is the header of the box. Each of the three lines below it contains
 /// a lower and an upper bound, between which the box lies along one axis, and a tilt if the box is triclinic.
 void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
+  if (tokens.size() >= 2 && tokens[0] == "abc" && tokens[1] == "origin")
+    return read_general_box(dump, at, tokens, frame);
   const bool tilted = !tokens.empty() && tokens[0] == "xy";
   frame.box_place = dump.place(at);
   frame.header = dump[at];
@@ -151,17 +185,7 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::array<std::vector<double>, 3> rows;
   for (std::size_t a = 0; a < 3; ++a) {
     const std::string what = tilted ? "lower bound, upper bound and tilt" : "lower and upper bound";
-    for (const std::string& token : tokenize(dump.line(at + 1 + a, what))) {
-      const auto value = parse_number<double>(token);
-      if (!value)
-        throw InputError(dump.place(at + 1 + a),
-                         fmt::format("a bound or tilt of the box is \"{}\", expected a finite number{}", token,
-                                     decimal_comma_hint(token)));
-      rows[a].push_back(*value);
-    }
-    if (rows[a].size() != (tilted ? 3u : 2u))
-      throw InputError(dump.place(at + 1 + a),
-                       fmt::format("the line has {} numbers, expected {}", rows[a].size(), what));
+    rows[a] = box_numbers(dump, at + 1 + a, what, tilted ? 3 : 2);
   }
   const double xy = tilted ? rows[0][2] : 0.0, xz = tilted ? rows[1][2] : 0.0, yz = tilted ? rows[2][2] : 0.0;
   // The bounds of a triclinic box enclose the tilted box. Subtracting the tilts gives the bounds of its sides (LAMMPS
@@ -285,8 +309,9 @@ ListedSpace space_of(const DumpFrame& frame, const std::vector<ListedGrain>& gra
   if (frame.flags.size() != 3) frame.refuse_header();
   space.cell = frame.box.vectors();
   for (const std::string& flag : frame.flags) space.periodic.push_back(flag == "pp");
-  space.boundary = fmt::format("the boundary of the box is \"{}\", expected pp in every direction",
-                               fmt::join(frame.flags, " "));
+  space.origin = frame.box.low;
+  space.positive_sides = !frame.box.general;
+  space.boundary = fmt::format("the boundary of the box is \"{}\"", fmt::join(frame.flags, " "));
   space.mid_plane = frame.box.has_mid_plane(grains.empty() ? 0.0 : grains.front().position[2]);
   return space;
 }
@@ -305,18 +330,13 @@ std::vector<ListedContact> read_dump_contacts(const ImportOptions& options, int 
 
 Imported read_lammps_dump(const std::string& path, const ImportOptions& options) {
   check_grain_columns("--columns", options.columns);
-  ListedPacking listed;
-  listed.place = path;
-  listed.law = required_law(path, options);
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
+  ListedPacking listed = listed_packing(path, options);
   DumpFrame frame = read_grain_frame(path, options, listed.remarks);
   listed.grains = grains_of(frame, options);
   frame.table = {};  // releases the memory of the table, which is large
-  const int dimension = settle_space(space_of(frame, listed.grains, options), options, listed);
-  if (options.cell.empty()) frame.box.require_sides(frame.box_place, dimension);
-  listed.contacts = read_contact_file(options, dimension, frame.timestep, &listed.remarks);
-  return assemble(listed);
+  listed.space = space_of(frame, listed.grains, options);
+  listed.timestep = frame.timestep;
+  return assemble(std::move(listed), options);
 }
 
 }  // namespace floc

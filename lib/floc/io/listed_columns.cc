@@ -4,11 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <memory>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
+#include "floc/io/listed_bodies.h"
 #include "floc/io/table_units.h"
 
 namespace floc {
@@ -87,10 +89,23 @@ struct ContactColumns {
         rolling_moment(dimension == 3 ? numbered(names, "rolling_moment", 3) : std::vector<int>{}) {}
 };
 
+/// Reads the two bodies of a contact: identifiers of grains, or the name of a wall, such as "x-", and a grain.
+/// @return whether the wall comes first, so that the bodies have to be exchanged
+bool read_bodies(const CsvTable& table, int row, const ContactColumns& columns, ListedContact& c) {
+  const auto first = wall_side(table.text(row, columns.id1)), second = wall_side(table.text(row, columns.id2));
+  if (first && second)
+    throw InputError(table.place(row),
+                     fmt::format("the bodies {} and {} are both walls, expected a grain and a wall",
+                                 first->name(), second->name()));
+  c.wall = first ? first : second;
+  c.id1 = table.integer(row, first ? columns.id2 : columns.id1);
+  if (!c.wall) c.id2 = table.integer(row, columns.id2);
+  return first.has_value();
+}
+
 ListedContact read_contact(const CsvTable& table, int row, const ContactColumns& columns) {
   ListedContact c;
-  c.id1 = table.integer(row, columns.id1);
-  c.id2 = table.integer(row, columns.id2);
+  const bool wall_first = read_bodies(table, row, columns, c);
   if (!columns.image.empty()) {
     c.image = Eigen::Vector3i::Zero();
     for (std::size_t k = 0; k < columns.image.size(); ++k)
@@ -115,6 +130,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.kr = number_of(table, row, columns.kr);
   c.ktw = number_of(table, row, columns.ktw);
   c.bridge_volume = number_of(table, row, columns.bridge_volume);
+  if (wall_first) reverse_actions(c);
   return c;
 }
 
@@ -149,6 +165,16 @@ void check_columns(const std::string& option, const std::string& what, const std
 }
 
 }  // namespace
+
+std::string any_case(const std::string& name, const std::vector<std::string>& names) {
+  if (name.size() == 1 || std::find(names.begin(), names.end(), name) != names.end()) return name;
+  const auto same = [&](const std::string& other) {
+    return std::equal(name.begin(), name.end(), other.begin(), other.end(),
+                      [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+  };
+  const auto found = std::find_if(names.begin(), names.end(), same);
+  return found == names.end() ? name : *found;
+}
 
 std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&)>& has,
                                      const std::map<std::string, std::string>& given) {

@@ -11,6 +11,10 @@
 
 namespace floc {
 
+/// Returns the name among `names` that is `name` but for capital letters; `name` itself if there is none, or if it is a
+/// single letter.
+std::string any_case(const std::string& name, const std::vector<std::string>& names);
+
 /// A column that gives the size of grains: a radius or a diameter.
 struct SizeColumn {
   const char* name;
@@ -42,7 +46,8 @@ void require_same_size(const FileLine& place, const SizeColumn& one, double radi
 /// that is not positive, a radius and a diameter that contradict each other, or units that contradict each other
 std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::string& units = "reduced");
 
-/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains. The columns
+/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains, or of a grain
+/// and the name of a wall, such as "x-". The columns
 /// below are optional. Names that end in 1.. are those of several columns, the components of a vector: image1, image2
 /// and, in 3D, image3.
 ///   image1..         numbers of cells by which grain id2 is displaced along the lattice vectors

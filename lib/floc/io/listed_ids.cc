@@ -10,10 +10,11 @@
 namespace floc {
 
 std::string counting_hint(const ListedPacking& listed) {
+  if (!listed.contacts) return "";
   for (std::size_t i = 0; i < listed.grains.size(); ++i)
     if (listed.grains[i].id != static_cast<std::int64_t>(i)) return "";
   std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
-  for (const ListedContact& c : *listed.contacts) lowest = std::min({lowest, c.id1, c.id2});
+  for (const ListedContact& c : *listed.contacts) lowest = std::min({lowest, c.id1, c.wall ? c.id1 : c.id2});
   if (lowest != 1) return "";
   return "; the list of contacts seems to number the grains from 1, but they are numbered from 0: add a "
          "column id to the grains, or subtract 1 from id1 and id2";
@@ -37,9 +38,9 @@ int Identifiers::index(const FileLine& place, const char* name, std::int64_t id)
   if (found != index_.end() && found->first == id) return found->second;
   throw InputError(
       place.text(),
-      fmt::format("{} = {}: no grain has this id; the ids of grains are from {} to {} (floc reads periodic "
-                  "packings only, without contacts with walls or other bodies){}",
-                  name, id, index_.front().first, index_.back().first, counting_hint(listed_)));
+      fmt::format("{} = {}: no grain has this id; the ids of grains are from {} to {}; where it is the id of a "
+                  "wall, give --wall-ids, for example {}=z-{}",
+                  name, id, index_.front().first, index_.back().first, id, counting_hint(listed_)));
 }
 
 }  // namespace floc

@@ -8,6 +8,7 @@
 
 #include "floc/io/file_line.h"
 #include "floc/io/import.h"
+#include "floc/io/listed_space.h"
 
 namespace floc {
 
@@ -26,7 +27,11 @@ struct ListedGrain {
 struct ListedContact {
   FileLine place;
   std::int64_t id1 = 0;
-  std::int64_t id2 = 0;
+  std::int64_t id2 = 0;          ///< ignored if the second body is a wall
+  std::optional<WallSide> wall;  ///< wall that grain id1 touches; absent: the second body is grain id2
+  bool bond = false;             ///< whether the contact is a bond, which acts whatever its gap and the law
+  /// Whether grain id2 touches at an image that no lattice vector leads to. The contact keeps its force and has no stiffness.
+  bool across_no_lattice = false;
   /// Periodic image of grain id2 that touches grain id1, in numbers of cells along the lattice vectors. The centre of
   /// this image is x[id2] + image * cell, where x[id2] is the position listed in the file. Empty: the image nearest to
   /// id1.
@@ -46,20 +51,32 @@ struct ListedContact {
   bool has_stiffness() const { return kn || kt || kr || ktw; }
 };
 
-/// A packing as a file of another program lists it.
+/// A packing as a file of another program lists it: the record that every reader fills. settle_space() derives the members
+/// cell, cell_place, ends and gravity from `space` and from the options of the user.
 struct ListedPacking {
-  std::string place;       ///< name of the file, for messages
-  std::string cell_place;  ///< line or option that gives the cell, for messages
-  /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension.
-  std::vector<std::vector<double>> cell;
-  Law law;
-  std::string units;
+  std::string place;  ///< name of the file, for messages
+  ListedSpace space;  ///< cell, boundary, dimension and gravity that the file states
   std::vector<ListedGrain> grains;
   std::optional<std::vector<ListedContact>> contacts;
-  bool drop_tensile = false;         ///< whether tensile contacts are left out: see ImportOptions
-  std::vector<std::string> remarks;  ///< sentences for the user: see Imported
+  std::vector<ListedContact> bonds;  ///< contacts that act across gaps, in addition to `contacts`
+  Law law;
+  std::optional<Law> wall_law;           ///< law of contacts with walls; absent: `law`
+  std::string units;                     ///< "reduced" or "SI"
+  std::optional<std::int64_t> timestep;  ///< time step of the grains, which the file of contacts may name
+  bool drop_tensile = false;             ///< whether tensile contacts are left out: see ImportOptions
+  std::vector<std::string> remarks;      ///< sentences for the user: see Imported
   std::vector<std::string> inconsistencies;
+
+  std::string cell_place;  ///< line or option that gives the cell, for messages
+  /// Lattice vectors of the cell (length), one per row. The number of vectors is the dimension.
+  std::vector<std::vector<double>> cell;
+  std::vector<ListedEnds> ends;  ///< ends of the axes that are not periodic, in ascending order of the axes
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
 };
+
+/// Starts the record of the file `path`: its name and, from the options, its laws, units and treatment of tension.
+/// @throws InputError if the options give no contact law
+ListedPacking listed_packing(const std::string& path, const ImportOptions& options);
 
 /// Returns the contact law that the user gave with the option `--law`.
 /// @throws InputError naming the file `path`, which contains no law, if the user gave none
@@ -72,11 +89,16 @@ const Law& required_law(const std::string& path, const ImportOptions& options);
 /// force. A listed pair of grains is left out if the grains do not touch, carry no force, and have a gap beyond the
 /// range of the law. If the grains of a contact cannot touch at the listed image, the nearest image replaces it.
 /// @throws InputError naming the place, the value and the expectation in these cases: no grains, a repeated identifier,
-/// a cell without volume; a contact of an unknown grain, a contact listed twice, a contact out of the range of the law
+/// a cell without volume; a contact of an unknown grain or wall, a contact listed twice, a contact out of the range of the law
 /// in a list without any forces, a contact with a force although no near images of its grains can touch, a tensile
 /// contact under a law without adhesion (unless `drop_tensile`), or a contact without an image whose grains are half
 /// the cell or more apart, so that two images may be equally near; an invalid stiffness; forces that contradict each
 /// other
 Imported assemble(const ListedPacking& listed);
+
+/// Assembles a packing from the record that a reader has filled: settles the space, reads the file of contacts if the
+/// options name one, and calls the function above. Contacts of the file of contacts replace those in the record.
+/// @throws InputError under the conditions of settle_space(), read_contact_file() and assemble()
+Imported assemble(ListedPacking listed, const ImportOptions& options);
 
 }  // namespace floc

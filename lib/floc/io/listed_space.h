@@ -1,48 +1,75 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "floc/io/import.h"
-#include "floc/io/listed_packing.h"
-
 namespace floc {
 
-/// Cell, periodicity and dimension that a file of another program gives for a packing.
+/// One of the two ends of a packing along an axis: the lower end (side -1) or the upper end (side 1).
+struct WallSide {
+  int axis = 0;  ///< axis, counted from 0
+  int side = -1;
+
+  /// Name of the end in options, files and messages: "x-" is the lower end along x, "x+" the upper end.
+  std::string name() const { return std::string(1, "xyz"[axis]) + (side < 0 ? "-" : "+"); }
+  bool operator==(const WallSide&) const = default;
+};
+
+/// Reads the name of an end of an axis, such as "x-". @return nothing if `name` is no such name
+std::optional<WallSide> wall_side(const std::string& name);
+
+/// Boundary along an axis that is not periodic: a wall at its lower end, at its upper end, at both, or at neither.
+struct ListedEnds {
+  int axis = 0;
+  /// Position of each wall on the axis (length); empty: the packing ends in free space there.
+  std::optional<double> low, high;
+};
+
+/// What a file of another program states about the space that a packing fills: its cell, its boundary, its dimension and
+/// the body force.
 struct ListedSpace {
   std::string place;  ///< place of these data in the file, for messages
   /// Three lattice vectors with three components each (length). Empty: the file gives no cell.
   std::vector<std::vector<double>> cell;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner from which the lattice vectors start (length)
+  bool positive_sides = false;  ///< whether the diagonal of the cell has to be positive, as in LAMMPS
   /// Whether the packing is periodic along each lattice vector. Empty: the file does not say so.
   std::vector<bool> periodic;
-  /// Words of the file about the periodicity, and the expected words, for messages, such as: pbc="F F F", expected T in
-  /// every direction.
+  /// Words of the file about an axis that is not periodic, for messages, such as: pbc="F F F".
   std::string boundary;
+  /// Ends of the axes that are not periodic, as far as the file gives them. An axis that is not periodic and is missing
+  /// here ends in free space.
+  std::vector<ListedEnds> ends;
+  /// Whether the walls of a packing are where grains touch them, so that overlaps with walls are not doubted, as in
+  /// files of floc.
+  bool exact_walls = false;
   std::optional<int> dimension;  ///< 2 or 3; absent: the file does not give it
   /// Whether the grains lie in the middle of the cell along its third side, as LAMMPS requires in two dimensions.
   bool mid_plane = false;
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration due to gravity (length/time^2)
 };
 
-/// Decides whether a packing is 2D or 3D, and sets the cell of `listed` to lattice vectors of this dimension. The first
-/// of the following that is given determines the dimension:
-///   1. the option `--dimension`
-///   2. the number of vectors in the option `--cell`
-///   3. the dimension in the file.
-/// If none is given, the dimension is guessed. Grains with different z are spheres. Grains that all have the same z are
-/// spheres if the cell has tilts along z, or if it is periodic along z and so low that each grain touches its own image
-/// along z by a small overlap. Otherwise they are disks.
-///
-/// A sentence about the guess is added to `listed.remarks` or, if the grains are taken as disks but some would touch
-/// their own images if they were spheres, to `listed.inconsistencies`. A sentence is also added to `listed.remarks` if
-/// the file does not say whether the packing is periodic; it is then taken as periodic.
-/// @param listed  contains the grains on input; its members cell and cell_place are set
-/// @return 2 or 3
-/// @throws InputError if the file says that the packing is not periodic, unless the user gives a cell
-int settle_space(const ListedSpace& space, const ImportOptions& options, ListedPacking& listed);
+/// Returns the ends of an axis of `space`, and adds open ends if it has none.
+ListedEnds& ends_along(int axis, ListedSpace& space);
 
-/// Checks that all grains of a two-dimensional packing have the same z. @throws InputError naming a grain with another
-/// z
-void require_one_plane(const ListedPacking& listed);
+/// Adds a wall at a position on its axis. The other end of the axis is open unless it gets a wall, too.
+void add_wall(const WallSide& wall, double position, ListedSpace& space);
+
+/// Adds a wall at a face of the cell of `space`. The other end of its axis is open unless it gets a wall, too.
+/// @pre the cell is given
+void add_wall_at_face(const WallSide& wall, ListedSpace& space);
+
+/// Reads the option `--walls`, a list of axes that are not periodic, separated by commas. Each entry is one of
+///
+///   x         walls at both faces of the box across x
+///   x-, x+    a wall at the lower or upper face across x; the other end is open
+///   x=0:10    walls at x = 0 and x = 10; a missing number leaves this end open
+///
+/// @param space  box whose faces are meant, in the dimension of `n_axes` axes
+/// @throws InputError for an entry of another form, an axis given twice, a face of a box that is not there, or walls in
+/// the wrong order
+std::vector<ListedEnds> parse_walls(const std::string& text, const ListedSpace& space, int n_axes);
 
 }  // namespace floc

@@ -29,6 +29,8 @@ std::string units_of(Quantity quantity, const std::string& system, int dim) {
       // In two dimensions the stress is a force per length.
       if (dim == 2) return si ? "N/m" : "force/length";
       return si ? "Pa" : "force/length^2";
+    case Quantity::acceleration:
+      return si ? "m/s^2" : "length/time^2";
     // These quantities are pure numbers.
     case Quantity::count:
     case Quantity::flag:

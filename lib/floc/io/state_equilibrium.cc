@@ -17,6 +17,8 @@ constexpr Field kSides = {"equilibrium/target_side", Quantity::length,
 constexpr Field kOffset = {
     "equilibrium/target_offset", Quantity::length,
     "in simple shear, imposed first component of the lattice vector of the sheared axis"};
+constexpr Field kGravityField = {"equilibrium/gravity", Quantity::acceleration,
+                                 "acceleration due to gravity; absent: zero"};
 constexpr Field kTurnShear = {"path/turn_shear", Quantity::ratio,
                               "in simple shear, shear strain since the start of the stage"};
 constexpr Field kTurnSides = {"path/turn_sides", Quantity::length,
@@ -47,6 +49,8 @@ void write_equilibrium(WritingArchive& archive, const State<Dim>& s) {
   archive.put(kResiduals, {4}, std::vector<double>{r.force, r.moment, r.stress, r.energy});
   archive.put(kTolerances, {4}, std::vector<double>{t.force, t.moment, t.stress, t.energy});
   archive.put(kNegative, {}, std::vector<std::int32_t>{s.n_negative});
+  if (!s.packing.gravity.isZero(0.0))
+    archive.put(kGravityField, {Dim}, std::vector<double>(s.packing.gravity.begin(), s.packing.gravity.end()));
   if (s.packing.law.liquid()) archive.put(kUnsettled, {}, std::vector<std::int32_t>{s.n_bridges_unsettled});
 }
 
@@ -95,6 +99,10 @@ void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim
   const auto target = archive.take<double>(kTarget, {Dim});
   for (int a = 0; a < Dim; ++a) s.target_stress[a] = target[a];
   archive.matrix(kStress, s.stress);
+  if (file.has(kGravityField.path)) {
+    const auto gravity = archive.take<double>(kGravityField, {Dim});
+    for (int a = 0; a < Dim; ++a) s.packing.gravity[a] = gravity[a];
+  }
   // Unlike other numbers, residuals may be infinite, because their unit is zero for a packing without pressure and
   // adhesion. They are therefore read without the check that all numbers are finite.
   std::vector<double> r;

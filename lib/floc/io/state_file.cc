@@ -18,6 +18,7 @@
 #include "floc/io/law_attributes.h"
 #include "floc/io/sealed_file.h"
 #include "floc/io/state_archive.h"
+#include "floc/io/state_bonds.h"
 #include "floc/io/state_equilibrium.h"
 #include "floc/io/state_layout.h"
 #include "floc/io/state_shapes.h"
@@ -41,7 +42,11 @@ const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
 const std::string kShapes = "shapes";
 const std::string kRigid = "rigid";
-const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls, kShapes, kRigid};
+const std::string kBonds = "bonds";
+const std::string kOpenEnds = "open_ends";
+const std::string kGravityFeature = "gravity";
+const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls,          kShapes,
+                                                 kRigid,      kOpenEnds,      kGravityFeature, kBonds};
 
 Quantity quantity_of(Unit unit) {
   switch (unit) {
@@ -179,17 +184,30 @@ std::string features_of(const Packing<Dim>& packing, bool remembers) {
   if (!packing.walls.empty()) features.push_back(kWalls);
   if (!packing.grains.are_round()) features.push_back(kShapes);
   if (packing.law.is_rigid()) features.push_back(kRigid);
+  if (is_open(packing.walls)) features.push_back(kOpenEnds);
+  if (!packing.gravity.isZero(0.0)) features.push_back(kGravityFeature);
+  if (has_bonds(packing)) features.push_back(kBonds);
   return features.empty() ? kNoFeatures : fmt::format("{}", fmt::join(features, " "));
 }
 
-/// Returns one word for the boundary along each axis, "periodic" or "walls", for example "walls periodic". For a
-/// packing without walls, the text is the single word "periodic".
+template <int Dim>
+const char* boundary_along(const std::vector<Wall<Dim>>& walls, int axis) {
+  for (std::size_t w = 0; w + 1 < walls.size(); w += 2) {
+    if (walls[w].axis != axis) continue;
+    const bool below = !walls[w].open, above = !walls[w + 1].open;
+    return below && above ? "walls" : below ? "wall-open" : above ? "open-wall" : "open";
+  }
+  return "periodic";
+}
+
+/// Returns one word for the boundary along each axis: "periodic", "walls" (a wall at each end), "open" (no wall), "wall-open" or
+/// "open-wall" (a wall at the lower or upper end alone), for example "walls periodic". For a packing that is periodic
+/// along all axes, the text is the single word "periodic".
 template <int Dim>
 std::string boundary_of(const Packing<Dim>& packing) {
   if (packing.walls.empty()) return "periodic";
   std::string text;
-  for (int a = 0; a < Dim; ++a)
-    text += std::string(a == 0 ? "" : " ") + (between_walls(packing.walls, a) ? "walls" : "periodic");
+  for (int a = 0; a < Dim; ++a) text += std::string(a == 0 ? "" : " ") + boundary_along(packing.walls, a);
   return text;
 }
 
@@ -219,7 +237,8 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   archive.put(kId, {id.size()}, id);
   describe_grains<Dim>(archive, s.packing.grains);
   describe_contacts<Dim>(archive, s.packing.contacts);
-  if (s.packing.law.has_twisting()) describe_twisting(archive, s.packing.contacts);
+  if (keeps_twisting(s.packing)) describe_twisting(archive, s.packing.contacts);
+  write_bonds(archive, s.packing);
   write_shapes(archive, s.packing);
   write_memory(archive, s.packing);
   write_version_1_names(file, archive, s.packing);
@@ -353,7 +372,8 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
     read_contact_points(file, archive, packing);
   packing.law = read_law(file, Dim);
   require_one_kind_of_law(file, packing);
-  if (packing.law.has_twisting()) describe_twisting(archive, packing.contacts);
+  read_bonds(file, archive, packing);
+  if (keeps_twisting(packing)) describe_twisting(archive, packing.contacts);
   // The overlaps in a checkpoint are not checked: a packing in motion may have larger overlaps for a short time.
   if (!file.has("progress")) require_small_overlaps(file.place("contacts/gap"), packing);
   read_memory(archive, version, packing);

@@ -23,6 +23,7 @@ enum class Quantity {
   stiffness,
   rolling_stiffness,
   stress,
+  acceleration,
   ratio,
 };
 

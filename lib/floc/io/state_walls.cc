@@ -17,6 +17,8 @@ namespace {
 const std::string kWallLaw = "wall_law";
 
 constexpr Field kWallMass = {"walls/mass", Quantity::mass, "mass of the wall; 0: its velocity is prescribed"};
+constexpr Field kWallOpen = {"walls/open", Quantity::flag,
+                             "1: there is no wall, and the packing ends in free space; absent: 0"};
 constexpr Field kWallForce = {"walls/force", Quantity::force,
                               "static normal force of the grains on the wall, positive outwards"};
 
@@ -67,6 +69,11 @@ void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& s)
   for (const Wall<Dim>& wall : walls) mass.push_back(follows_forces(wall) ? wall.mass : 0.0);
   archive.put(kWallMass, {mass.size()}, mass);
   archive.put(kWallForce, {mass.size()}, wall_forces(s.packing));
+  if (is_open(walls)) {
+    std::vector<std::uint8_t> open;
+    for (const Wall<Dim>& wall : walls) open.push_back(wall.open);
+    archive.put(kWallOpen, {open.size()}, open);
+  }
   write_law(file, s.packing.wall_law, kWallLaw);
 }
 
@@ -82,6 +89,10 @@ void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& s) 
   describe_walls<Dim>(archive, packing.walls);
   const auto mass = archive.take<double>(kWallMass, {n});
   for (std::size_t w = 0; w < n; ++w) packing.walls[w].mass = mass[w];
+  if (file.has(kWallOpen.path)) {
+    const auto open = archive.take<std::uint8_t>(kWallOpen, {n});
+    for (std::size_t w = 0; w < n; ++w) packing.walls[w].open = open[w] != 0;
+  }
   s.wall_force = archive.take<double>(kWallForce, {n});
   check_walls(file, packing);
   for (Wall<Dim>& wall : packing.walls)

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "floc/base/error.h"
+#include "floc/base/gzip_stream.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
 
@@ -98,6 +99,47 @@ std::string_view payload(const std::string& place, std::string_view block, std::
   return block.substr(header_size, length);
 }
 
+/// Returns the data of an array that is compressed in blocks. They begin with a header of whole numbers: the number of
+/// blocks, the size of each block and of the last one before compression, and the compressed size of each block.
+/// @param encoded  whether `text` is base64; header and blocks are then encoded separately
+std::string inflate_blocks(const std::string& place, std::string_view text, std::size_t header_size,
+                           bool encoded) {
+  constexpr std::size_t kMostBlocks = 1'000'000;
+  const auto bytes_of = [&](std::size_t n) { return encoded ? (n + 2) / 3 * 4 : n; };
+  const auto head = [&](std::size_t n_words) {
+    const std::string_view part = text.substr(0, bytes_of(n_words * header_size));
+    std::string bytes = encoded ? from_base64(part) : std::string(part);
+    if (bytes.size() < n_words * header_size)
+      throw InputError(place, "the array is damaged: its header is cut short");
+    std::vector<std::uint64_t> words(n_words, 0);
+    for (std::size_t k = 0; k < n_words; ++k)
+      std::memcpy(&words[k], bytes.data() + k * header_size, header_size);
+    return words;
+  };
+  const std::uint64_t n_blocks = head(1)[0];
+  if (n_blocks > kMostBlocks)
+    throw InputError(place, fmt::format("the array is damaged: it has {} blocks", n_blocks));
+  const std::vector<std::uint64_t> header = head(3 + n_blocks);
+  text.remove_prefix(std::min(text.size(), bytes_of(header.size() * header_size)));
+  std::uint64_t compressed = 0;
+  for (std::uint64_t k = 0; k < n_blocks; ++k) {
+    if (header[3 + k] > text.size())
+      throw InputError(place, "the array is damaged: its last block is cut short");
+    compressed += header[3 + k];
+  }
+  const std::string bytes = encoded ? from_base64(text.substr(0, bytes_of(compressed))) : std::string(text);
+  std::string data;
+  std::size_t at = 0;
+  for (std::uint64_t k = 0; k < n_blocks; at += header[3 + k++]) {
+    if (at + header[3 + k] > bytes.size())
+      throw InputError(place, "the array is damaged: a block is cut short");
+    const bool partial = k + 1 == n_blocks && header[2] != 0;
+    data += inflated_by_zlib(place, std::string_view(bytes).substr(at, header[3 + k]),
+                             partial ? header[2] : header[1]);
+  }
+  return data;
+}
+
 }  // namespace
 
 struct VtkArrays::Document {
@@ -105,9 +147,13 @@ struct VtkArrays::Document {
   pugi::xml_document xml;
   std::string appended;  ///< content of the element AppendedData after "_"
   bool appended_raw = false;
+  bool compressed = false;
   std::size_t header_size = 4;
 
-  pugi::xml_node grid() const { return xml.child("VTKFile").child("UnstructuredGrid"); }
+  pugi::xml_node grid() const {
+    const pugi::xml_node file = xml.child("VTKFile");
+    return file.child("UnstructuredGrid") ? file.child("UnstructuredGrid") : file.child("PolyData");
+  }
   pugi::xml_node section(const std::string& name) const {
     return name == "FieldData" ? grid().child("FieldData") : grid().child("Piece").child(name.c_str());
   }
@@ -136,12 +182,16 @@ VtkArrays::VtkArrays(const std::string& path, const std::string& content) : docu
     throw InputError(path,
                      fmt::format("the file is not XML: {} at byte {}", parsed.description(), parsed.offset));
   const pugi::xml_node file = d.xml.child("VTKFile");
-  if (!d.grid()) throw InputError(path, "the file is not a VTKFile with an UnstructuredGrid");
+  if (!d.grid()) throw InputError(path, "the file is not a VTKFile with an UnstructuredGrid or with PolyData");
   if (std::strcmp(file.attribute("byte_order").as_string("LittleEndian"), "LittleEndian") != 0)
     throw InputError(path, "byte_order = BigEndian, expected LittleEndian");
-  if (file.attribute("compressor"))
-    throw InputError(path, fmt::format("the file is compressed ({}): save it without compression",
-                                       file.attribute("compressor").as_string()));
+  const std::string compressor = file.attribute("compressor").as_string();
+  d.compressed = compressor == "vtkZLibDataCompressor";
+  if (!compressor.empty() && !d.compressed)
+    throw InputError(
+        path, fmt::format("the file is compressed by {}, expected vtkZLibDataCompressor: save it without "
+                          "compression",
+                          compressor));
   d.header_size = std::strcmp(file.attribute("header_type").as_string("UInt32"), "UInt64") == 0 ? 8 : 4;
   const auto pieces = d.grid().children("Piece");
   if (std::distance(pieces.begin(), pieces.end()) != 1)
@@ -187,7 +237,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
     throw InputError(here, fmt::format("type = \"{}\", expected a type of numbers such as Float64", type));
   if (format == "ascii") return parse_ascii(here, array.text().as_string());
 
-  std::string decoded;
+  std::string decoded, inflated;
   std::string_view block;
   if (format == "appended") {
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
@@ -195,13 +245,19 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
       throw InputError(here, fmt::format("offset = {} lies beyond the end of the appended data", offset));
     // The appended block begins with its length, so its end need not be searched.
     block = std::string_view(d.appended).substr(offset);
-    if (!d.appended_raw) block = decoded = from_base64(block.substr(0, encoded_size(block, d.header_size)));
+    if (!d.appended_raw && d.compressed) block = block.substr(0, block.find_first_of("< \n"));
+    if (!d.appended_raw && !d.compressed)
+      block = decoded = from_base64(block.substr(0, encoded_size(block, d.header_size)));
   } else if (format == "binary") {
-    block = decoded = from_base64(trimmed(array.text().as_string()));
+    block = trimmed(array.text().as_string());
+    if (!d.compressed) block = decoded = from_base64(block);
   } else {
     throw InputError(here, fmt::format("format = \"{}\", expected ascii, binary or appended", format));
   }
-  std::vector<double> values = converter->second(payload(here, block, d.header_size));
+  const bool encoded = format == "binary" || !d.appended_raw;
+  if (d.compressed) inflated = inflate_blocks(here, block, d.header_size, encoded);
+  std::vector<double> values =
+      converter->second(d.compressed ? std::string_view(inflated) : payload(here, block, d.header_size));
   for (std::size_t k = 0; k < values.size(); ++k)
     if (!std::isfinite(values[k]))
       throw InputError(here,

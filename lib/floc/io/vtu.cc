@@ -11,9 +11,7 @@
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
-#include "floc/io/contact_file.h"
-#include "floc/io/listed_columns.h"
-#include "floc/io/listed_space.h"
+#include "floc/io/point_cloud.h"
 #include "floc/io/vtk_arrays.h"
 #include "floc/packing/wall_forces.h"
 
@@ -23,8 +21,8 @@ namespace {
 constexpr int kVertex = 1;
 constexpr int kLine = 3;
 
-/// Returns the indices of the points that are grains: the points of the VTK cells of type vertex or, if the file has no
-/// such cells, all points.
+/// Returns the indices of the points that are grains: the points of the VTK cells of type vertex. If the file has no such
+/// cells, the result is empty, and all points are grains.
 std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_points) {
   std::vector<std::size_t> points;
   if (arrays.has("Cells", "types")) {
@@ -42,93 +40,11 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
       points.push_back(static_cast<std::size_t>(point));
     }
   }
-  if (points.empty())
-    for (std::size_t k = 0; k < n_points; ++k) points.push_back(k);
   return points;
 }
 
-/// An array of point data of a VTU file with one number per point.
-class PointArray {
- public:
-  PointArray(const VtkArrays& arrays, const std::string& name, std::size_t n_points)
-      : place_(arrays.place("PointData", name)),
-        before_number_(std::make_shared<const std::string>(place_ + ", point ")),
-        values_(arrays.read("PointData", name)) {
-    if (values_.size() != n_points)
-      throw InputError(place_, fmt::format("the array has {} numbers, expected one for each of {} points",
-                                           values_.size(), n_points));
-  }
-
-  std::string place(std::size_t point) const { return numbered_place(point).text(); }
-  FileLine numbered_place(std::size_t point) const { return {before_number_, static_cast<int>(point)}; }
-  double operator[](std::size_t point) const { return values_[point]; }
-  std::int64_t whole(std::size_t point) const {
-    if (const auto number = whole_number(values_[point])) return *number;
-    throw InputError(place(point),
-                     fmt::format("this entry of the array is {}, expected a whole number", values_[point]));
-  }
-  double positive(std::size_t point) const {
-    if (values_[point] > 0.0) return values_[point];
-    throw InputError(place(point),
-                     fmt::format("this entry of the array is {}, must be positive", values_[point]));
-  }
-
- private:
-  std::string place_;
-  std::shared_ptr<const std::string> before_number_;
-  std::vector<double> values_;
-};
-
-/// Returns the name that an array of point data has in the file, or an empty text if the file has no such array.
-/// @param names  names that floc accepts for this array, in order of preference; `options.columns` may rename them
-std::string find_array(const VtkArrays& arrays, const ImportOptions& options,
-                       const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
-    if (options.columns.contains(name)) return options.columns.at(name);
-    if (arrays.has("PointData", name)) return name;
-  }
-  return "";
-}
-
-std::vector<ListedGrain> grains_of(const std::string& path, const VtkArrays& arrays,
-                                   const ImportOptions& options) {
-  const std::vector<double> x = arrays.read("Points", "");
-  const std::size_t n_points = x.size() / 3;
-  if (x.size() % 3 != 0 || static_cast<std::int64_t>(n_points) != arrays.n_points())
-    throw InputError(arrays.place("Points", ""),
-                     fmt::format("the array has {} numbers, expected three for each of {} points", x.size(),
-                                 arrays.n_points()));
-  std::vector<std::pair<SizeColumn, PointArray>> sizes;
-  for (const SizeColumn& size :
-       size_columns([&](const std::string& name) { return arrays.has("PointData", name); }, options.columns))
-    sizes.emplace_back(size, PointArray(arrays, find_array(arrays, options, {size.name}), n_points));
-  if (sizes.empty())
-    throw InputError(path,
-                     fmt::format("the file has no point array radius or diameter; its point arrays are {}",
-                                 fmt::join(arrays.names("PointData"), ", ")));
-  std::optional<PointArray> mass, id;
-  if (const auto name = find_array(arrays, options, {"mass"}); !name.empty())
-    mass.emplace(arrays, name, n_points);
-  if (const auto name = find_array(arrays, options, {"id"}); !name.empty()) id.emplace(arrays, name, n_points);
-  std::vector<ListedGrain> grains;
-  for (const std::size_t point : grain_points(arrays, n_points)) {
-    ListedGrain grain;
-    grain.place = sizes.front().second.numbered_place(point);
-    grain.id = id ? id->whole(point) : static_cast<std::int64_t>(point);
-    grain.position = {x[3 * point], x[3 * point + 1], x[3 * point + 2]};
-    for (const auto& [size, array] : sizes) {
-      const double radius = array.positive(point) * size.radius_of_one;
-      if (grain.radius != 0.0) require_same_size(grain.place, sizes.front().first, grain.radius, size, radius);
-      if (grain.radius == 0.0) grain.radius = radius;
-    }
-    if (mass) grain.mass = mass->positive(point);
-    grains.push_back(std::move(grain));
-  }
-  return grains;
-}
-
-/// Reads cell, dimension and periodicity from the arrays "cell", "dimension" and "walls" of the section FieldData,
-/// which vtu_text() writes.
+/// Reads cell, dimension and boundary from the arrays "cell", "dimension", "walls" and "periodic" of the section
+/// FieldData, which vtu_text() writes.
 ListedSpace space_of(const VtkArrays& arrays) {
   ListedSpace space;
   space.place = arrays.place("FieldData", "cell");
@@ -148,10 +64,26 @@ ListedSpace space_of(const VtkArrays& arrays) {
   if (arrays.has("FieldData", "walls")) {
     const std::vector<double> walls =
         arrays.read("FieldData", "walls");  // axis, side and position of each wall
-    space.periodic = {true, true, true};
-    for (std::size_t k = 0; k + 2 < walls.size(); k += 3)
-      if (walls[k] >= 0.0 && walls[k] < 3.0) space.periodic[static_cast<std::size_t>(walls[k])] = false;
-    space.boundary = fmt::format("the field array walls describes {} walls, expected none", walls.size() / 3);
+    space.exact_walls = true;
+    for (std::size_t k = 0; k + 2 < walls.size(); k += 3) {
+      const bool known = walls[k] == 0.0 || walls[k] == 1.0 || walls[k] == 2.0;
+      if (!known || (walls[k + 1] != -1.0 && walls[k + 1] != 1.0))
+        throw InputError(
+            arrays.place("FieldData", "walls"),
+            fmt::format("wall {} has the axis {} and the side {}, expected an axis from 0 to 2 and the "
+                        "side -1 or 1",
+                        k / 3, walls[k], walls[k + 1]));
+      add_wall({static_cast<int>(walls[k]), walls[k + 1] < 0.0 ? -1 : 1}, walls[k + 2], space);
+    }
+  }
+  if (arrays.has("FieldData", "periodic")) {
+    const std::vector<double> periodic = arrays.read("FieldData", "periodic");
+    if (periodic.size() != 3)
+      throw InputError(arrays.place("FieldData", "periodic"),
+                       fmt::format("the array has {} numbers, expected 3", periodic.size()));
+    space.periodic.clear();
+    for (const double along : periodic) space.periodic.push_back(along != 0.0);
+    space.boundary = fmt::format("the field array periodic is {}", fmt::join(periodic, " "));
   }
   return space;
 }
@@ -163,23 +95,26 @@ bool is_vtu(const std::string& path) {
   return text.find("<VTKFile") != std::string::npos && text.find("UnstructuredGrid") != std::string::npos;
 }
 
+bool is_vtp(const std::string& path) {
+  const std::string text = read_file(path).substr(0, 1000);
+  return text.find("<VTKFile") != std::string::npos && text.find("PolyData") != std::string::npos;
+}
+
 Imported read_vtu(const std::string& path, const ImportOptions& options) {
-  if (options.index.value_or(0) != 0)
-    throw InputError(
-        path,
-        fmt::format("index = {}, but the file holds only one packing, whose index is 0: leave out --index",
-                    *options.index));
-  check_grain_columns("--columns", options.columns);
   const VtkArrays arrays(path, read_file(path));
-  ListedPacking listed;
-  listed.place = path;
-  listed.law = required_law(path, options);
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
-  listed.grains = grains_of(path, arrays, options);
-  const int dimension = settle_space(options.cell.empty() ? space_of(arrays) : ListedSpace(), options, listed);
-  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
-  return assemble(listed);
+  PointCloud cloud;
+  cloud.path = path;
+  cloud.x = arrays.read("Points", "");
+  if (static_cast<std::int64_t>(cloud.x.size()) != 3 * arrays.n_points())
+    throw InputError(arrays.place("Points", ""),
+                     fmt::format("the array has {} numbers, expected three for each of {} points",
+                                 cloud.x.size(), arrays.n_points()));
+  cloud.grains = grain_points(arrays, cloud.x.size() / 3);
+  cloud.arrays = arrays.names("PointData");
+  cloud.place = [&](const std::string& name) { return arrays.place("PointData", name); };
+  cloud.read = [&](const std::string& name) { return arrays.read("PointData", name); };
+  if (options.cell.empty()) cloud.space = space_of(arrays);
+  return read_points(cloud, options);
 }
 
 namespace {
@@ -339,9 +274,19 @@ std::string vtu_text(const State<Dim>& state) {
   if (!packing.walls.empty()) {
     ArrayText walls{"Float64", "walls", 3, ""};  // axis, side and position of each wall
     for (const Wall<Dim>& wall : packing.walls)
-      walls.add(Eigen::Vector3d(static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position));
-    append(fields, walls);
-    fields.last_child().append_attribute("NumberOfTuples") = static_cast<unsigned>(packing.walls.size());
+      if (!wall.open)
+        walls.add(
+            Eigen::Vector3d(static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position));
+    const auto n_walls = std::count_if(packing.walls.begin(), packing.walls.end(),
+                                       [](const Wall<Dim>& wall) { return !wall.open; });
+    if (n_walls > 0) {
+      append(fields, walls);
+      fields.last_child().append_attribute("NumberOfTuples") = static_cast<unsigned>(n_walls);
+    }
+    ArrayText periodic{"Int32", "periodic", 1, ""};
+    for (int a = 0; a < 3; ++a) periodic.add(a < Dim && between_walls(packing.walls, a) ? 0 : 1);
+    append(fields, periodic);
+    fields.last_child().append_attribute("NumberOfTuples") = 3;
   }
   Drawing(packing).write(grid.append_child("Piece"));
   std::ostringstream text;

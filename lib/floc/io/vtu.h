@@ -9,13 +9,16 @@ namespace floc {
 /// Whether a file is in VTK's XML format, with an unstructured grid.
 bool is_vtu(const std::string& path);
 
-/// Reads grains from the points of a VTU file (VTK's XML format, unstructured grid). The arrays of point data are
-/// radius (or r, or diameter) and, optionally, mass and id; `options.columns` renames them. If the grid has cells of
+/// Whether a file is in VTK's XML format, with polygonal data.
+bool is_vtp(const std::string& path);
+
+/// Reads grains from the points of a VTU or VTP file (VTK's XML format, unstructured grid or polygonal data). The arrays of
+/// point data are radius (or r, or diameter) and, optionally, mass and id; `options.columns` renames them. If the grid has cells of
 /// VTK's type vertex, only the points of these cells are grains. Arrays are ASCII text, base64 text or appended data,
-/// little endian and not compressed. The periodic cell of the packing is `options.cell` or, without this option, the
+/// little endian, and not compressed or compressed by zlib. The periodic cell of the packing is `options.cell` or, without this option, the
 /// field array "cell", which contains the lattice vectors as vtu_text() writes them. The field array "dimension" gives
-/// the dimension; without it, settle_space() decides. A field array "walls" is an error unless `options.cell` is given,
-/// because the packing is then not periodic. `options.law` is required. `options.contacts` may name a file of contacts:
+/// the dimension; without it, settle_space() decides. The field arrays "walls" and "periodic" give the walls and the open ends,
+/// unless `options.cell` is given. `options.law` is required. `options.contacts` may name a file of contacts:
 /// see read_contact_file().
 /// @throws InputError naming file and array
 Imported read_vtu(const std::string& path, const ImportOptions& options);

@@ -185,25 +185,20 @@ Imported read_yade_text(const std::string& path, const ImportOptions& options) {
   check_grain_columns("--columns", options.columns);
   if (options.contacts.empty()) check_no_contact_columns(options);
   const YadeTable spheres = read_table(path, "x", {"x", "y", "z", "r"});
-  ListedPacking listed;
-  listed.place = path;
-  listed.units = options.units;
-  listed.drop_tensile = options.drop_tensile;
-  listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
-  ListedSpace space;  // YADE has a cell only if the packing is periodic
-  space.place = spheres.cell_place;
-  space.cell = spheres.cell;
-  space.periodic = {true, true, true};
-  const int dimension = settle_space(space, options, listed);
   const bool says_law = !options.law && !options.contacts.empty() &&
                         (is_yade_interactions(options.contacts) || begins_with_number(options.contacts));
-  listed.law = says_law ? law_of(read_table(options.contacts, "id1", {}).table, options.contacts)
-                        : required_law(path, options);
-  listed.contacts = read_contact_file(options, dimension, {}, &listed.remarks);
+  ImportOptions completed = options;
+  if (says_law) completed.law = law_of(read_table(options.contacts, "id1", {}).table, options.contacts);
+  ListedPacking listed = listed_packing(path, completed);
+  listed.grains = read_grains(NamedColumns(spheres.table, options.columns));
+  listed.space.place = spheres.cell_place;
+  listed.space.cell = spheres.cell;
+  // YADE has a cell only if the packing is periodic.
+  if (!spheres.cell.empty()) listed.space.periodic = {true, true, true};
   if (says_law)
     listed.remarks.push_back("the contact law has the mean stiffnesses of the listed contacts: " +
                              law_text(listed.law));
-  Imported imported = assemble(listed);
+  Imported imported = assemble(std::move(listed), options);
   imported.law_of_contacts = says_law;
   return imported;
 }

@@ -348,6 +348,7 @@ std::vector<NeighborPair<Dim>> find_wall_pairs(const std::vector<Wall<Dim>>& wal
   std::vector<NeighborPair<Dim>> pairs;
   for (int i = 0; i < grains.size(); ++i)
     for (std::size_t w = 0; w < walls.size(); ++w) {
+      if (walls[w].open) continue;
       const double distance = walls[w].side * (walls[w].position - grains.position[i][walls[w].axis]);
       if (distance < grains.radius[i] + gap)
         pairs.push_back({i, static_cast<int>(w), Vec<Dim, int>(Vec<Dim, int>::Zero())});

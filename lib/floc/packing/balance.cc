@@ -7,6 +7,8 @@ Balance<Dim> net_forces(const Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
   Balance<Dim> net{std::vector<Vec<Dim>>(g.size(), Vec<Dim>::Zero()),
                    std::vector<RotationVector<Dim>>(g.size(), RotationVector<Dim>::Zero())};
+  if (!packing.gravity.isZero(0.0))
+    for (int i = 0; i < g.size(); ++i) net.force[i] = g.mass[i] * packing.gravity;
   for (const Contact<Dim>& c : packing.contacts) {
     const Vec<Dim> on_i = c.shear_force - c.normal_force * c.normal;
     const bool on_grain = !packing.is_wall(c.j);
@@ -50,6 +52,9 @@ Mat<Dim> boundary_stress(const Packing<Dim>& packing) {
         on_wall ? Vec<Dim>(packing.grains.position[c.i] + branch(packing, c)) : packing.cell.shift(c.image);
     sum += on_j * shift.transpose();
   }
+  if (!packing.gravity.isZero(0.0))
+    for (int i = 0; i < packing.grains.size(); ++i)
+      sum -= packing.grains.mass[i] * packing.gravity * packing.grains.position[i].transpose();
   return sum / packing.cell.volume();
 }
 

@@ -19,6 +19,7 @@ struct Balance {
 template <int Dim>
 double mean_repulsive_force(const Packing<Dim>& packing);
 
+/// Returns the net force and moment on every grain: those of its contacts, and its weight if the packing has gravity.
 template <int Dim>
 Balance<Dim> net_forces(const Packing<Dim>& packing);
 
@@ -33,7 +34,8 @@ Mat<Dim> static_stress(const Packing<Dim>& packing);
 /// s^(b), divided by the volume of the cell. F_j is the force on the second grain j of the contact, and s = image *
 /// cell.matrix is the displacement of the periodic image of j that touches i; for a wall, s is the touched point. This
 /// stress differs from static_stress() by the sum over all grains of F_i^(a) x_i^(b), divided by the volume, where F_i
-/// is the net force on the grain at x_i; this sum vanishes in equilibrium.
+/// is the net force on the grain at x_i; this sum vanishes in equilibrium. Under gravity g, the sum of -m_i g^(a)
+/// x_i^(b), divided by the volume, is added, so that the same holds.
 template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing);
 

@@ -43,6 +43,9 @@ struct Contact {
   /// default.
   ContactType type = ContactType::kVertexFace;
   bool distant = false;  ///< whether the surfaces do not touch but attract each other across a gap
+  /// Whether the contact acts whatever its gap, with forces and stiffnesses that are data and do not follow from the law: a
+  /// bond.
+  bool bonded = false;
   /// History of the contact under its law, arranged as in HistoryLayout.
   ContactHistory<Dim> history = ContactHistory<Dim>::Zero();
 

@@ -107,10 +107,11 @@ struct Packing {
   Grains<Dim> grains;
   Law law;                             ///< contact law between grains
   std::vector<Contact<Dim>> contacts;  ///< contacts, sorted by (i, j, image, key) with i <= j
-  /// Both walls of each axis that lies between walls: the lower wall first, axes ascending; empty if all axes are
-  /// periodic.
+  /// Both ends of each axis that is not periodic: the lower end first, axes ascending; empty if all axes are periodic.
   std::vector<Wall<Dim>> walls;
   Law wall_law;  ///< contact law between grains and walls
+  /// Acceleration due to gravity, which acts on every grain as a body force (length/time^2); zero along periodic axes.
+  Vec<Dim> gravity = Vec<Dim>::Zero();
 
   /// Returns whether the index j of a contact refers to a wall. The indices of walls follow the indices of the grains.
   bool is_wall(int body) const { return body >= grains.size(); }
@@ -122,11 +123,27 @@ struct Packing {
   const Law& law_of(const Contact<Dim>& contact) const { return is_wall(contact.j) ? wall_law : law; }
 };
 
-/// Returns whether an axis of the cell lies between two walls.
+/// Returns whether an axis of the cell lies between two ends, walls or open ones, so that it is not periodic.
 template <int Dim>
 bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   for (const Wall<Dim>& wall : walls)
     if (wall.axis == axis) return true;
+  return false;
+}
+
+/// Returns whether the packing is open at an end of an axis.
+template <int Dim>
+bool is_open_along(const std::vector<Wall<Dim>>& walls, int axis) {
+  for (const Wall<Dim>& wall : walls)
+    if (wall.axis == axis && wall.open) return true;
+  return false;
+}
+
+/// Returns whether the packing is open at an end of any axis.
+template <int Dim>
+bool is_open(const std::vector<Wall<Dim>>& walls) {
+  for (const Wall<Dim>& wall : walls)
+    if (wall.open) return true;
   return false;
 }
 

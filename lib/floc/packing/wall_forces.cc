@@ -45,7 +45,8 @@ Vec<Dim> wall_pressure(const Packing<Dim>& packing) {
   const std::vector<double> force = wall_forces(packing);
   for (std::size_t w = 0; w < force.size(); ++w) {
     const int axis = packing.walls[w].axis;
-    pressure[axis] += 0.5 * force[w] / wall_area(packing, axis);
+    const double share = is_open_along(packing.walls, axis) ? 1.0 : 0.5;
+    pressure[axis] += share * force[w] / wall_area(packing, axis);
   }
   return pressure;
 }
@@ -70,8 +71,8 @@ template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing) {
   Mat<Dim> stress = static_stress(packing);
   const Vec<Dim> pressure = wall_pressure(packing);
-  for (int a = 0; a < Dim; ++a)
-    if (between_walls(packing.walls, a)) stress(a, a) = pressure[a];
+  for (const Wall<Dim>& wall : packing.walls)
+    if (!wall.open) stress(wall.axis, wall.axis) = pressure[wall.axis];
   return stress;
 }
 

@@ -26,8 +26,8 @@ double wall_area(const Packing<Dim>& packing, int axis);
 template <int Dim>
 std::vector<double> wall_forces(const Packing<Dim>& packing);
 
-/// Returns the mean pressure of the grains on the two walls of each axis, zero along an axis without walls
-/// (force/length^(Dim-1)).
+/// Returns the mean pressure of the grains on the two walls of each axis, on the one wall of an axis with one open end,
+/// and zero along an axis without walls (force/length^(Dim-1)).
 template <int Dim>
 Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 
@@ -37,7 +37,7 @@ template <int Dim>
 std::optional<double> mean_wall_pressure(const Packing<Dim>& packing);
 
 /// Returns the stress that balances the load on the boundary (force/length^(Dim-1)): the static stress, but with the
-/// pressure on the walls as the diagonal component of each axis between walls. At rest, the static stress and the
+/// pressure on the walls as the diagonal component of each axis with a wall. At rest, the static stress and the
 /// pressure on the walls differ by stress_borne_by_friction().
 template <int Dim>
 Mat<Dim> load_stress(const Packing<Dim>& packing);

@@ -20,6 +20,31 @@ double ball_between(double place, double radius, double low, double high) {
   return ball_in_box<Dim>(centre, radius, from, to);
 }
 
+/// Shares the stress of each contact out among the slices that its branch crosses, in proportion to the length in each.
+/// @param to_reduced  vector whose product with a position is its place along the axis, over the side of the cell
+/// @param origin  place at which the first slice begins
+template <int Dim>
+void add_stress(const Packing<Dim>& packing, const Vec<Dim>& to_reduced, double origin, bool walled,
+                std::vector<ProfileSlice>& slices) {
+  const int n = static_cast<int>(slices.size());
+  const double slice_volume = packing.cell.volume() / n;
+  for (const Contact<Dim>& c : packing.contacts) {
+    const Vec<Dim> r = branch(packing, c);
+    const Vec<Dim> along = (c.normal_force * c.normal - c.shear_force).cwiseProduct(r) / slice_volume;
+    const double begin = (to_reduced.dot(packing.grains.position[c.i]) - origin) * n;
+    const double end = begin + to_reduced.dot(r) * n;
+    const double low = std::min(begin, end), high = std::max(begin, end);
+    const int first = static_cast<int>(std::floor(low)), last = static_cast<int>(std::floor(high));
+    for (int k = first; k <= last; ++k) {
+      const double inside = std::min(high, k + 1.0) - std::max(low, static_cast<double>(k));
+      const double share = first == last ? 1.0 : inside / (high - low);
+      // Beyond a wall there is no slice: rounding of a branch that ends on the wall leads there.
+      const int slice = walled ? std::clamp(k, 0, n - 1) : ((k % n) + n) % n;
+      for (int a = 0; a < Dim; ++a) slices[slice].stress[a] += share * along[a];
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -37,6 +62,7 @@ std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, in
   for (int k = 0; k < n; ++k) {
     slices[k].low = height * k / n, slices[k].high = height * (k + 1) / n;
     slices[k].mean.assign(values.size(), 0.0);
+    slices[k].stress.assign(Dim, 0.0);
   }
   const double thickness = height / n, slice_volume = packing.cell.volume() / n;
   for (int i = 0; i < packing.grains.size(); ++i) {
@@ -56,6 +82,7 @@ std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, in
           ball_between<Dim>(s * height, radius, k * thickness, (k + 1) * thickness) / slice_volume;
     }
   }
+  add_stress(packing, to_reduced, origin, walled, slices);
   for (ProfileSlice& slice : slices)
     for (double& mean : slice.mean)
       mean = slice.n_grains > 0 ? mean / slice.n_grains : std::numeric_limits<double>::quiet_NaN();

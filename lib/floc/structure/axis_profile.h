@@ -14,13 +14,17 @@ struct ProfileSlice {
   double low = 0.0, high = 0.0;
   double solid_fraction = 0.0;  ///< solid fraction from exact volumes; an overlap counts once for each grain
   int n_grains = 0;
+  /// Stress along each axis (force/length^(d-1)), compression positive: the mean over the slice of the stress of the
+  /// contacts, each of which counts with the share of its branch that lies in the slice.
+  std::vector<double> stress;
   /// Mean of each array of values over the grains of the slice; NaN if the slice has no grains.
   std::vector<double> mean;
 };
 
 inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
 
-/// Divides the cell into slices of equal thickness, and computes the solid fraction and the mean values of each slice.
+/// Divides the cell into slices of equal thickness, and computes the solid fraction, the stress and the mean values of each
+/// slice. The mean of the stresses of all slices is static_stress().
 /// @param axis    index, from 0, of the lattice vector that is not parallel to the slices
 /// @param n       number of slices
 /// @param values  arrays of one number per grain, whose means are computed

@@ -9,6 +9,7 @@
 #include "floc/base/error.h"
 #include "floc/base/seconds_since.h"
 #include "floc/network/rigidity_matrix.h"
+#include "floc/packing/body_name.h"
 #include "floc/rigid/near_contacts.h"
 #include "floc/rigid/static_forces.h"
 
@@ -118,7 +119,7 @@ void add_contacts(const std::string& file, const Packing<Dim>& packing, const Ba
     row.push_back(count(static_cast<std::int64_t>(k)));
     row.push_back(count(packing.grains.name(c.i)));
     // Walls have no identifiers; their indices follow those of the grains.
-    row.push_back(packing.is_wall(c.j) ? count(c.j) : count(packing.grains.name(c.j)));
+    row.push_back(count(body_number(packing, c.j)));
     for (int a = 0; a < Dim; ++a) row.push_back(count(c.image[a]));
     row.emplace_back(c.gap);
     row.emplace_back(forces.normal_force[k]);

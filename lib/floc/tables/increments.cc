@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "floc/packing/body_name.h"
 #include "floc/tables/column.h"
 
 namespace floc {
@@ -83,7 +84,7 @@ void add_increments(const std::string& file, const Packing<Dim>& packing, const 
     const Contact<Dim>& contact = packing.contacts[k];
     const int c = in_network[k];
     Values values{file, static_cast<std::int64_t>(k), packing.grains.name(contact.i),
-                  packing.grains.name(contact.j)};
+                  body_number(packing, contact.j)};
     for (int a = 0; a < Dim; ++a) values.emplace_back(std::int64_t{contact.image[a]});
     values.emplace_back(contact.distant);
     append_step(mechanics.isotropic, network, c, values);

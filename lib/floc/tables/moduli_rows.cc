@@ -309,7 +309,23 @@ std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& te
   return accuracy;
 }
 
+namespace {
+
+template <int Dim>
+bool is_free_along_every_axis(const std::vector<Wall<Dim>>& walls) {
+  for (int a = 0; a < Dim; ++a)
+    if (!is_open_along(walls, a)) return false;
+  return true;
+}
+
+}  // namespace
+
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
+  if (std::visit([](const auto& state) { return is_free_along_every_axis(state.packing.walls); }, any))
+    throw InputError(
+        file,
+        "this packing ends in free space along every axis, so that it resists no strain and has no moduli; "
+        "floc network gives its coordination, and floc forces its forces");
   if (strains == StrainSet::full &&
       std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
     throw InputError(file, "this state has walls, which cannot shear the grains: give --strains diagonal");

@@ -126,6 +126,7 @@ std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& optio
   columns.emplace_back("p_wall", [](const NetworkRow& r) { return or_undefined(r.wall_pressure); });
   columns.emplace_back("P_driven", [](const NetworkRow& r) { return r.driven_stress; });
   columns.emplace_back("P_driven_star", [](const NetworkRow& r) { return r.reduced_driven_stress; });
+  columns.emplace_back("n_solid_bonds", [](const NetworkRow& r) { return count(r.n_bonds); });
   return columns;
 }
 

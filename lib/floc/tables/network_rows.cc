@@ -170,6 +170,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   row.driven_stress = stress_on_driven_axis<Dim>(state, static_stress(packing).diagonal());
   row.reduced_driven_stress = reduced_pressure(packing, row.driven_stress);
   row.wall_pressure = mean_wall_pressure(packing);
+  for (const Contact<Dim>& c : packing.contacts) row.n_bonds += c.bonded;
   row.solid_fraction = solid_fraction(packing);
   const double tolerance = options.zero_force.value_or(state.tolerance.force);
   const double zero_force = tolerance * force_scale(packing, state.target_stress).force;

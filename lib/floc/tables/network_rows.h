@@ -48,6 +48,7 @@ struct NetworkRow {
   double reduced_pressure;
   double driven_stress;  ///< stress that the contacts carry on the driven axis, see stress_on_driven_axis()
   double reduced_driven_stress;
+  int n_bonds = 0;                      ///< number of contacts that act whatever their gap (Contact::bonded)
   std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Coordination coordination;

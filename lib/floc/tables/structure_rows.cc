@@ -266,10 +266,14 @@ void add_profile(const std::string& file, const Packing<Dim>& packing, const Str
   if (axis >= Dim) throw InputError(file, "this state is in 2D and has no axis z: give --profile-axis x or y");
   std::vector<std::vector<double>> values = {contacts_of_each(packing)};
   if (packing.walls.empty()) values.push_back(particle_pressure(packing));
-  for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values))
-    table.rows.push_back({file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction),
-                          count(s.n_grains), s.mean[0],
-                          s.mean.size() > 1 ? TableValue{s.mean[1]} : TableValue{}});
+  for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values)) {
+    std::vector<TableValue> row = {
+        file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction), count(s.n_grains), s.mean[0]};
+    row.resize(table.columns.size());  // what a packing does not have is left empty
+    if (s.mean.size() > 1) row[7] = s.mean[1];
+    for (std::size_t a = 0; a < s.stress.size(); ++a) row[8 + a] = s.stress[a];
+    table.rows.push_back(std::move(row));
+  }
 }
 
 template <int Dim>

@@ -79,7 +79,9 @@ struct Series {
   Table prediction{{"reference", "file", "phi", "P", "z", "P_predicted", "z_predicted", "z_pushed_predicted"},
                    {}};
   Table porosity{{"file", "half_side", "void_ratio", "porosity", "void_ratio_cell", "porosity_cell"}, {}};
-  Table profile{{"file", "low", "high", "phi", "void_ratio", "n_grains", "z", "pressure"}, {}};
+  Table profile{{"file", "low", "high", "phi", "void_ratio", "n_grains", "z", "pressure", "sigma_1", "sigma_2",
+                 "sigma_3"},
+                {}};
   int dimension = 0;                    ///< dimension of the first state
   std::string reference;                ///< file of the first state
   std::optional<double> reference_phi;  ///< solid fraction of the first state

@@ -8,6 +8,7 @@
 
 #include "floc/neighbors/interacting_pairs.h"
 #include "floc/neighbors/unlisted_pairs.h"
+#include "floc/packing/body_name.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/liquid/liquid.h"
 
@@ -22,7 +23,7 @@ constexpr double kNoForce = 1e-9;
 
 template <int Dim>
 std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  return fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j));
+  return fmt::format("{}-{}", packing.grains.name(c.i), body_name(packing, c.j));
 }
 
 /// Returns the normal force that the contact law gives at the present gap of a contact, with the stiffness of this
@@ -46,6 +47,7 @@ void add_forces(const Packing<Dim>& packing, double tolerance, ContactCheck& che
   const double unit = mean > 0.0 ? mean : 1.0;
   const double open = distance_error(packing);
   for (const Contact<Dim>& c : packing.contacts) {
+    if (c.bonded) continue;
     const double difference = std::abs(c.normal_force - expected_normal_force(packing, c));
     if (difference / unit > check.largest_difference) {
       check.largest_difference = difference / unit;
@@ -79,9 +81,10 @@ ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance) {
   double largest = 0.0;
   for (const Contact<Dim>& c : packing.contacts) largest = std::max(largest, std::abs(c.normal_force));
   for (const Contact<Dim>& c : packing.contacts) {
+    check.n_bonds += c.bonded;
     check.n_with_gap += !c.distant && !touches(packing, c);
     check.n_distant += c.distant;
-    check.n_pulling += c.normal_force < -kNoForce * largest;
+    check.n_pulling += !c.bonded && c.normal_force < -kNoForce * largest;
     check.n_mobilised += c.is_mobilised();
     const Mobilised beyond = mobilised(packing.law_of(c), c, -kCapTolerance);
     check.n_beyond_cap += (beyond.sliding && !c.shear_force.isZero(0.0)) ||

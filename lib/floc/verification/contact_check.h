@@ -23,6 +23,7 @@ struct ContactCheck {
   int n_contacts = 0;
   /// Number of contacts that are marked as touching although there is a gap between their surfaces.
   int n_with_gap = 0;
+  int n_bonds = 0;      ///< number of bonds, whose forces do not follow from the law
   int n_distant = 0;    ///< number of contacts that attract across a gap
   int n_pulling = 0;    ///< number of contacts whose normal force is tensile, beyond rounding errors
   int n_mobilised = 0;  ///< number of contacts that slide, or that yield in rolling or twisting

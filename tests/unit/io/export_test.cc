@@ -37,7 +37,7 @@ Packing<Dim> written_and_read(const std::string& keyword, const State<Dim>& stat
 }
 
 template <int Dim>
-void expect_same_grains(const Packing<Dim>& read, const Packing<Dim>& written) {
+void expect_written_grains(const Packing<Dim>& read, const Packing<Dim>& written) {
   ASSERT_EQ(read.grains.size(), written.grains.size());
   EXPECT_EQ(read.cell.matrix, written.cell.matrix);
   for (int i = 0; i < read.grains.size(); ++i) {
@@ -48,13 +48,13 @@ void expect_same_grains(const Packing<Dim>& read, const Packing<Dim>& written) {
 }
 
 TEST(Vtu, ReadsWhatItWroteToTheLastDigit) {
-  expect_same_grains(written_and_read("vtu", test::busy_state<2>()), test::busy_state<2>().packing);
-  expect_same_grains(written_and_read("vtu", test::busy_state<3>()), test::busy_state<3>().packing);
+  expect_written_grains(written_and_read("vtu", test::busy_state<2>()), test::busy_state<2>().packing);
+  expect_written_grains(written_and_read("vtu", test::busy_state<3>()), test::busy_state<3>().packing);
 }
 
 TEST(ExtendedXyz, ReadsWhatItWroteToTheLastDigit) {
-  expect_same_grains(written_and_read("extended-xyz", test::busy_state<2>()), test::busy_state<2>().packing);
-  expect_same_grains(written_and_read("extended-xyz", test::busy_state<3>()), test::busy_state<3>().packing);
+  expect_written_grains(written_and_read("extended-xyz", test::busy_state<2>()), test::busy_state<2>().packing);
+  expect_written_grains(written_and_read("extended-xyz", test::busy_state<3>()), test::busy_state<3>().packing);
 }
 
 /// LAMMPS wants the first lattice vector along x and small tilts: distances in the lattice are what is kept.
@@ -216,10 +216,10 @@ TEST_F(VtuEncodings, NameWhatIsWrong) {
   nameless.replace(nameless.find("\"radius\""), 8, "\"colour\"");
   expect_refusal(nameless, "no point array radius or diameter; its point arrays are colour");
   std::string compressed = file(ascii_points_, "format=\"ascii\">0.5 1");
-  compressed.insert(compressed.find(" byte_order"), " compressor=\"vtkZLibDataCompressor\"");
+  compressed.insert(compressed.find(" byte_order"), " compressor=\"vtkLZ4DataCompressor\"");
   expect_refusal(compressed, "save it without compression");
   expect_refusal("<VTKFile type=\"UnstructuredGrid\"><Piece>", "is not XML");
-  expect_refusal("<VTKFile type=\"PolyData\"/>", "is not a VTKFile with an UnstructuredGrid");
+  expect_refusal("<VTKFile type=\"ImageData\"/>", "is not a VTKFile with an UnstructuredGrid");
 }
 
 void expect_refusal(Imported (*read)(const std::string&, const ImportOptions&), const std::string& text,

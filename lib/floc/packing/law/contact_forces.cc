@@ -13,6 +13,7 @@ namespace {
 template <class Law, int Dim>
 void refresh(const Law& law, const Packing<Dim>& packing, Contact<Dim>& c) {
   place(locate(packing, c), c);
+  if (c.bonded) return;
   respond_to_motion<Law, Dim>(law, packing.grains, SurfaceMotion<Dim>{}, c);
 }
 
@@ -35,7 +36,7 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
         for (Contact<Dim>& c : packing.contacts)
           if (packing.is_wall(c.j) == with_walls) refresh(law, packing, c);
         std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
-          return packing.is_wall(c.j) == with_walls && !interacts_at(law, packing.grains, c);
+          return packing.is_wall(c.j) == with_walls && !c.bonded && !interacts_at(law, packing.grains, c);
         });
       },
       compose_law(with_walls ? packing.wall_law : packing.law));
@@ -94,6 +95,7 @@ void refresh_contacts(Packing<Dim>& packing) {
 
 template <int Dim>
 bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact) {
+  if (contact.bonded) return true;
   if (packing.law_of(contact).is_rigid()) return contact.elastic_force > 0.0 || contact.gap <= 0.0;
   return std::visit([&](const auto& law) { return touches(law, packing.grains, contact); },
                     compose_law(packing.law_of(contact)));
@@ -101,7 +103,7 @@ bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact) {
 
 template <int Dim>
 Mobilised mobilised(const Law& parameters, const Contact<Dim>& contact, double tolerance) {
-  if (contact.distant) return {};
+  if (contact.distant || contact.bonded) return {};
   if (parameters.is_rigid()) return {.sliding = slides(parameters, contact, tolerance)};
   return std::visit(
       [&]<class Law>(const Law& law) {
@@ -114,18 +116,19 @@ Mobilised mobilised(const Law& parameters, const Contact<Dim>& contact, double t
 template <int Dim>
 void set_given_forces(const Packing<Dim>& packing, std::optional<double> kn, std::optional<double> kt,
                       double tolerance, Contact<Dim>& contact) {
-  if (packing.law.is_rigid()) {
+  const Law& own = packing.law_of(contact);
+  if (own.is_rigid()) {
     contact.elastic_force = std::max(contact.normal_force + pull_off_force(packing, contact), 0.0);
     contact.kn = kn.value_or(0.0);
     contact.kt = kt.value_or(0.0);
-    contact.sliding = slides(packing.law, contact, tolerance);
+    contact.sliding = slides(own, contact, tolerance);
     return;
   }
   std::visit(
       [&](const auto& law) {
         set_forces(law, pull_off_force(packing, contact), packing.grains, kn, kt, tolerance, contact);
       },
-      compose_law(packing.law));
+      compose_law(own));
 }
 
 #define FLOC_INSTANTIATE(Dim)                                                                               \

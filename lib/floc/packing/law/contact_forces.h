@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact from the positions of its grains and
-/// its history, by the contact law of the packing. Rigid contacts keep their forces, which do not follow from the
+/// its history, by the contact law of the packing. Bonds and rigid contacts keep their forces, which do not follow from the
 /// positions. Springs whose forces exceed their caps are shortened. Springs of a
 /// contact that has parted, or of a model that the law does not have, are set to zero. The members i, j, image, key and
 /// history of `contact` have to be set before the call; all others are overwritten.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <variant>
 
+#include "floc/packing/body_name.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/law/law_response.h"
 
@@ -34,7 +35,7 @@ template <int Dim>
 Stiffnesses law_stiffnesses(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   Contact<Dim> by_law = contact;
   const Law& parameters = packing.is_wall(contact.j) ? packing.wall_law : packing.law;
-  if (parameters.is_rigid()) return stiffnesses(contact);
+  if (contact.bonded || parameters.is_rigid()) return stiffnesses(contact);
   std::visit(
       [&]<class Law>(const Law& law) {
         if (contact.distant || !kFollowsFromForce<Law>) return refresh_contact(packing, by_law);
@@ -91,7 +92,7 @@ std::string stiffness_differences(const Packing<Dim>& packing) {
   StiffnessComparison comparison;
   for (const Contact<Dim>& c : packing.contacts)
     comparison.add(stiffnesses(c), law_stiffnesses(packing, c),
-                   fmt::format("{}-{}", packing.grains.name(c.i), packing.grains.name(c.j)));
+                   fmt::format("{}-{}", packing.grains.name(c.i), body_name(packing, c.j)));
   return fmt::format("{}", fmt::join(comparison.differences(packing.law.force_exponent()), "; "));
 }
 

@@ -1,0 +1,460 @@
+#include "floc/io/listed_contacts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "floc/base/error.h"
+#include "floc/contact/adhesion/capillary_adhesion.h"
+#include "floc/io/listed_images.h"
+#include "floc/packing/law/contact_forces.h"
+#include "floc/packing/law/stiffness_check.h"
+#include "floc/packing/liquid/liquid.h"
+#include "floc/packing/locate.h"
+
+namespace floc {
+namespace {
+
+/// Largest distance of a tangential force from the limit of friction, relative to this limit, at which the force counts
+/// as mobilised (at its limit). Files print forces with six digits or more.
+constexpr double kCapTolerance = 1e-6;
+/// A tangential force below this fraction of the normal force of the same contact is taken for a rounding error.
+constexpr double kNoShear = 1e-9;
+/// Rounding error of a scalar product, relative to the product of the lengths of the two vectors.
+constexpr double kRounding = 1e-15;
+/// A force below this fraction of the largest listed force is taken for a rounding error.
+constexpr double kNoForce = 1e-9;
+/// Two grains cannot be in contact if their gap exceeds the range of the law by more than this fraction of their mean
+/// radius. The fraction is large because a file may have few digits.
+constexpr double kFarthestGap = 0.1;
+/// Largest accepted difference between a listed normal force and the normal component of the total force listed for the
+/// same contact, relative to the total force. Rounding of positions to six digits rotates the contact normal, but
+/// changes this component by less.
+constexpr double kSameForce = 1e-3;
+
+/// Whether the two grains of a contact have to be exchanged so that the grain with the lower index comes first. A
+/// contact of a grain with its own image is exchanged if find_pairs() uses the opposite image.
+template <int Dim>
+bool is_reversed(const Contact<Dim>& c) {
+  if (c.i != c.j) return c.i > c.j;
+  const Vec<Dim, int> zero = Vec<Dim, int>::Zero();
+  return std::lexicographical_compare(c.image.begin(), c.image.end(), zero.begin(), zero.end());
+}
+
+/// Forces that the file lists for a contact. They act on the first grain of the contact.
+template <int Dim>
+struct GivenForces {
+  std::optional<double> normal;
+  std::optional<Vec<Dim>> shear;
+  std::optional<RotationVector<Dim>> rolling;
+  std::optional<double> twisting;  ///< twisting moment, which does not depend on the order of the two grains
+};
+
+template <int Dim>
+GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const Vec<Dim>& normal) {
+  const double sign = reversed ? -1.0 : 1.0;
+  GivenForces<Dim> given;
+  given.normal = listed.normal_force;
+  if (listed.shear_force) {
+    const Vec<Dim> on_first = sign * listed.shear_force->template head<Dim>();
+    const double along = normal.dot(on_first);
+    // The normal component of a listed tangential force is subtracted only if it exceeds rounding errors. Otherwise the
+    // tangential force keeps all of its digits.
+    given.shear = on_first;
+    if (std::abs(along) > kRounding * on_first.norm()) *given.shear -= normal * along;
+  }
+  if (listed.force) {
+    const Vec<Dim> on_first = sign * listed.force->template head<Dim>();
+    given.normal = -normal.dot(on_first);
+    if (listed.normal_force &&
+        !(std::abs(*listed.normal_force - *given.normal) <= kSameForce * on_first.norm()))
+      throw InputError(listed.place.text(),
+                       fmt::format("normal_force = {:.6g}, but the total force listed for the same contact has "
+                                   "the normal component {:.6g}: leave out one of these two forces",
+                                   *listed.normal_force, *given.normal));
+    given.shear = on_first + *given.normal * normal;
+  }
+  if (listed.rolling_moment) given.rolling = sign * listed.rolling_moment->template tail<kRotations<Dim>>();
+  given.twisting = listed.twisting_moment;
+  return given;
+}
+
+/// Replaces the forces and stiffnesses of a contact, which the law has given, by those that the file lists.
+/// @throws InputError for a listed force or stiffness (tangential, rolling, twisting) that the law does not have
+template <int Dim>
+void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
+                Contact<Dim>& c) {
+  const Law& law = packing.law_of(c);
+  if (given.normal) c.normal_force = *given.normal;
+  if (given.shear && law.has_friction()) c.shear_force = *given.shear;
+  if (given.shear && !law.has_friction() && given.shear->norm() > kNoShear * std::abs(c.normal_force))
+    throw InputError(
+        listed.place.text(),
+        fmt::format("the tangential force is {:.6g}, but the law has no friction", given.shear->norm()));
+  if (given.rolling && !given.rolling->isZero(0.0) && !law.has_rolling())
+    throw InputError(listed.place.text(), "a rolling moment is listed, but the law has no rolling resistance");
+  if (given.rolling && law.has_rolling()) c.rolling_moment = *given.rolling;
+  if (given.twisting && *given.twisting != 0.0 && !law.has_twisting())
+    throw InputError(listed.place.text(),
+                     "a twisting moment is listed, but the law has no twisting resistance");
+  if (given.twisting && law.has_twisting()) c.twisting_moment = *given.twisting;
+  if (given.normal || given.shear || given.rolling || given.twisting)
+    set_given_forces(packing, listed.kn, listed.kt, kCapTolerance, c);
+  if (listed.kr && *listed.kr != 0.0 && !law.has_rolling())
+    throw InputError(listed.place.text(),
+                     "a rolling stiffness is listed, but the law has no rolling resistance");
+  if (listed.kr && law.has_rolling() && !c.distant) c.kr = *listed.kr;
+  if (listed.ktw && *listed.ktw != 0.0 && !law.has_twisting())
+    throw InputError(listed.place.text(),
+                     "a twisting stiffness is listed, but the law has no twisting resistance");
+  if (listed.ktw && law.has_twisting() && !c.distant) c.ktw = *listed.ktw;
+}
+
+/// Checks one stiffness that a file may list for a contact.
+/// @param name  name of the column of the stiffness
+/// @param right  whether `value` is an allowed value
+/// @param expected  description of the allowed values, for the message
+/// @throws InputError if `value` is listed and not allowed
+void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
+                       bool right, const char* expected) {
+  if (value && !right)
+    throw InputError(listed.place.text(), fmt::format("{} = {}, expected {}", name, *value, expected));
+}
+
+void require_stiffnesses(const ListedContact& listed) {
+  require_stiffness(listed, "kt", listed.kt, listed.kt >= 0.0, "a tangential stiffness >= 0");
+  require_stiffness(listed, "kr", listed.kr, listed.kr >= 0.0, "a rolling stiffness >= 0");
+  require_stiffness(listed, "ktw", listed.ktw, listed.ktw >= 0.0, "a twisting stiffness >= 0");
+}
+
+/// Name of the second body of a listed contact.
+std::string second_name(const ListedContact& row) {
+  return row.wall ? row.wall->name() : std::to_string(row.id2);
+}
+
+/// Makes the contacts of a packing from the contacts that a file lists, and counts the listed contacts that are left
+/// out or get another image.
+template <int Dim>
+class ListedContacts {
+ public:
+  ListedContacts(const ListedPacking& listed, const Identifiers& identifiers, const Packing<Dim>& packing)
+      : listed_(listed),
+        identifiers_(identifiers),
+        packing_(packing),
+        half_width_(0.5 * smallest_width(packing)) {
+    if (!listed.contacts) return;
+    counts_.n_read = static_cast<int>(listed.contacts->size());
+    for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
+  }
+
+  /// Makes the contact that one row of the table of contacts describes. Listed forces replace the forces of the law.
+  /// Returns nothing if the contact is left out.
+  std::optional<Contact<Dim>> place(const ListedContact& row) {
+    Contact<Dim> c;
+    c.i = identifiers_.index(row.place, "id1", row.id1);
+    c.j = row.wall ? wall_of(row) : identifiers_.index(row.place, "id2", row.id2);
+    set_liquid(row, c);
+    if (!row.wall) set_image(row, c);
+    floc::place(locate(packing_, c), c);
+    const double gap = c.gap;
+    if (is_bond(row, c)) return bond(row, c);
+    if (row.across_no_lattice && !can_touch(c)) return distant_force(row, c);
+    const bool wet = bridge_volume(packing_, c) != 0.0;
+    if (!touches(packing_, c) && gap >= range_of(packing_, c) && !wet &&
+        force_of(row) <= kNoForce * largest_force_) {
+      if (!row.force && !row.normal_force)
+        throw InputError(
+            row.place.text(),
+            fmt::format(
+                "the gap is {}, at which the law gives no force, and no normal_force is listed for the contact",
+                gap) +
+                counting_hint(listed_));
+      ++counts_.n_neighbors;
+      return std::nullopt;
+    }
+    require_one_image(row, c);
+    require_possible(row, c);
+    const bool reversed = put_in_order(c);
+    refresh_contact(packing_, c);
+    require_direction(row, c);
+    const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
+    if (!given.normal && row.has_stiffness())
+      throw InputError(row.place.text(), "a stiffness is listed for the contact, but no normal force");
+    if (given.normal && *given.normal < -kNoForce * largest_force_ && !packing_.law_of(c).adheres()) {
+      if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
+      return std::nullopt;
+    }
+    require_stiffnesses(row);
+    set_forces(packing_, row, given, c);
+    // The sign of kn is tested only for surfaces that touch, because kn is negative for an attraction across a gap.
+    if (!c.distant)
+      require_stiffness(row, "kn", row.kn, row.kn > 0.0,
+                        "a positive number, the stiffness of surfaces that touch");
+    compare_stiffnesses(row, c);
+    return c;
+  }
+
+  ListedContactCounts counts() const {
+    ListedContactCounts counts = counts_;
+    counts.stiffness_differences = stiffnesses_.differences(packing_.law.force_exponent());
+    return counts;
+  }
+
+  /// Checks that no contact was left out because its force is tensile and the law has no adhesion.
+  /// @throws InputError naming the first contact that was left out for this reason
+  void require_no_tensile() const {
+    if (counts_.n_tensile == 0) return;
+    const bool adhesive_law_exists = packing_.law.force_exponent() == 1.0;
+    throw InputError(
+        first_tensile_.row->place.text(),
+        fmt::format(
+            "the contact of grains {} and {} pulls with the force {:.6g}, as {} of the {} listed contacts do, "
+            "but the law has no adhesion: {}, or leave out the contacts that pull with --drop-tensile",
+            first_tensile_.row->id1, second_name(*first_tensile_.row), -first_tensile_.normal_force,
+            counts_.n_tensile, counts_.n_read,
+            adhesive_law_exists
+                ? "give adhesion.force in --law, with adhesion.law=constant if grains attract each other in "
+                  "contact only, or with adhesion.range"
+                : "adhesion is possible with the linear law only (normal.stiffness, adhesion.force)"));
+  }
+
+ private:
+  struct Tensile {
+    const ListedContact* row = nullptr;
+    double normal_force = 0.0;
+  };
+
+  /// Returns the index of the wall that a contact refers to.
+  /// @throws InputError if the packing has no such wall
+  int wall_of(const ListedContact& row) const {
+    for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
+      const Wall<Dim>& wall = packing_.walls[w];
+      if (wall.axis == row.wall->axis && wall.side == row.wall->side && !wall.open)
+        return packing_.grains.size() + static_cast<int>(w);
+    }
+    throw InputError(
+        row.place.text(),
+        fmt::format("the contact is one of grain {} with the wall {}, but the packing has no wall there: "
+                    "give --walls",
+                    row.id1, row.wall->name()));
+  }
+
+  /// Whether a contact is a bond: it has a stiffness of its own although its surfaces do not touch.
+  bool is_bond(const ListedContact& row, const Contact<Dim>& c) const {
+    return row.bond || (row.kn > 0.0 && c.gap >= range_of(packing_, c) && !touches(packing_, c));
+  }
+
+  /// Makes a bond, which acts with its own stiffnesses whatever the law says; without a listed force it is unstressed.
+  Contact<Dim> bond(const ListedContact& row, Contact<Dim> c) {
+    require_one_image(row, c);
+    const bool reversed = put_in_order(c);
+    floc::place(locate(packing_, c), c);
+    require_direction(row, c);
+    require_stiffnesses(row);
+    require_stiffness(row, "kn", row.kn.value_or(0.0), row.kn.value_or(0.0) > 0.0,
+                      "a positive number, the stiffness of the bond");
+    const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
+    c.normal_force = given.normal.value_or(0.0);
+    c.elastic_force = std::max(c.normal_force, 0.0);
+    if (given.shear) c.shear_force = *given.shear;
+    if (given.rolling) c.rolling_moment = *given.rolling;
+    c.twisting_moment = given.twisting.value_or(0.0);
+    c.kn = *row.kn;
+    c.kt = row.kt.value_or(0.0);
+    c.kr = row.kr.value_or(0.0);
+    c.ktw = row.ktw.value_or(0.0);
+    c.bonded = true;
+    ++counts_.n_bonds;
+    return c;
+  }
+
+  /// Makes a contact of two grains of which one is turned by a boundary that is no lattice, so that their positions do not
+  /// show how they touch. It keeps the listed force and has no stiffness.
+  Contact<Dim> distant_force(const ListedContact& row, Contact<Dim> c) {
+    const bool reversed = put_in_order(c);
+    floc::place(locate(packing_, c), c);
+    const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
+    c.normal_force = given.normal.value_or(0.0);
+    if (row.force)
+      c.shear_force = (reversed ? -1.0 : 1.0) * row.force->template head<Dim>() + c.normal_force * c.normal;
+    c.bonded = true;
+    ++counts_.n_across_no_lattice;
+    return c;
+  }
+
+  /// Exchanges the bodies of a contact if the second one has to come first. @return whether they were exchanged
+  bool put_in_order(Contact<Dim>& c) const {
+    if (packing_.is_wall(c.j) || !is_reversed(c)) return false;
+    std::swap(c.i, c.j);
+    c.image = -c.image;
+    return true;
+  }
+
+  void require_direction(const ListedContact& row, const Contact<Dim>& c) const {
+    if (packing_.is_wall(c.j) && !(c.normal.dot(packing_.wall(c.j).normal()) > 0.0))
+      throw InputError(row.place.text(), fmt::format("grain {} has its centre on or beyond the wall {}",
+                                                     row.id1, row.wall->name()));
+    if (c.normal.isZero(0.0))
+      throw InputError(row.place.text(), "the grains have the same centre: their contact has no direction");
+  }
+
+  void compare_stiffnesses(const ListedContact& row, const Contact<Dim>& c) {
+    if (!row.has_stiffness()) return;
+    Contact<Dim> touching = c;
+    // If the file does not list liquid bridges, every pair of grains that touch is taken to have a bridge, which
+    // attracts with its full strength.
+    if (const CapillaryAdhesion* liquid = packing_.law.liquid();
+        liquid != nullptr && touches(packing_, c) && bridge_volume(packing_, c) == 0.0)
+      touching.elastic_force = std::max(
+          0.0, c.normal_force + liquid->strength(packing_.grains.radius[c.i], packing_.surface_radius(c.j)));
+    const Stiffnesses by_law = law_stiffnesses(packing_, touching);
+    stiffnesses_.add({row.kn.value_or(by_law[0]), row.kt.value_or(by_law[1]), row.kr.value_or(by_law[2]),
+                      row.ktw.value_or(by_law[3])},
+                     by_law, fmt::format("{}-{}", row.id1, second_name(row)));
+  }
+
+  /// Returns the largest magnitude of the forces that are listed for a contact.
+  static double force_of(const ListedContact& row) {
+    const auto norm = [](const std::optional<Eigen::Vector3d>& v) { return v ? v->norm() : 0.0; };
+    return std::max({norm(row.force), std::abs(row.normal_force.value_or(0.0)), norm(row.shear_force)});
+  }
+
+  double radii(const Contact<Dim>& c) const {
+    return packing_.grains.radius[c.i] + packing_.surface_radius(c.j);
+  }
+  double gap_of(const Contact<Dim>& c) const { return locate(packing_, c).gap; }
+  bool can_touch(const Contact<Dim>& c) const {
+    return gap_of(c) <= range_of(packing_, c) + 0.5 * kFarthestGap * radii(c);
+  }
+
+  /// Sets the volume of the liquid bridge of a contact to the listed volume, if there is one.
+  /// @throws InputError if a volume is listed, but the law has no liquid
+  void set_liquid(const ListedContact& row, Contact<Dim>& c) const {
+    if (!row.bridge_volume) return;
+    if (!holds_liquid(packing_) && *row.bridge_volume != 0.0)
+      throw InputError(
+          row.place.text(),
+          fmt::format("bridge_volume = {:.6g}, but the law has no liquid: give adhesion.law=capillary",
+                      *row.bridge_volume));
+    if (holds_liquid(packing_)) set_bridge_volume(*row.bridge_volume, c);
+  }
+
+  /// Sets the periodic image of the second grain of a contact. It is the listed image if the grains can touch there,
+  /// otherwise the nearest image. Some programs move the positions into the cell but list images for positions outside
+  /// it.
+  void set_image(const ListedContact& row, Contact<Dim>& c) {
+    if (row.image) c.image = row.image->template head<Dim>();
+    if (row.image && c.i == c.j && c.image.isZero())
+      throw InputError(row.place.text(),
+                       "id1 and id2 are equal and the image is zero: the grain would touch itself");
+    for (int a = 0; a < Dim; ++a)
+      if (c.image[a] != 0 && between_walls(packing_.walls, a))
+        throw InputError(row.place.text(),
+                         fmt::format("image{} = {}, expected 0: the packing is not periodic along {}", a + 1,
+                                     c.image[a], "xyz"[a]));
+    if (row.image && (can_touch(c) || row.bond)) return;
+    if (row.image) require_within_reach(c);
+    c.image = nearest_image(packing_, row.place, c.i, c.j);
+    if (row.image && can_touch(c)) ++counts_.n_other_image;
+  }
+
+  /// Checks the distance between the grains of a contact.
+  /// @throws InputError if they are so many cells apart that this number may not fit an int
+  void require_within_reach(const Contact<Dim>& c) const {
+    const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
+    if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthestImage) return;
+    throw InputError(
+        listed_.grains[c.i].place.text(),
+        fmt::format("the grain is more than 1e9 cells away from the grain at {}, but a contact of the two "
+                    "is listed",
+                    listed_.grains[c.j].place.text()));
+  }
+
+  /// Checks the periodic image of the second grain that set_image() chose for a contact.
+  /// @throws InputError if no image was listed and another image may be equally near
+  void require_one_image(const ListedContact& row, const Contact<Dim>& c) const {
+    if (row.wall) return;
+    const double distance = branch(packing_, c).norm();
+    const bool chosen = !row.image || c.image != row.image->template head<Dim>();
+    if (chosen && distance >= half_width_)
+      throw InputError(row.place.text(),
+                       fmt::format("the centres of the grains are {:.6g} apart, not less than half the width "
+                                   "of the cell ({:.6g}): the list of contacts has to give, in the columns "
+                                   "image1.., which image of the second grain touches the first{}",
+                                   distance, half_width_, counting_hint(listed_)));
+  }
+
+  /// @throws InputError if the bodies of a contact are too far apart to touch
+  void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
+    if (row.wall && !can_touch(c))
+      throw InputError(
+          row.place.text(),
+          fmt::format("grain {} carries a force of {:.6g} at the wall {}, but its gap is {:.6g} (radius "
+                      "{:.6g}): the wall or the grain is at another place",
+                      row.id1, force_of(row), row.wall->name(), gap_of(c), packing_.grains.radius[c.i]));
+    if (!can_touch(c))
+      throw InputError(
+          row.place.text(),
+          fmt::format(
+              "grains {} and {} carry a force of {:.6g}, but even their nearest images have a "
+              "gap of {:.6g} (radii {:.6g} and {:.6g}): positions, radii or the cell do not fit this contact{}",
+              row.id1, row.id2, force_of(row), gap_of(c), packing_.grains.radius[c.i],
+              packing_.grains.radius[c.j], counting_hint(listed_)));
+  }
+
+  const ListedPacking& listed_;
+  const Identifiers& identifiers_;
+  const Packing<Dim>& packing_;
+  double half_width_;
+  double largest_force_ = 0.0;
+  ListedContactCounts counts_;
+  Tensile first_tensile_;
+  StiffnessComparison stiffnesses_;
+};
+
+}  // namespace
+
+template <int Dim>
+ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers& identifiers,
+                                 Packing<Dim>& packing) {
+  const auto order = [](const Contact<Dim>& c) {
+    return std::tuple(c.i, c.j, std::vector(c.image.begin(), c.image.end()));
+  };
+  using Placed = std::pair<Contact<Dim>, const ListedContact*>;
+  std::vector<Placed> placed;
+  ListedContacts<Dim> contacts(listed, identifiers, packing);
+  if (listed.contacts)
+    for (const ListedContact& row : *listed.contacts)
+      if (std::optional<Contact<Dim>> contact = contacts.place(row))
+        placed.emplace_back(*std::move(contact), &row);
+  for (const ListedContact& row : listed.bonds)
+    if (std::optional<Contact<Dim>> bond = contacts.place(row)) placed.emplace_back(*std::move(bond), &row);
+  if (!listed.drop_tensile) contacts.require_no_tensile();
+  std::stable_sort(placed.begin(), placed.end(),
+                   [&](const Placed& a, const Placed& b) { return order(a.first) < order(b.first); });
+  // A bond takes the place of a contact of the same two bodies.
+  for (std::size_t k = 1; k < placed.size(); ++k)
+    if (order(placed[k].first) == order(placed[k - 1].first) &&
+        placed[k].second->bond != placed[k - 1].second->bond)
+      placed.erase(placed.begin() + static_cast<std::ptrdiff_t>(placed[k].second->bond ? k - 1 : k)), --k;
+  const auto twice = std::adjacent_find(placed.begin(), placed.end(), [&](const Placed& a, const Placed& b) {
+    return order(a.first) == order(b.first);
+  });
+  if (twice != placed.end()) {
+    const ListedContact& second = *(twice + 1)->second;
+    throw InputError(second.place.text(),
+                     fmt::format("the contact of grains {} and {} is listed twice, first at {}", second.id1,
+                                 second_name(second), twice->second->place.text()));
+  }
+  for (const auto& [contact, from] : placed) packing.contacts.push_back(contact);
+  return contacts.counts();
+}
+
+template ListedContactCounts add_contacts(const ListedPacking&, const Identifiers&, Packing<2>&);
+template ListedContactCounts add_contacts(const ListedPacking&, const Identifiers&, Packing<3>&);
+
+}  // namespace floc

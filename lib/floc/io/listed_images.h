@@ -1,0 +1,29 @@
+#pragma once
+
+#include "floc/io/file_line.h"
+#include "floc/packing/packing.h"
+
+/// Periodic images of listed grains.
+namespace floc {
+
+/// Largest distance of a periodic image from the cell, in numbers of cells. Larger numbers may not fit an int.
+constexpr double kFarthestImage = 1e9;
+
+/// Converts a displacement, given as numbers of cells along the lattice vectors, to integers.
+/// @throws InputError naming `place` if a number exceeds kFarthestImage
+template <int Dim>
+Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells);
+
+/// Returns the smallest distance between two opposite faces of the cell across its periodic axes (length); infinity if
+/// no axis is periodic.
+template <int Dim>
+double smallest_width(const Packing<Dim>& packing);
+
+/// Returns the periodic image of grain j that is nearest to grain i, in numbers of cells. In an extremely skewed cell
+/// the nearest image may be missed; such a cell should be reduced first.
+/// @param place  place of grain j, for messages
+/// @throws InputError naming `place` if the grains are too many cells apart
+template <int Dim>
+Vec<Dim, int> nearest_image(const Packing<Dim>& packing, const FileLine& place, int i, int j);
+
+}  // namespace floc

@@ -1,0 +1,316 @@
+#include "floc/io/lmgc90.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_text.h"
+#include "floc/io/keyed_line.h"
+#include "floc/io/listed_bodies.h"
+#include "floc/io/listed_packing.h"
+#include "floc/packing/ball.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads a text file line by line. A line is kept as a view of the text.
+class DatFile {
+ public:
+  explicit DatFile(const std::string& path)
+      : before_number_(std::make_shared<const std::string>(path + ":")), text_(read_text(path)), rest_(text_) {}
+
+  /// Advances to the next line that is neither empty nor a comment. @return whether there is one
+  bool next() {
+    while (!rest_.empty()) {
+      const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+      line_ = rest_.substr(0, end);
+      rest_.remove_prefix(std::min(end + 1, rest_.size()));
+      ++number_;
+      if (!trimmed(line_).empty() && !trimmed(line_).starts_with('!')) return true;
+    }
+    return false;
+  }
+  std::string_view line() const { return line_; }
+  std::vector<std::string_view> words() const { return words_of(line_); }
+  FileLine file_line() const { return {before_number_, number_}; }
+  std::string place() const { return file_line().text(); }
+
+  bool has(std::string_view key) const { return line_.find(key) != std::string_view::npos; }
+
+  /// Returns the number after `key` and an equals sign, which is written as in Fortran, with D before the exponent, and may
+  /// follow without a blank.
+  double number(std::string_view key) const {
+    const std::size_t at = line_.find(key);
+    if (at == std::string_view::npos) throw InputError(place(), fmt::format("the line has no \"{}\"", key));
+    const std::string_view after = line_.substr(at + key.size());
+    const std::vector<std::string_view> rest =
+        words_of(after.substr(std::min(after.find_first_not_of(" ="), after.size())));
+    std::string text(rest.empty() ? "" : rest.front());
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'e');
+    if (const auto value = parse_number<double>(text)) return *value;
+    throw InputError(place(), fmt::format("{} is \"{}\", expected a finite number", key,
+                                          rest.empty() ? std::string_view("missing") : rest.front()));
+  }
+
+ private:
+  std::shared_ptr<const std::string> before_number_;
+  std::string text_;
+  std::string_view rest_;
+  std::string_view line_;
+  int number_ = 0;
+};
+
+/// A body of the file BODIES.DAT.
+struct Body {
+  FileLine place;
+  std::int64_t id = 0;
+  bool spatial = false;  ///< whether the body is three-dimensional (RBDY3)
+  std::string material;
+  double mean_radius = 0.0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double angle = 0.0;           ///< of a body in a plane (radians)
+  std::string contactor;        ///< DISKx, SPHER, JONCx, ...
+  double radius = 0.0;          ///< of a disk or sphere
+  double half_thickness = 0.0;  ///< of a bar
+};
+
+void read_contactor(const DatFile& file, Body& body) {
+  const std::string kind(file.words()[0]);
+  if (kind == "NO3xx" || kind == "NO6xx") {
+    body.position.head<2>() << file.number("coo1="), file.number("coo2=");
+    (body.spatial ? body.position[2] : body.angle) = file.number("coo3=");
+  } else if (file.has("avrd=")) {
+    body.mean_radius = file.number("avrd=");
+    const auto words = file.words();
+    const auto behav = std::find(words.begin(), words.end(), "behav");
+    if (behav != words.end() && behav + 1 != words.end()) body.material = *(behav + 1);
+  } else if (file.has("color")) {
+    if (!body.contactor.empty())
+      throw InputError(file.place(), fmt::format("body {} has the contactors {} and {}, expected one", body.id,
+                                                 body.contactor, kind));
+    body.contactor = kind;
+    if (kind == "DISKx" || kind == "SPHER") body.radius = file.number("byrd=");
+    if (kind == "JONCx") body.half_thickness = file.number("ax2");
+  }
+}
+
+std::vector<Body> read_bodies(const std::string& path) {
+  DatFile file(path);
+  std::vector<Body> bodies;
+  bool open = false;
+  while (file.next()) {
+    const auto words = file.words();
+    if (words[0] == "$bdyty") {
+      bodies.emplace_back();
+      open = true;
+    } else if (words[0] == "$$$$$$") {
+      open = false;
+    } else if (open && (words[0] == "RBDY2" || words[0] == "RBDY3")) {
+      Body& body = bodies.back();
+      body.place = file.file_line();
+      body.spatial = words[0] == "RBDY3";
+      const auto id = words.size() > 1 ? parse_number<std::int64_t>(words[1]) : std::nullopt;
+      if (!id) throw InputError(file.place(), "the body has no number");
+      body.id = *id;
+    } else if (open && words[0][0] != '$') {
+      read_contactor(file, bodies.back());
+    }
+  }
+  // The last line of some files begins a body that does not follow.
+  if (!bodies.empty() && bodies.back().id == 0) {
+    bodies.pop_back();
+    open = false;
+  }
+  if (open) throw InputError(file.place(), "the file ends within a body: expected a line $$$$$$");
+  if (bodies.empty()) throw InputError(path, "the file has no bodies");
+  return bodies;
+}
+
+/// Adds the displacements that the file DOF.INI lists to the positions of the bodies.
+void add_displacements(const std::string& path, std::vector<Body>& bodies) {
+  if (!fs::exists(path)) return;
+  std::map<std::int64_t, std::size_t> index;
+  for (std::size_t b = 0; b < bodies.size(); ++b) index[bodies[b].id] = b;
+  DatFile file(path);
+  Body* body = nullptr;
+  while (file.next()) {
+    const auto words = file.words();
+    if ((words[0] == "RBDY2" || words[0] == "RBDY3") && words.size() > 1) {
+      const auto id = parse_number<std::int64_t>(words[1]);
+      const auto found = id ? index.find(*id) : index.end();
+      if (found == index.end())
+        throw InputError(file.place(), fmt::format("body {} is not in BODIES.DAT", words[1]));
+      body = &bodies[found->second];
+    } else if (body && file.has("X(1)=")) {
+      body->position.head<2>() += Eigen::Vector2d(file.number("X(1)="), file.number("X(2)="));
+      (body->spatial ? body->position[2] : body->angle) += file.number("X(3)=");
+    }
+  }
+}
+
+/// Density of each material, and gravity, from the file BULK_BEHAV.DAT.
+struct Bulk {
+  std::map<std::string, double> density;
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
+};
+
+Bulk read_bulk(const std::string& path) {
+  Bulk bulk;
+  if (!fs::exists(path)) return bulk;
+  DatFile file(path);
+  while (file.next()) {
+    if (file.has("grv1=")) bulk.gravity << file.number("grv1="), file.number("grv2="), file.number("grv3=");
+    if (file.has("Umas=")) bulk.density[std::string(file.words()[0])] = file.number("Umas=");
+  }
+  return bulk;
+}
+
+/// Makes a wall of a bar: of the face that is turned to the middle of the grains.
+WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& space) {
+  constexpr double kAligned = 1e-4;  // files have seven digits, and angles such as 1.570800
+  const double quarter_turns = bar.angle / (0.5 * std::numbers::pi);
+  const double whole = std::round(quarter_turns);
+  if (std::abs(quarter_turns - whole) > kAligned)
+    throw InputError(bar.place.text(),
+                     fmt::format("the bar of body {} is turned by {:.6g}, expected a bar along x or "
+                                 "y; --walls gives the walls in place of the file",
+                                 bar.id, bar.angle));
+  const int axis = std::fmod(std::abs(whole), 2.0) == 0.0 ? 1 : 0;
+  const WallSide wall{axis, bar.position[axis] < middle[axis] ? -1 : 1};
+  add_wall(wall, bar.position[axis] - wall.side * bar.half_thickness, space);
+  return wall;
+}
+
+/// Reads the contacts of the file Vloc_Rloc.INI. Pairs with a gap and no force are left out, as LMGC90 lists all pairs
+/// near each other.
+std::vector<ListedContact> read_contacts(const std::string& path,
+                                         const std::map<std::int64_t, WallSide>& walls) {
+  std::vector<ListedContact> contacts;
+  if (!fs::exists(path)) return contacts;
+  DatFile file(path);
+  ListedContact c;
+  Eigen::Vector3d local = Eigen::Vector3d::Zero();  // components of the force along t, n and s
+  Eigen::Vector3d t = Eigen::Vector3d::Zero(), n = t, s = t;
+  double gap = 0.0;
+  bool open = false, spatial = false, framed = false, forced = false;
+  const auto finish = [&] {
+    if (!open) return;
+    if (!framed)
+      throw InputError(c.place.text(), "the contact has no normal, expected a line n(1)= n(2)= n(3)=");
+    if (!forced)
+      throw InputError(c.place.text(), "the contact has no force, expected a line rlt/H rln/H rls/H");
+    open = false;
+    if (local.isZero(0.0) && gap > 0.0) return;
+    if (!spatial) t = Eigen::Vector3d(n[1], -n[0], 0.0);
+    c.force = local[0] * t + local[1] * n + local[2] * s;
+    name_wall(walls, c);
+    contacts.push_back(c);
+  };
+  while (file.next()) {
+    const auto words = file.words();
+    if (words[0] == "$icdan") {
+      finish();
+      c = ListedContact{};
+      t.setZero(), n.setZero(), s.setZero(), local.setZero();
+      gap = 0.0;
+      framed = forced = false;
+      c.place = file.file_line();
+    } else if (words[0] == "RBDY2" || words[0] == "RBDY3") {
+      spatial = words[0] == "RBDY3";
+      std::vector<std::int64_t> ids;
+      for (std::size_t k = 0; k + 1 < words.size(); ++k)
+        if (words[k] == words[0])
+          if (const auto id = parse_number<std::int64_t>(words[k + 1])) ids.push_back(*id);
+      if (ids.size() != 2)
+        throw InputError(file.place(), fmt::format("the contact has {} bodies, expected two", ids.size()));
+      c.id1 = ids[0], c.id2 = ids[1];
+      open = true;
+    } else if (file.has("rln/H")) {
+      forced = true;
+      local = {file.number("rlt/H"), file.number("rln/H"), spatial ? file.number("rls/H") : 0.0};
+    } else if (file.has("gapTT")) {
+      gap = file.number("gapTT");
+    } else {
+      for (const auto& [name, vector] : {std::pair{"t", &t}, std::pair{"n", &n}, std::pair{"s", &s}})
+        if (file.has(fmt::format("{}(1)=", name)))
+          for (int a = 0; a < 3; ++a) (*vector)[a] = file.number(fmt::format("{}({})=", name, a + 1));
+      framed = framed || file.has("n(1)=");
+    }
+  }
+  finish();
+  return contacts;
+}
+
+}  // namespace
+
+bool is_lmgc90(const std::string& path) {
+  std::error_code none;
+  return fs::path(path).filename() == "BODIES.DAT" ||
+         (fs::is_directory(path, none) && fs::exists(fs::path(path) / "BODIES.DAT", none));
+}
+
+std::string lmgc90_bodies(const std::string& path) {
+  return fs::is_directory(path) ? (fs::path(path) / "BODIES.DAT").string() : path;
+}
+
+Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
+  const std::string bodies_path = lmgc90_bodies(path);
+  const fs::path folder = fs::path(bodies_path).parent_path();
+  std::vector<Body> bodies = read_bodies(bodies_path);
+  add_displacements((folder / "DOF.INI").string(), bodies);
+  const Bulk bulk = read_bulk((folder / "BULK_BEHAV.DAT").string());
+  ListedPacking listed = listed_packing(bodies_path, options);
+  listed.space.place = bodies_path;
+  listed.space.dimension = bodies.front().spatial ? 3 : 2;
+  listed.space.gravity = bulk.gravity;
+  listed.space.periodic = {false, false, false};
+  listed.space.boundary = "files of LMGC90 do not state periodic directions, and have no wall across it";
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Body& body : bodies) {
+    if (body.contactor != "DISKx" && body.contactor != "SPHER") continue;
+    ListedGrain grain;
+    grain.place = body.place;
+    grain.id = body.id;
+    grain.position = body.position;
+    grain.radius = body.radius;
+    if (!(grain.radius > 0.0))
+      throw InputError(body.place.text(), fmt::format("byrd = {}, must be positive", grain.radius));
+    const auto density = bulk.density.find(body.material);
+    if (density != bulk.density.end())
+      grain.mass = density->second *
+                   (body.spatial ? Ball<3>{body.mean_radius}.volume() : Ball<2>{body.mean_radius}.volume());
+    if (grain.mass && !(*grain.mass > 0.0))
+      throw InputError(body.place.text(), fmt::format("the mass is {}, must be positive: avrd = {}, Umas = {}",
+                                                      *grain.mass, body.mean_radius, density->second));
+    middle += grain.position;
+    listed.grains.push_back(std::move(grain));
+  }
+  if (!listed.grains.empty()) middle /= static_cast<double>(listed.grains.size());
+  std::map<std::int64_t, WallSide> walls;
+  for (const Body& body : bodies) {
+    if (body.contactor == "DISKx" || body.contactor == "SPHER") continue;
+    if (body.contactor != "JONCx")
+      throw InputError(body.place.text(),
+                       fmt::format("body {} has the contactor {}, expected a disk (DISKx), a sphere "
+                                   "(SPHER) or a bar (JONCx)",
+                                   body.id, body.contactor));
+    if (options.walls.empty()) walls.emplace(body.id, add_bar(body, middle, listed.space));
+  }
+  if (auto contacts = read_contacts((folder / "Vloc_Rloc.INI").string(), walls); !contacts.empty())
+    listed.contacts = std::move(contacts);
+  return assemble(std::move(listed), options);
+}
+
+}  // namespace floc

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "floc/io/import.h"
+#include "floc/io/listed_packing.h"
+
+namespace floc {
+
+/// Whether a file is probably a restart file of MercuryDPM: it begins with "MercuryDPM" or "restart_version".
+bool is_mercurydpm(const std::string& path);
+
+/// Reads a packing from a restart file of MercuryDPM: particles, interactions with their forces, walls that are planes
+/// across an axis (InfiniteWall), periodic and Lees-Edwards boundaries, and gravity. A Lees-Edwards cell becomes a skewed
+/// cell, whose second lattice vector leans by the shift of the boundary modulo the length of the cell. A boundary that
+/// turns the grains that cross it (AngledPeriodicBoundary) is no lattice: the packing is then open, with the contacts
+/// that the file lists. Forces of a file include dashpots. `options.law` is required; the species of the file are not
+/// read. `options.contacts` may name the .fstat file of the run, whose grains are numbered in the order of the restart
+/// file.
+/// @throws InputError naming file and line for a malformed file, or for walls of other kinds, unless the option `walls`
+/// gives the walls
+Imported read_mercurydpm(const std::string& path, const ImportOptions& options);
+
+/// Whether a file is probably an .fstat file of MercuryDPM: rows of 16 numbers, after lines that begin with #.
+bool is_mercurydpm_fstat(const std::string& path);
+
+/// Reads contacts from the file `options.contacts`, an .fstat file of MercuryDPM: the contacts of its last time. Each
+/// row has time, i, j, contact point (3), overlap, tangential overlap, normal force f_n, tangential force f_t, unit
+/// normal n (3), unit tangent t (3). A negative j is wall number -j - 1. The force on i is f_n n + f_t t, or its opposite
+/// at a wall, where the program writes n and t with the other sign.
+/// @throws InputError naming file and line
+std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options, int dimension);
+
+}  // namespace floc

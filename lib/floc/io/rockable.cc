@@ -1,0 +1,239 @@
+#include "floc/io/rockable.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/base/read_text.h"
+#include "floc/io/keyed_line.h"
+#include "floc/io/listed_bodies.h"
+#include "floc/io/listed_packing.h"
+
+namespace floc {
+namespace {
+
+/// Shape of bodies: the points nearer than `radius` to a vertex, edge or face. A sphere has one vertex.
+struct RockableShape {
+  double radius = 0.0;
+  double volume = 0.0;
+  std::vector<Eigen::Vector3d> vertices;
+
+  bool is_sphere() const { return vertices.size() == 1 && vertices.front().isZero(0.0); }
+};
+
+/// ConfigurationLines of a text file, without comments and empty lines.
+class ConfigurationLines {
+ public:
+  explicit ConfigurationLines(const std::string& path)
+      : path_(path), before_number_(std::make_shared<const std::string>(path + ":")), in_(read_text(path)) {}
+
+  /// Returns the next line, or nothing at the end of the file. The line is valid until the next call.
+  std::optional<KeyedLine> next() {
+    while (std::getline(in_, text_)) {
+      ++number_;
+      text_.resize(std::min(text_.find('#'), text_.size()));
+      if (KeyedLine line(before_number_, number_, text_); !line.empty()) return line;
+    }
+    return std::nullopt;
+  }
+  /// Returns the next line. @param what  contents of the line in messages @throws InputError at the end of the file
+  KeyedLine require(const std::string& what) {
+    if (std::optional<KeyedLine> line = next()) return *std::move(line);
+    throw InputError(path_, "the file ends before " + what);
+  }
+
+ private:
+  std::string path_;
+  std::shared_ptr<const std::string> before_number_;
+  std::istringstream in_;
+  std::string text_;
+  int number_ = 0;
+};
+
+std::map<std::string, RockableShape> read_shapes(const std::string& path) {
+  std::map<std::string, RockableShape> shapes;
+  ConfigurationLines lines(path);
+  RockableShape* shape = nullptr;
+  while (const std::optional<KeyedLine> line = lines.next()) {
+    const std::string_view key = line->word(0);
+    if (key == "name" && line->size() > 1) {
+      shape = &shapes[std::string(line->word(1))];
+    } else if (shape && key == "radius") {
+      shape->radius = line->number(1, "radius");
+    } else if (shape && key == "volume") {
+      shape->volume = line->number(1, "volume");
+    } else if (shape && key == "nv") {
+      const std::int64_t n = line->integer(1, "nv");
+      for (std::int64_t k = 0; k < n; ++k)
+        shape->vertices.push_back(lines.require("all vertices of a shape").vector(0, "a vertex"));
+    }
+  }
+  return shapes;
+}
+
+/// One body of a configuration.
+struct RockableBody {
+  FileLine place;
+  std::string shape;
+  std::int64_t group = 0;
+  double scale = 1.0;
+  Eigen::Vector3d position;
+  Eigen::Quaterniond orientation;
+};
+
+/// A configuration: its parameters, bodies and contacts.
+struct Configuration {
+  std::string shape_file;
+  std::int64_t n_driven = 0;
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
+  std::map<std::int64_t, double> density;  ///< density of each group of bodies
+  bool periodic = false;
+  std::vector<std::vector<double>> cell;
+  std::vector<RockableBody> bodies;
+  std::vector<ListedContact> contacts;
+};
+
+RockableBody read_body(const KeyedLine& line) {
+  RockableBody body;
+  body.place = line.file_line();
+  body.shape = line.word(0);
+  body.group = line.integer(1, "the group");
+  body.scale = line.number(3, "the homothety");
+  body.position = line.vector(4, "the position");
+  const Eigen::Vector3d imaginary = line.vector(14, "the orientation");
+  body.orientation =
+      Eigen::Quaterniond(line.number(13, "the orientation"), imaginary[0], imaginary[1], imaginary[2])
+          .normalized();
+  return body;
+}
+
+/// Words of an interaction: i, j, type, two sub-elements, normal (3), distance, position (3), velocity (3), fn, ft (3).
+ListedContact read_interaction(const KeyedLine& line) {
+  ListedContact c;
+  c.place = line.file_line();
+  c.id1 = line.integer(0, "the first body");
+  c.id2 = line.integer(1, "the second body");
+  c.force = line.number(15, "fn") * line.vector(5, "the normal") + line.vector(16, "ft");
+  return c;
+}
+
+Configuration read_configuration(const std::string& path) {
+  Configuration out;
+  ConfigurationLines lines(path);
+  while (const std::optional<KeyedLine> line = lines.next()) {
+    const std::string_view key = line->word(0);
+    if (key == "shapeFile" && line->size() > 1) out.shape_file = line->word(1);
+    if (key == "nDriven") out.n_driven = line->integer(1, "nDriven");
+    if (key == "gravity") out.gravity = line->vector(1, "gravity");
+    if (key == "density") out.density[line->integer(1, "the group")] = line->number(2, "density");
+    if (key == "usePeriodicCell") out.periodic = line->integer(1, "usePeriodicCell") != 0;
+    if (key == "h") {  // the lattice vectors are the columns of the matrix h
+      out.cell.assign(3, std::vector<double>(3));
+      for (std::size_t k = 0; k < 9; ++k) out.cell[k % 3][k / 3] = line->number(k + 1, "the cell h");
+    }
+    if (key == "Particles" || key == "Interactions") {
+      const bool of_bodies = key == "Particles";
+      const std::int64_t n = line->integer(1, std::string(key));
+      for (std::int64_t k = 0; k < n; ++k) {
+        const KeyedLine row = lines.require(fmt::format("row {} of {}", k + 1, n));
+        if (of_bodies)
+          out.bodies.push_back(read_body(row));
+        else
+          out.contacts.push_back(read_interaction(row));
+      }
+    }
+  }
+  if (out.bodies.empty()) throw InputError(path, "the file has no section Particles");
+  if (out.n_driven < 0 || out.n_driven > std::ssize(out.bodies))
+    throw InputError(path, fmt::format("nDriven is {}, expected a number of bodies from 0 to {}", out.n_driven,
+                                       out.bodies.size()));
+  return out;
+}
+
+/// Makes a wall of a driven body whose shape is a flat face across an axis: of the surface that is turned to `middle`.
+WallSide add_face(const RockableBody& body, const RockableShape& shape, const Eigen::Vector3d& middle,
+                  ListedSpace& space) {
+  constexpr double kFlat = 1e-9;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Eigen::Vector3d& vertex : shape.vertices) {
+    const Eigen::Vector3d x = body.position + body.scale * (body.orientation * vertex);
+    low = low.cwiseMin(x), high = high.cwiseMax(x);
+  }
+  int axis = 0;
+  const double thickness = (high - low).minCoeff(&axis);
+  if (shape.vertices.size() < 3 || thickness > kFlat * (high - low).maxCoeff())
+    throw InputError(body.place.text(),
+                     fmt::format("the driven body {} is no flat face across an axis, expected a wall; "
+                                 "--walls gives the walls in place of the file",
+                                 body.shape));
+  const WallSide wall{axis, body.position[axis] < middle[axis] ? -1 : 1};
+  add_wall(wall, low[axis] - wall.side * body.scale * shape.radius, space);
+  return wall;
+}
+
+const RockableShape& rockable_shape(const std::map<std::string, RockableShape>& shapes,
+                                    const RockableBody& body, const std::string& file) {
+  const auto found = shapes.find(body.shape);
+  if (found != shapes.end()) return found->second;
+  throw InputError(body.place.text(),
+                   fmt::format("the shape {} is not in the file of shapes, {}", body.shape, file));
+}
+
+}  // namespace
+
+bool is_rockable(const std::string& path) {
+  return begins_with(path, "Rockable ");
+}
+
+Imported read_rockable(const std::string& path, const ImportOptions& options) {
+  Configuration from = read_configuration(path);
+  const std::string shape_path = (std::filesystem::path(path).parent_path() / from.shape_file).string();
+  const std::map<std::string, RockableShape> shapes = read_shapes(shape_path);
+  ListedPacking listed = listed_packing(path, options);
+  listed.space.place = path;
+  listed.space.dimension = 3;
+  listed.space.gravity = from.gravity;
+  listed.space.cell = from.periodic ? from.cell : std::vector<std::vector<double>>{};
+  listed.space.periodic.assign(3, from.periodic);
+  listed.space.boundary = "the configuration has no periodic cell and no wall across it";
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::int64_t k = from.n_driven; k < std::ssize(from.bodies); ++k) {
+    const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
+    const RockableShape& shape = rockable_shape(shapes, body, shape_path);
+    if (!shape.is_sphere())
+      throw InputError(body.place.text(),
+                       fmt::format("the shape {} has {} vertices, expected a sphere, which has one", body.shape,
+                                   shape.vertices.size()));
+    ListedGrain grain;
+    grain.place = body.place;
+    grain.id = k;
+    grain.position = body.position;
+    grain.radius = body.scale * shape.radius;
+    if (!(grain.radius > 0.0))
+      throw InputError(body.place.text(), fmt::format("radius = {}, must be positive", grain.radius));
+    if (const auto density = from.density.find(body.group); density != from.density.end() && shape.volume > 0.0)
+      grain.mass = density->second * shape.volume * body.scale * body.scale * body.scale;
+    middle += grain.position;
+    listed.grains.push_back(std::move(grain));
+  }
+  if (!listed.grains.empty()) middle /= static_cast<double>(listed.grains.size());
+  std::map<std::int64_t, WallSide> walls;
+  for (std::int64_t k = 0; k < from.n_driven && options.walls.empty(); ++k) {
+    const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
+    walls.emplace(k, add_face(body, rockable_shape(shapes, body, shape_path), middle, listed.space));
+  }
+  for (ListedContact& c : from.contacts) name_wall(walls, c);
+  if (!from.contacts.empty()) listed.contacts = std::move(from.contacts);
+  return assemble(std::move(listed), options);
+}
+
+}  // namespace floc

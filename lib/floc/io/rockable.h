@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "floc/io/import.h"
+
+namespace floc {
+
+/// Whether a file is probably a configuration of Rockable: it begins with "Rockable ".
+bool is_rockable(const std::string& path);
+
+/// Reads a packing of spheres from a configuration of Rockable and the file of shapes that it names: particles,
+/// interactions with their forces, the periodic cell (usePeriodicCell, h) or else walls, which are driven bodies whose
+/// shape is a flat face across an axis, densities and gravity. The normal n of an interaction points from j to i, and the
+/// force on i is fn n + ft. `options.law` is required; the parameters of the force law of the file are not read.
+/// @throws InputError naming file and line for a malformed file, or for a particle whose shape is no sphere
+Imported read_rockable(const std::string& path, const ImportOptions& options);
+
+}  // namespace floc

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "floc/io/import.h"
+#include "floc/io/listed_packing.h"
+
+namespace floc {
+
+/// Decides which space a packing fills, from what its file states (`listed.space`) and from the options of the user. The
+/// members cell, cell_place, ends and gravity of `listed` are set, in two or three dimensions.
+///
+/// The first of the following that is given determines the dimension:
+///   1. the option `--dimension`
+///   2. the number of vectors in the option `--cell`
+///   3. the dimension in the file.
+/// If none is given, the dimension is guessed. Grains with different z are spheres. Grains that all have the same z are
+/// spheres if the cell has tilts along z, or if it is periodic along z and so low that each grain touches its own image
+/// along z by a small overlap. Otherwise they are disks.
+///
+/// The first of the following that is given determines the boundary along an axis:
+///   1. the option `--walls`
+///   2. the option `--cell`: the axis is periodic
+///   3. the file: the axis is periodic, lies between walls, or ends in free space.
+/// If none is given, the axis is taken as periodic. The open ends of an axis are placed at the outermost points of the
+/// grains.
+///
+/// A sentence about each guess is added to `listed.remarks` or, if the grains are taken as disks but some would touch
+/// their own images if they were spheres, to `listed.inconsistencies`.
+/// @param listed  contains the space and the grains on input
+/// @return 2 or 3
+/// @throws InputError for a packing without grains, a periodic axis without a lattice vector, a cell that is skewed across
+/// walls, a wall that cuts off more than a tenth of a grain's radius, or gravity in a packing that is periodic along every
+/// axis
+int settle_space(const ImportOptions& options, ListedPacking& listed);
+
+/// Checks that all grains of a two-dimensional packing have the same z. @throws InputError naming a grain with another
+/// z
+void require_one_plane(const ListedPacking& listed);
+
+}  // namespace floc

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "floc/io/hdf5_file.h"
+#include "floc/io/state_archive.h"
+#include "floc/packing/packing.h"
+
+/// Writes and reads which contacts of a packing are bonds (docs/states.md).
+namespace floc {
+
+template <int Dim>
+bool has_bonds(const Packing<Dim>& packing);
+
+/// Whether a state file holds the twisting moments and stiffnesses of the contacts: the law has twisting resistance, or
+/// bonds of spheres may have it.
+template <int Dim>
+bool keeps_twisting(const Packing<Dim>& packing);
+
+/// Writes the flags of the contacts that are bonds; nothing if there are none.
+template <int Dim>
+void write_bonds(WritingArchive& archive, const Packing<Dim>& packing);
+
+/// Reads the flags of the contacts that are bonds. @pre the contacts of the packing have been read
+template <int Dim>
+void read_bonds(const Hdf5Reader& file, ReadingArchive& archive, Packing<Dim>& packing);
+
+}  // namespace floc

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "floc/packing/packing.h"
+
+namespace floc {
+
+/// Returns the number of the second body of a contact in tables: the identifier of a grain, or, for a wall, its index
+/// among all bodies.
+template <int Dim>
+std::int64_t body_number(const Packing<Dim>& packing, int body) {
+  return packing.is_wall(body) ? body : packing.grains.name(body);
+}
+
+/// Returns the name of a wall in messages and lists of contacts: "x-" is the lower wall across x, "x+" the upper one.
+template <int Dim>
+std::string wall_name(const Wall<Dim>& wall) {
+  return std::string(1, "xyz"[wall.axis]) + (wall.side < 0 ? "-" : "+");
+}
+
+/// Returns the names of all walls, separated by blanks; open ends are left out.
+template <int Dim>
+std::string wall_names(const std::vector<Wall<Dim>>& walls) {
+  std::string names;
+  for (const Wall<Dim>& wall : walls)
+    if (!wall.open) names += (names.empty() ? "" : " ") + wall_name(wall);
+  return names;
+}
+
+/// Returns the name of a body in messages and lists of contacts: the identifier of a grain or the name of a wall.
+template <int Dim>
+std::string body_name(const Packing<Dim>& packing, int body) {
+  return packing.is_wall(body) ? wall_name(packing.wall(body)) : std::to_string(packing.grains.name(body));
+}
+
+}  // namespace floc

@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "support/places.h"
+#include "support/run_arguments.h"
+
+/// Packings of other programs from the file to the table: walls, free ends, gravity, bonds, gaps and formats.
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class Imports : public testing::Test {
+ protected:
+  Outcome convert(const std::string& in, std::vector<std::string> more = {}, const std::string& law = kLaw) {
+    std::vector<std::string> arguments = {"convert",     scratch_.file(in), scratch_.file("s.h5"),
+                                          "--overwrite", "--law",           law};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return floc_arguments(arguments);
+  }
+  json row(const std::string& command, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments = {command, scratch_.file("s.h5"), "--format", "json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome o = floc_arguments(arguments);
+    EXPECT_EQ(o.code, 0) << o.err;
+    return o.code == 0 ? json::parse(o.out).at(0) : json();
+  }
+  void write(const std::string& name, const std::string& text) { write_text(scratch_.file(name), text); }
+
+  static inline const std::string kLaw = "normal.stiffness=1000";
+  ScratchDirectory scratch_;
+};
+
+TEST_F(Imports, OfAClusterHaveContactsAndNoModuli) {
+  write("open.xyz",
+        "3\nLattice=\"4 0 0 0 4 0 0 0 4\" Properties=pos:R:3:radius:R:1 pbc=\"F F F\"\n0.4 1 1 0.5\n1.39 1 1 "
+        "0.5\n3.6 1 1.2 "
+        "0.5\n");
+  const Outcome o = convert("open.xyz");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_THAT(o.err, AllOf(HasSubstr("not periodic along x,y,z (pbc=\"F F F\")"),
+                           HasSubstr("it ends in free space there")));
+  const json network = row("network");
+  EXPECT_EQ(network.at("n_contacts"), 1);
+  EXPECT_NEAR(network.at("z").get<double>(), 2.0 / 3.0, 1e-15);
+  const Outcome none = floc_arguments({"moduli", scratch_.file("s.h5"), "--force"});
+  EXPECT_EQ(none.code, 4);
+  EXPECT_THAT(none.err,
+              HasSubstr("ends in free space along every axis, so that it resists no strain and has no moduli"));
+}
+
+/// A column of n spheres between walls across x and y, on a floor, under gravity: the force below sphere k is the weight of
+/// the n - k spheres above.
+TEST_F(Imports, UnderGravityAreInBalanceWithTheirWeight) {
+  constexpr int kSpheres = 5;
+  const double stiffness = 1e5, weight = 2.0 * 9.81;
+  std::string text = "x,y,z,radius,mass\n";
+  double z = 0.0, above = kSpheres * weight;
+  z = 0.5 - above / stiffness;
+  for (int k = 0; k < kSpheres; ++k) {
+    text += fmt::format("0.5,0.5,{:.17g},0.5,2\n", z);
+    above -= weight;
+    z += 1.0 - above / stiffness;
+  }
+  write("column.csv", text);
+  const Outcome o =
+      convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:", "--gravity=0,0,-9.81"}, "normal.stiffness=1e5");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, Not(HasSubstr("warning")));
+  EXPECT_NEAR(row("info").at("p_wall").get<double>() * 3.0, kSpheres * weight, 1e-9);  // the mean of three axes
+  EXPECT_EQ(row("verify").at("equilibrium"), true);
+  const Outcome without = convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:"}, "normal.stiffness=1e5");
+  EXPECT_THAT(without.err, HasSubstr("not in equilibrium"));
+  const Outcome moduli = floc_arguments({"moduli", scratch_.file("s.h5"), "--force"});
+  EXPECT_THAT(moduli.err, HasSubstr("these moduli are zero"));
+}
+
+/// Face-centred cubic spheres of unit diameter a gap apart.
+TEST_F(Imports, OfHardGrainsTouchAcrossTheGapThatIsGiven) {
+  const double a = std::sqrt(2.0) * (1.0 + 1e-7);
+  std::string text = "x,y,z,radius\n";
+  for (const auto& x : {std::array{0.0, 0.0, 0.0}, {0.0, 0.5, 0.5}, {0.5, 0.0, 0.5}, {0.5, 0.5, 0.0}})
+    text += fmt::format("{:.17g},{:.17g},{:.17g},0.5\n", a * x[0], a * x[1], a * x[2]);
+  write("hard.csv", text);
+  const std::string cell = fmt::format("{0:.17g},0,0;0,{0:.17g},0;0,0,{0:.17g}", a);
+  EXPECT_THAT(convert("hard.csv", {"--cell", cell}).err,
+              AllOf(HasSubstr("no grains touch (the smallest gap is 1e-07"), HasSubstr("--touch-gap")));
+  EXPECT_THAT(convert("hard.csv", {"--cell", cell, "--touch-gap", "1e-6"}).err, Not(HasSubstr("warning")));
+  EXPECT_EQ(row("network").at("z"), 12.0);
+  EXPECT_EQ(row("verify").at("equilibrium"), true);
+}
+
+/// A square lattice of disks joined by bonds across gaps: C11 = K_N, C12 = 0 and C33 = K_T/2 for a free rotation.
+TEST_F(Imports, HoldBondsAcrossGaps) {
+  std::string grains = "id,x,y,radius\n", bonds = "id1,id2,image1,image2,normal_force,kn,kt\n";
+  for (int i = 0; i < 9; ++i) {
+    grains += fmt::format("{},{},{},0.5\n", i, 1.01 * (i % 3), 1.01 * (i / 3));
+    bonds += fmt::format("{},{},{},0,0,1000,500\n", i, i / 3 * 3 + (i + 1) % 3, i % 3 == 2 ? 1 : 0);
+    bonds += fmt::format("{},{},0,{},0,1000,500\n", i, (i + 3) % 9, i / 3 == 2 ? 1 : 0);
+  }
+  write("grains.csv", grains);
+  write("bonds.csv", bonds);
+  for (const std::string option : {"--contacts", "--bonds"}) {
+    const Outcome o = convert("grains.csv", {option, scratch_.file("bonds.csv"), "--cell", "3.03,0;0,3.03"});
+    ASSERT_EQ(o.code, 0) << o.err;
+    EXPECT_THAT(o.err, AllOf(HasSubstr("18 are bonds"), Not(HasSubstr("warning"))));
+    const json moduli = row("moduli", {"--strains", "full"});
+    EXPECT_EQ(moduli.at("n_contacts"), 18);
+    EXPECT_EQ(row("network").at("n_solid_bonds"), 18);
+    EXPECT_NEAR(moduli.at("B").get<double>(), 500.0, 1e-9);
+    EXPECT_NEAR(moduli.at("G").get<double>(), 500.0, 1e-9);
+    EXPECT_NEAR(moduli.at("C33").get<double>(), 250.0, 1e-9);
+    EXPECT_EQ(row("verify").at("equilibrium"), true);
+  }
+  // Grains touch across the side of a narrower cell, and the bond joins one more pair.
+  write("one.csv", "id1,id2,kn\n0,1,7\n");
+  ASSERT_EQ(convert("grains.csv", {"--bonds", scratch_.file("one.csv"), "--cell", "2.97,0;0,3.03"}).code, 0);
+  EXPECT_EQ(row("network").at("n_contacts"), 4);
+  EXPECT_EQ(row("network").at("n_solid_bonds"), 1);
+}
+
+TEST_F(Imports, ReadTheAtomStylesOfLammpsThatHaveRadii) {
+  const std::string head = "title\n\n2 atoms\n\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms";
+  for (const auto& [style, first, second] :
+       {std::tuple{"", "1 1 1 2 1 1 1", "2 1 1 2 1.99 1 1.2"},
+        {" # sphere", "1 1 1 2 1 1 1", "2 1 1 2 1.99 1 1.2 0 0 1"},
+        {" # granular", "1 1 1 2 1 1 1", "2 1 1 2 1.99 1 1.2"},
+        {" # bpm/sphere", "1 7 1 1 2 1 1 1", "2 7 1 1 2 1.99 1 1.2"},
+        {" # hybrid sphere bond", "1 1 1 1 1 1 2 7", "2 1 1.99 1 1.2 1 2 7"},
+        {" # hybrid bond sphere", "1 1 1 1 1 7 1 2", "2 1 1.99 1 1.2 7 1 2 1 0 0"}}) {
+    write("s.data", fmt::format("{}{}\n\n{}\n{}\n", head, style, first, second));
+    const Outcome o = convert("s.data", {"--tolerance", "1e9"});
+    EXPECT_EQ(o.code, 0) << style << o.err;
+    EXPECT_THAT(o.err, HasSubstr("2 grains in 3D")) << style;
+  }
+  for (const auto& [style, words] : {std::pair{" # atomic", "has no radii"},
+                                     {" # hybrid bond charge", "has no radii"},
+                                     {" # line", "is not known"}}) {
+    write("s.data", head + style + "\n\n1 1 1 1 1\n");
+    EXPECT_THAT(convert("s.data").err, HasSubstr(words)) << style;
+  }
+}
+
+TEST_F(Imports, ReadGeneralTriclinicBoxesOfLammps) {
+  write("s.dump",
+        "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n0 3 0 1\n-4 0.5 0 "
+        "1\n0 0 5 "
+        "1\nITEM: ATOMS id x y z Radius\n1 1 1 1 0.5\n");
+  ASSERT_EQ(convert("s.dump", {"--tolerance", "1e9", "--dimension", "3"}).code, 0);
+  EXPECT_EQ(row("info").at("cell"), "0,3,0;-4,0.5,0;0,0,5");
+  write("s.data",
+        "title\n\n1 atoms\n\n0 3 0 avec\n-4 0.5 0 bvec\n0 0 5 cvec\n1 1 1 abc origin\n\nAtoms # sphere\n\n1 1 "
+        "1 1 1 1 1\n");
+  ASSERT_EQ(convert("s.data", {"--tolerance", "1e9", "--dimension", "3"}).code, 0);
+  EXPECT_EQ(row("info").at("cell"), "0,3,0;-4,0.5,0;0,0,5");
+}
+
+TEST_F(Imports, ReadPlainXyzByTheNumbersOfItsColumns) {
+  write("plain.xyz", "2\nany comment\nA 0.5 0.5 0.5 0.5 1\nB 1.49 0.5 0.6 0.5 2\n");
+  EXPECT_THAT(convert("plain.xyz", {"--walls", "x=:,y=:,z=:"}).err, HasSubstr("give --columns radius=5"));
+  ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "radius=5,mass=6"}).code, 0);
+  EXPECT_EQ(row("network").at("n_contacts"), 1);
+  ASSERT_EQ(convert("plain.xyz", {"--walls", "x=:,y=:,z=:", "--columns", "x=4,y=3,z=2,diameter=5"}).code, 0);
+  EXPECT_EQ(row("network").at("n_contacts"), 0);
+}
+
+TEST_F(Imports, ReadCompressedFiles) {
+  write("g.csv", "X,y,RADIUS\n0.5,0.5,0.5\n1.49,0.5,0.5\n");
+  ASSERT_EQ(std::system(("gzip -k '" + scratch_.file("g.csv") + "'").c_str()), 0);
+  const std::vector<std::string> options = {"--cell", "2,0;0,1.5", "--columns", "x=X", "--tolerance", "1e9"};
+  ASSERT_EQ(convert("g.csv.gz", options).code, 0);
+  EXPECT_EQ(row("network").at("n_contacts"), 1);
+  const std::string bytes = content_of(scratch_.file("g.csv.gz"));
+  write("cut.csv.gz", bytes.substr(0, bytes.size() - 6));
+  EXPECT_THAT(convert("cut.csv.gz", options).err, HasSubstr("the compressed file is cut short"));
+  std::string spoiled = bytes;
+  spoiled[spoiled.size() / 2] ^= 0x55;
+  write("bad.csv.gz", spoiled);
+  EXPECT_THAT(convert("bad.csv.gz", options).err, HasSubstr("the compressed file is damaged"));
+  EXPECT_EQ(convert("bad.csv.gz", options).code, 4);
+}
+
+TEST_F(Imports, MergePairsThatAreListedTwice) {
+  write("g.csv", "x,y,radius\n0.5,0.5,0.5\n1.49,0.5,0.5\n2.48,0.5,0.5\n");
+  write("c.csv", "id1,id2,force1,force2\n0,1,-10,0\n1,2,-10,0\n1,0,10,0\n2,1,9,0\n");
+  const std::vector<std::string> options = {"--cell",      "9,0;0,9", "--contacts", scratch_.file("c.csv"),
+                                            "--tolerance", "1e9"};
+  EXPECT_THAT(convert("g.csv", options).err, HasSubstr("is listed twice"));
+  std::vector<std::string> merged = options;
+  merged.emplace_back("--pairs-twice");
+  const Outcome o = convert("g.csv", merged);
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(
+      o.err,
+      HasSubstr("2 of the 4 contacts listed are the second rows of their pairs and are left out; the forces "
+                "of 1 of them contradict the first row"));
+}
+
+}  // namespace
+}  // namespace floc::test

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "floc/imports/complete_import.h"
+#include "floc/packing/balance.h"
+#include "floc/packing/wall_forces.h"
+#include "support/foreign_packing.h"
+
+/// Files of other programs, which are not part of the repository. The environment variable FLOC_FOREIGN_DATA names their
+/// folder (CONTRIBUTING.md); without it these tests are skipped. The figures were found by other parsers of the files.
+namespace floc {
+namespace {
+
+class ForeignData : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* folder = std::getenv("FLOC_FOREIGN_DATA");
+    if (!folder) GTEST_SKIP() << "FLOC_FOREIGN_DATA is not set";
+    folder_ = folder;
+  }
+  /// Reads a file as floc convert does.
+  template <int Dim>
+  State<Dim> read(const std::string& file, ImportOptions options = {}) {
+    const std::string path = (folder_ / file).string();
+    if (!options.law) options.law = parse_law("law", test::kForeignLaw);
+    const Imported imported = find_import_format("", path).read(path, options);
+    auto state = std::get<State<Dim>>(imported.state);
+    complete_import(path, imported, {}, state);
+    return state;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(ForeignData, ColumnsOfMercuryDpmStandOnTheFloor) {
+  const State<3> state = read<3>("mercurydpm/CubicPackingSelfTest.restart");
+  const Packing<3>& p = state.packing;
+  EXPECT_EQ(p.grains.size(), 125);
+  EXPECT_EQ(p.contacts.size(), 125u);
+  EXPECT_EQ(p.walls.size(), 6u);
+  EXPECT_EQ(p.gravity, Vec<3>(0.0, 0.0, -1.0));
+  EXPECT_NEAR(wall_forces(p)[4], 142.116248235575, 1e-9);
+  EXPECT_EQ(wall_forces(p)[5], 0.0);
+}
+
+TEST_F(ForeignData, DisksOfMercuryDpmCarryTheirWeight) {
+  const State<2> state = read<2>("mercurydpm/SquarePackingSelfTest.restart");
+  EXPECT_EQ(state.packing.grains.size(), 25);
+  EXPECT_NEAR(wall_forces(state.packing)[2], 25.0, 2e-3);
+  EXPECT_LT(state.residuals.force, 1e-4);
+}
+
+TEST_F(ForeignData, LeesEdwardsCellIsASkewedOne) {
+  const State<2> state = read<2>("mercurydpm/LeesEdwardsSelfTest.restart");
+  EXPECT_EQ(state.packing.grains.size(), 233);
+  EXPECT_EQ(state.packing.contacts.size(), 319u);
+  EXPECT_NEAR(state.stress.trace() / 2.0, 44.81344, 5e-6);
+  EXPECT_NEAR(state.packing.cell.matrix(1, 0), 0.015, 1e-9);
+}
+
+TEST_F(ForeignData, AngledCellIsAnOpenPackingWithTheForcesOfTheFile) {
+  ImportOptions options;
+  options.law =
+      parse_law("law",
+                "normal.stiffness=1000,adhesion.law=constant,adhesion.force=100,friction.coefficient=0.5,"
+                "friction.stiffness=800");
+  const State<2> state = read<2>("mercurydpm/ShearCell2DSelfTest.restart", options);
+  EXPECT_EQ(state.packing.grains.size(), 75);
+  EXPECT_EQ(state.packing.contacts.size(), 142u);
+  EXPECT_TRUE(is_open_along(state.packing.walls, 0));
+}
+
+TEST_F(ForeignData, FstatOfAChuteListsItsPairsTwice) {
+  ImportOptions options;
+  options.contacts = (folder_ / "mercurydpm/chute_periodic.fstat").string();
+  options.pairs_twice = true;
+  options.drop_tensile = true;
+  const State<3> state = read<3>("mercurydpm/chute_periodic.restart", options);
+  EXPECT_EQ(state.packing.grains.size(), 107);
+  EXPECT_FALSE(between_walls(state.packing.walls, 0));
+  EXPECT_TRUE(is_open_along(state.packing.walls, 2));
+}
+
+TEST_F(ForeignData, DisksOfLmgc90AreReadBeforeTheyTouch) {
+  const State<2> state = read<2>("lmgc90/1024DK_BoxJC");
+  EXPECT_EQ(state.packing.grains.size(), 1024);
+  EXPECT_EQ(state.packing.contacts.size(), 0u);
+  EXPECT_EQ(state.packing.gravity, Vec<2>(0.0, -9.81));
+}
+
+TEST_F(ForeignData, SpheresOfRockableAreReadBeforeTheyTouch) {
+  const State<3> state = read<3>("rockable/iso_spheres_periodic/input.txt");
+  EXPECT_EQ(state.packing.grains.size(), 125);
+  EXPECT_EQ(state.packing.contacts.size(), 0u);
+  EXPECT_NEAR(solid_fraction(state.packing), 0.26808, 5e-6);
+}
+
+}  // namespace
+}  // namespace floc

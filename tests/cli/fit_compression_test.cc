@@ -31,7 +31,8 @@ TEST(FitCompression, TheBestLawComesFirstWithItsUnits) {
   EXPECT_EQ(fits[0]["density"], "out-of-die");
   for (std::size_t k = 1; k < fits.size(); ++k) EXPECT_GE(fits[k]["delta_aicc"], fits[k - 1]["delta_aicc"]);
   EXPECT_THAT(o.err, HasSubstr("AICc"));
-  const Outcome one = run_floc("fit compression - --columns P=p,phi=D --law heckel --format csv", ".", tablet());
+  const Outcome one =
+      run_floc("fit compression - --columns P=p,phi=D --law heckel --format csv", ".", tablet());
   EXPECT_THAT(one.out, HasSubstr("heckel,P_y,"));
   EXPECT_THAT(one.out, HasSubstr(",MPa,"));
 }

@@ -173,8 +173,7 @@ TEST_F(ForeignPacking, ThatIsNoEquilibriumIsSaidToBeAndRefusedUnlessForced) {
 
 TEST_F(ForeignPacking, IsAStepOfAPipeline) {
   for (const std::string name : {"a.h5", "b.h5"})
-    ASSERT_EQ(
-        floc_arguments({"convert", kPackings + "disks/disks16.txt", scratch_.file(name)}).code, 0);
+    ASSERT_EQ(floc_arguments({"convert", kPackings + "disks/disks16.txt", scratch_.file(name)}).code, 0);
   const std::string all = "'" + scratch_.path() + "'/*.h5";
   const Outcome cut = shell("\"$0\" moduli " + all + " --format csv | cut -d, -f3");
   EXPECT_EQ(cut.code, 0);

@@ -154,8 +154,7 @@ TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
 TEST(ModuliWithinAnAccuracy, AreKeptOnShippedPackings) {
   const ScratchDirectory scratch;
   const std::string packings = source_directory() + "/data/packings/";
-  ASSERT_EQ(run_floc("convert '" + packings + "disks/disks16.txt' bulk.h5", scratch.path()).code,
-            0);
+  ASSERT_EQ(run_floc("convert '" + packings + "disks/disks16.txt' bulk.h5", scratch.path()).code, 0);
   ASSERT_EQ(
       run_floc("convert " + packings + "lammps/disks.dump disks.h5 --contacts " + packings +
                    "lammps/disks.contacts --law normal.stiffness=1000,friction.coefficient=0.5,"

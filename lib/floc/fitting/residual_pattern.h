@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// What the sequence of the residuals of a fit tells: whether they are noise, or whether they follow each other, as those
+/// Pattern in the sequence of the residuals of a fit: whether they are noise, or whether they follow each other, as those
 /// of a law that is not the law of the data, or of a curve that moves in steps.
 struct ResidualPattern {
   double correlation = 0.0;  ///< correlation of neighbouring residuals

@@ -22,7 +22,7 @@ struct ShearPoint {
   double mobilised() const;
 };
 
-/// What a laboratory reports of one biaxial or triaxial test, drained (the lateral stress is kept) or undrained (the
+/// Results that a laboratory reports of one biaxial or triaxial test, drained (the lateral stress is kept) or undrained (the
 /// volume is kept).
 struct ShearTest {
   std::string failure_reason;  ///< reason why the test has no strength; empty if it has

@@ -27,7 +27,7 @@ struct ListedEnds {
   std::optional<double> low, high;
 };
 
-/// What a file of another program states about the space that a packing fills: its cell, its boundary, its dimension and
+/// Statements of a file of another program about the space that a packing fills: its cell, its boundary, its dimension and
 /// the body force.
 struct ListedSpace {
   std::string place;  ///< place of these data in the file, for messages

@@ -217,7 +217,7 @@ const std::map<std::string, Names>& usual_names() {
   return names;
 }
 
-/// What a character outside ASCII, or several of them in one row, becomes in a plain name.
+/// Text in a plain name that replaces a character outside ASCII, or several of them in one row.
 struct Plain {
   std::string_view from, to;
 };

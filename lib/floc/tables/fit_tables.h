@@ -26,7 +26,7 @@ struct PathTable {
   /// Stress that is taken as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the
   /// axes); empty if the table has no such rows.
   std::string stress = {};
-  /// What was read, in one line: number of rows, quantities, units and reversals of the load.
+  /// Summary of the table in one line: number of rows, quantities, units and reversals of the load.
   std::string reading = {};
   bool is_of_run = false;  ///< whether the table is that of a run of floc, so that `reading` says nothing new
   std::vector<std::string> notes =

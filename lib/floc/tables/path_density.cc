@@ -21,7 +21,7 @@ namespace {
 struct Density {
   const char* name;      ///< name that floc uses
   const char* words;     ///< name in messages
-  const char* measures;  ///< what its unit measures: "share" for a ratio, which may be in percent
+  const char* measures;  ///< quantity that its unit measures: "share" for a ratio, which may be in percent
 
   bool is_share() const { return measures == std::string_view("share"); }
 };

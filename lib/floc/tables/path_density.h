@@ -10,7 +10,7 @@ namespace floc {
 /// Solid fractions of the rows of a table, and what they were computed from.
 struct SolidFractions {
   std::vector<double> phi;
-  std::string words;  ///< what was read, such as "void ratio in %"
+  std::string words;  ///< quantity that was read, such as "void ratio in %"
 };
 
 /// Names of the quantities from which solid_fractions() reads or computes solid fractions, and of those that it needs

@@ -17,7 +17,7 @@ struct StrengthOptions {
   std::optional<std::pair<double, double>> modulus_range;
 };
 
-/// What follows from one test, or from all tests of one kind together.
+/// Parameters that follow from one test, or from all tests of one kind together.
 struct StrengthFit {
   std::string sample;  ///< name of the table; "pooled" for all tests of a kind
   std::string rows;    ///< rows of the table, as text; empty for all tests of a kind

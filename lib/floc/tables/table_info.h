@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// What floc understands of a table, without a fit.
+/// Contents of a table as floc understands them, without a fit.
 struct TableInfo {
-  std::string reading;             ///< what was read, in one line
+  std::string reading;             ///< summary in one line
   std::vector<std::string> notes;  ///< messages about rows that do not count and pressures that were converted
 };
 

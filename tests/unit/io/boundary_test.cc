@@ -8,7 +8,7 @@
 #include "floc/io/settle_space.h"
 #include "support/foreign_packing.h"
 
-/// What becomes of the ends of a packing, which a file states or the user gives.
+/// Ends of a packing that a file states or the user gives.
 namespace floc {
 namespace {
 

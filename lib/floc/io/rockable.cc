@@ -162,7 +162,7 @@ Configuration read_configuration(const std::string& path) {
 /// Makes a wall of a driven body whose shape is a flat face across an axis: of the surface that is turned to `middle`.
 WallSide add_face(const RockableBody& body, const RockableShape& shape, const Eigen::Vector3d& middle,
                   ListedSpace& space) {
-  constexpr double kFlat = 1e-9;
+  constexpr double kThin = 1e-9;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Eigen::Vector3d& vertex : shape.vertices) {
     const Eigen::Vector3d x = body.position + body.scale * (body.orientation * vertex);
@@ -170,7 +170,7 @@ WallSide add_face(const RockableBody& body, const RockableShape& shape, const Ei
   }
   int axis = 0;
   const double thickness = (high - low).minCoeff(&axis);
-  if (shape.vertices.size() < 3 || thickness > kFlat * (high - low).maxCoeff())
+  if (shape.vertices.size() < 3 || thickness > kThin * (high - low).maxCoeff())
     throw InputError(body.place.text(),
                      fmt::format("the driven body {} is no flat face across an axis, expected a wall; "
                                  "--walls gives the walls in place of the file",

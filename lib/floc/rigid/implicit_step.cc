@@ -17,7 +17,7 @@ constexpr double kSameOpening = 1e-6;
 
 /// Largest error of the impulses and of the objective, in the units of the program, with which a step is accepted
 /// although rounding ended the iteration: the next step corrects for it.
-constexpr double kNearlySolved = 1e-5;
+constexpr double kAcceptedError = 1e-5;
 
 /// Displacements and rotation vectors of the two bodies of a contact.
 template <int Dim>
@@ -241,7 +241,7 @@ class StepProgram {
 
 template <int Dim>
 bool is_solved(const ConeSolution<Dim>& solution) {
-  const bool nearly = solution.residual < kNearlySolved && solution.gap < kNearlySolved;
+  const bool nearly = solution.residual < kAcceptedError && solution.gap < kAcceptedError;
   return solution.status == ConeStatus::kSolved || (solution.status == ConeStatus::kFailed && nearly);
 }
 

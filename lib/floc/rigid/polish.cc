@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-constexpr int kMostSteps = 8;
+constexpr int kMostNewtonSteps = 8;
 /// Largest violation of the conditions that were left out of Newton's method, in the units of the program.
 constexpr double kViolation = 1e-9;
 
@@ -139,7 +139,7 @@ template <int Dim>
 void InteriorPoint<Dim>::polish(const ConeProgram<Dim>& program, ConeSolution<Dim>& solution) {
   KnownFaces<Dim> newton(program, solution);
   double best = std::numeric_limits<double>::infinity();
-  for (int n = 0; n < kMostSteps; ++n) {
+  for (int n = 0; n < kMostNewtonSteps; ++n) {
     newton.linearise();
     if (!(newton.error < 0.5 * best)) break;
     best = newton.error;

@@ -176,11 +176,11 @@ TEST_F(SceneOfAState, WithoutAPressureKeepsItsStresses) {
   saved_.path.turn.control = "oedometric";
   saved_.path.turn.axis = 1;
   save(saved_);
-  const Scene kept = read({}, text);
-  EXPECT_DOUBLE_EQ(kept.assembly.pressure, 0.4);
-  ASSERT_TRUE(kept.assembly.saved.kept.has_value());
-  EXPECT_EQ(kept.assembly.saved.kept->stress, (std::vector<double>{0.3, 0.5}));
-  const PlannedEquilibrium first = plan_run(kept.assembly, kept.law, {}, 2).front();
+  const Scene again = read({}, text);
+  EXPECT_DOUBLE_EQ(again.assembly.pressure, 0.4);
+  ASSERT_TRUE(again.assembly.saved.kept.has_value());
+  EXPECT_EQ(again.assembly.saved.kept->stress, (std::vector<double>{0.3, 0.5}));
+  const PlannedEquilibrium first = plan_run(again.assembly, again.law, {}, 2).front();
   EXPECT_EQ(first.control, "axes");
   EXPECT_EQ(first.axis, 1);
   EXPECT_EQ(first.axes[0].load, (AxisLoad{AxisLoad::stress, 0.3}));

@@ -20,7 +20,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kPackings = source_directory() + "/data/packings/";
+const std::string kPackingFolder = source_directory() + "/data/packings/";
 
 /// Open MPI as root and on fewer processors than processes; leaks of MPI are none of floc's.
 const std::string kEnvironment =
@@ -45,7 +45,7 @@ class Petsc : public testing::Test {
   /// Packings that other programs left, under a law of our own.
   void convert(const std::string& name) const {
     const Outcome made =
-        floc_arguments({"convert", kPackings + "lammps/" + name + ".dump", file(name + ".h5"), "--law",
+        floc_arguments({"convert", kPackingFolder + "lammps/" + name + ".dump", file(name + ".h5"), "--law",
                         "normal.stiffness=1000,friction.coefficient=0.5,friction.stiffness=800"});
     ASSERT_EQ(made.code, 0) << made.err;
   }

@@ -16,6 +16,7 @@
 #include "floc/base/parse_number.h"
 #include "floc/base/read_text.h"
 #include "floc/io/keyed_line.h"
+#include "floc/io/table_text.h"
 
 namespace floc {
 namespace {
@@ -337,7 +338,7 @@ Imported read_mercurydpm(const std::string& path, const ImportOptions& options) 
 }
 
 bool is_mercurydpm_fstat(const std::string& path) {
-  std::istringstream in(read_text(path));
+  std::istringstream in(read_table_text(path).text);
   for (std::string line; std::getline(in, line);) {
     const std::string_view text = trimmed(line);
     if (text.empty() || text.starts_with('#')) continue;

@@ -37,7 +37,8 @@ struct ContactDynamicsProgress {
 /// 1. The grains move under the load (contact_dynamics.h) until, for 40 steps, the root mean square velocity is below
 /// 6e-3 d/T and the strain rate of the cell below 3 % of its cap, with the largest diameter d and the time unit T =
 /// sqrt(m/(P d^(Dim-2))).
-/// 2. All velocities are set to zero before each step, until the net forces are small.
+/// 2. All velocities are set to zero before each step, until the net forces are small. Steps of frictionless grains with
+/// corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
 /// 3. With the grains held, forces are sought that balance all grains and the stress and satisfy Coulomb's conditions
 /// (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 goes on.
 template <int Dim>

@@ -10,7 +10,7 @@ namespace floc {
 namespace {
 
 constexpr int kMostNewtonSteps = 8;
-/// Largest violation of the conditions that were left out of Newton's method, in the units of the program.
+/// Largest error of the conditions of a solution that is accepted, equations and inequalities, in the units of the program.
 constexpr double kViolation = 1e-9;
 
 /// Face of the cone on which the solution of a block lies.
@@ -143,7 +143,7 @@ void InteriorPoint<Dim>::polish(const ConeProgram<Dim>& program, ConeSolution<Di
     newton.linearise();
     if (!(newton.error < 0.5 * best)) break;
     best = newton.error;
-    if (newton.violation() < kViolation) {
+    if (newton.error < kViolation && newton.violation() < kViolation) {
       solution.x = newton.x;
       solution.motion = newton.y;
     }

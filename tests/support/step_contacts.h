@@ -40,4 +40,12 @@ inline StepContact<Dim> touching(int i, int j, const Vec<Dim>& arm_i, const Vec<
   return out;
 }
 
+/// Contacts of a stack of n frictionless disks of diameter 1. Disk 0 is the top one, body n the ground.
+inline std::vector<StepContact<2>> stack_of_disks(int n) {
+  std::vector<StepContact<2>> contacts;
+  for (int k = 0; k < n; ++k)
+    contacts.push_back(touching<2>(k, k + 1, {0.0, -0.5}, {0.0, 0.5}, {0.0, -1.0}, 0.0));
+  return contacts;
+}
+
 }  // namespace floc::test

@@ -49,7 +49,8 @@ void print(const Table& table, const Printing& printing) {
 bool is_table(const std::string& file) {
   const std::filesystem::path path(file);
   if (file == "-" || !std::filesystem::is_regular_file(path)) return false;
-  return path.extension() != ".h5" && path.extension() != ".toml" && !read_file(file).starts_with("\x89HDF");
+  return path.extension() != ".h5" && path.extension() != ".toml" &&
+         !read_beginning(file, 4).starts_with("\x89HDF");
 }
 
 /// Prints what floc understands of tables: a line on stderr, and a row for each of their columns.

@@ -1,5 +1,6 @@
 #include "floc/base/read_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -16,6 +17,24 @@ namespace {
 
 constexpr std::size_t kPiece = 1 << 16;
 
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// @throws InputError if the file cannot be opened
+File open_file(const std::string& path) {
+  errno = 0;
+  File file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw InputError(path, std::strerror(errno));
+  return file;
+}
+
+/// @throws InputError if the last attempt to read the file has failed
+void require_read(const std::string& place, std::FILE* file) {
+  // Opening a directory succeeds; only reading it fails.
+  if (std::ferror(file))
+    throw InputError(place,
+                     errno == EISDIR ? "this is a directory, but a file is expected" : std::strerror(errno));
+}
+
 void read_all(const std::string& place, std::FILE* file, const std::function<void(std::string_view)>& take) {
   std::vector<char> buffer(kPiece);
   std::optional<GzipStream> gzip;
@@ -29,10 +48,7 @@ void read_all(const std::string& place, std::FILE* file, const std::function<voi
       take(piece);
   }
   if (gzip) gzip->finish();
-  // Opening a directory succeeds; only reading it fails.
-  if (std::ferror(file))
-    throw InputError(place,
-                     errno == EISDIR ? "this is a directory, but a file is expected" : std::strerror(errno));
+  require_read(place, file);
 }
 
 }  // namespace
@@ -43,12 +59,25 @@ std::string read_file(const std::string& path) {
   return bytes;
 }
 
+std::string read_beginning(const std::string& path, std::size_t most) {
+  if (path == "-") return "";
+  const File file = open_file(path);
+  std::string bytes(kPiece, '\0');
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+  require_read(path, file.get());
+  if (is_gzip(bytes)) {
+    std::string inflated;
+    GzipStream(path).pass(bytes, [&](std::string_view piece) { inflated.append(piece); });
+    bytes = std::move(inflated);
+  }
+  bytes.resize(std::min(bytes.size(), most));
+  return bytes;
+}
+
 void read_pieces(const std::string& path, const std::function<void(std::string_view)>& take) {
   errno = 0;
   if (path == "-") return read_all("stdin", stdin, take);
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw InputError(path, std::strerror(errno));
-  read_all(path, file.get(), take);
+  read_all(path, open_file(path).get(), take);
 }
 
 }  // namespace floc

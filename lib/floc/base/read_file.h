@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,13 @@ namespace floc {
 /// decompressed, whatever its name.
 /// @throws InputError with the error message of the operating system if the file is missing or cannot be read
 std::string read_file(const std::string& path);
+
+/// Returns up to `most` bytes from the beginning of a file, so that its format can be recognised without reading all of
+/// it. A file compressed by gzip is decompressed as far as needed.
+/// @param path  the file; of the standard input, "-", nothing is returned, since bytes that are read from it are lost
+/// @param most  at most 65536
+/// @throws InputError if the file is missing or cannot be read
+std::string read_beginning(const std::string& path, std::size_t most);
 
 /// Passes the content of a file to `take` piece by piece, so that the file need not fit into memory. A file compressed by
 /// gzip is decompressed.

@@ -38,7 +38,7 @@ struct Straightness {
 };
 
 Straightness straightness(const HeckelPoints& h, Eigen::Index first, Eigen::Index n) {
-  constexpr double kSmallChange = 0.1;  // of the slope from end to end
+  constexpr double kSmallChange = 0.1;  // change of the slope from end to end, over the slope
   constexpr double kRounding = 1e-9;
   const Eigen::ArrayXd w = h.weight.segment(first, n);
   const Eigen::ArrayXd P = h.P.segment(first, n);

@@ -128,7 +128,7 @@ double RoundBend::at(double x) const {
 RoundBendFit fit_round_bend(const Eigen::ArrayXd& x, const Eigen::VectorXd& y, bool is_round) {
   assert(x.size() == y.size() && x.size() >= 5);
   constexpr int kPlaces = 240, kWidths = 11, kNear = 9;
-  constexpr double kNarrowest = 0.01, kWidest = 0.1;  // of the range of x
+  constexpr double kNarrowest = 0.01, kWidest = 0.1;  // widths over the range of x
   const double range = x[x.size() - 1] - x[0];
   RoundBendFit fit;
   fit.places = Eigen::VectorXd::LinSpaced(kPlaces + 1, x[1], x[x.size() - 2]);

@@ -65,8 +65,7 @@ Imported read_own_state(const std::string& path, const ImportOptions& options) {
 }  // namespace
 
 bool begins_with(const std::string& path, const std::string& text) {
-  constexpr std::size_t kBeginning = 4096;
-  return decoded_table(path, read_file(path).substr(0, kBeginning)).text.starts_with(text);
+  return beginning_of_table(path).starts_with(text);
 }
 
 const std::vector<ImportFormat>& import_formats() {

@@ -80,10 +80,10 @@ struct Body {
   std::string material;
   double mean_radius = 0.0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double angle = 0.0;           ///< of a body in a plane (radians)
+  double angle = 0.0;           ///< angle of a body in a plane (radians)
   std::string contactor;        ///< DISKx, SPHER, JONCx, ...
-  double radius = 0.0;          ///< of a disk or sphere
-  double half_thickness = 0.0;  ///< of a bar
+  double radius = 0.0;          ///< radius of a disk or sphere
+  double half_thickness = 0.0;  ///< half the thickness of a bar
 };
 
 void read_contactor(const DatFile& file, Body& body) {

@@ -338,7 +338,7 @@ Imported read_mercurydpm(const std::string& path, const ImportOptions& options) 
 }
 
 bool is_mercurydpm_fstat(const std::string& path) {
-  std::istringstream in(read_table_text(path).text);
+  std::istringstream in(beginning_of_table(path));
   for (std::string line; std::getline(in, line);) {
     const std::string_view text = trimmed(line);
     if (text.empty() || text.starts_with('#')) continue;

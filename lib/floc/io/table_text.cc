@@ -124,6 +124,10 @@ TableText decoded_table(const std::string& place, std::string bytes) {
   return table;
 }
 
+std::string beginning_of_table(const std::string& path) {
+  return decoded_table(path, read_beginning(path, 1 << 16)).text;
+}
+
 TableText read_table_text(const std::string& path) {
   return decoded_table(path == "-" ? "stdin" : path, read_file(path));
 }

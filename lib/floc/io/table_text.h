@@ -20,6 +20,10 @@ struct TableText {
 /// @throws InputError if the text is in UTF-32
 TableText decoded_table(const std::string& place, std::string bytes);
 
+/// Returns the text of the first 64 KiB of the file of a table, so that its format can be recognised.
+/// @throws InputError under the conditions of read_beginning() and decoded_table()
+std::string beginning_of_table(const std::string& path);
+
 /// Reads the text of a table from a file, or from the standard input if the path is "-".
 /// @throws InputError if the file cannot be read, or under the conditions of decoded_table()
 TableText read_table_text(const std::string& path);

@@ -88,16 +88,20 @@ ListedSpace space_of(const VtkArrays& arrays) {
   return space;
 }
 
+/// Whether a file is in VTK's XML format and has a data set of a kind.
+bool has_data_set(const std::string& path, const char* kind) {
+  const std::string text = read_beginning(path, 1000);
+  return text.find("<VTKFile") != std::string::npos && text.find(kind) != std::string::npos;
+}
+
 }  // namespace
 
 bool is_vtu(const std::string& path) {
-  const std::string text = read_file(path).substr(0, 1000);
-  return text.find("<VTKFile") != std::string::npos && text.find("UnstructuredGrid") != std::string::npos;
+  return has_data_set(path, "UnstructuredGrid");
 }
 
 bool is_vtp(const std::string& path) {
-  const std::string text = read_file(path).substr(0, 1000);
-  return text.find("<VTKFile") != std::string::npos && text.find("PolyData") != std::string::npos;
+  return has_data_set(path, "PolyData");
 }
 
 Imported read_vtu(const std::string& path, const ImportOptions& options) {

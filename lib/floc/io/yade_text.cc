@@ -143,7 +143,7 @@ void check_no_contact_columns(const ImportOptions& options) {
 
 /// Whether a file begins with a number, so that it has no line with the names of the columns.
 bool begins_with_number(const std::string& path) {
-  const std::string text = read_table_text(path).text;
+  const std::string text = beginning_of_table(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] >= '0' && text[first] <= '9';
 }
@@ -151,7 +151,7 @@ bool begins_with_number(const std::string& path) {
 /// Returns the words of the first line of a file if this line is a comment; otherwise nothing.
 std::vector<std::string> first_comment(const std::string& path) {
   if (!begins_with(path, "#")) return {};
-  std::istringstream in(read_table_text(path).text);
+  std::istringstream in(beginning_of_table(path));
   std::string line;
   std::getline(in, line);
   return comment_tokens(std::string(trimmed(line)));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 
 #include "floc/packing/packing.h"
@@ -32,6 +34,14 @@ std::string wall_names(const std::vector<Wall<Dim>>& walls) {
 template <int Dim>
 std::string body_name(const Packing<Dim>& packing, int body) {
   return packing.is_wall(body) ? wall_name(packing.wall(body)) : std::to_string(packing.grains.name(body));
+}
+
+/// Returns the two bodies of a contact in words.
+template <int Dim>
+std::string pair_name(const Packing<Dim>& packing, const Contact<Dim>& c) {
+  const Grains<Dim>& g = packing.grains;
+  if (packing.is_wall(c.j)) return fmt::format("grain {} and wall {}", g.name(c.i), c.j - g.size());
+  return fmt::format("grains {}-{}", g.name(c.i), g.name(c.j));
 }
 
 }  // namespace floc

@@ -83,6 +83,12 @@ struct ConeSolution {
   double residual = 0.0;   ///< largest |A x + S y - b|
   double gap = 0.0;        ///< x' z: the objective is at most this far above the smallest one
   int n_factorizations = 0;
+
+  /// Whether the program was solved, or rounding ended the iteration at a residual and a gap below `nearly`.
+  bool is_solved(double nearly) const {
+    return status == ConeStatus::kSolved ||
+           (status == ConeStatus::kFailed && residual < nearly && gap < nearly);
+  }
 };
 
 }  // namespace floc

@@ -10,6 +10,7 @@
 #include "floc/base/error.h"
 #include "floc/geometry/frame.h"
 #include "floc/network/contact_network.h"
+#include "floc/packing/body_name.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/rigid/implicit_step.h"
@@ -44,13 +45,6 @@ constexpr double kAtLimit = 1e-9;
 template <int Dim>
 bool sticks(const Contact<Dim>& c) {
   return c.gap <= 0.0 || c.elastic_force > 0.0;
-}
-
-template <int Dim>
-std::string pair_in_words(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  const auto i = packing.grains.name(c.i);
-  if (packing.is_wall(c.j)) return fmt::format("grain {} and a wall of axis {}", i, packing.wall(c.j).axis + 1);
-  return fmt::format("grains {} and {}", i, packing.grains.name(c.j));
 }
 
 template <int Dim>
@@ -220,6 +214,10 @@ template <int Dim>
 std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& trial, double dt) const {
   std::vector<PairMatrix<Dim>> out;
   for (std::size_t k = 0; k < trial.contacts.size(); ++k) {
+    if (trial.contacts[k].impulse[0] == 0.0) {
+      out.push_back(PairMatrix<Dim>::Zero());
+      continue;
+    }
     const PairMatrix<Dim> curvature =
         gap_curvature(packing_, packing_.contacts[static_cast<std::size_t>(trial.source[k])]);
     const Eigen::SelfAdjointEigenSolver<PairMatrix<Dim>> modes(-dt * trial.contacts[k].impulse[0] * curvature);
@@ -332,7 +330,7 @@ void ContactDynamics<Dim>::step(bool at_rest) {
         throw NoResult(
             fmt::format("{} would overlap by {:.2g} of the smaller diameter in a time step, even after "
                         "the step was halved {} times; the largest overlap allowed is {:.2g}",
-                        pair_in_words(next, *where), deepest, kMostHalvings, allowed));
+                        pair_name(next, *where), deepest, kMostHalvings, allowed));
       // Sweeps end with errors that shorter steps do not remove.
       method = {.at_rest = true, .at_once = true};
       allowed = std::max(allowed, kDeepestAtRest);

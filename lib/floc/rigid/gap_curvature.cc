@@ -79,15 +79,14 @@ template <int Dim>
 PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Vec<Dim> n = c.normal;
   const Tangents<Dim> tangents = contact_frame(n).template rightCols<Dim - 1>();
-  constexpr int kAngle = Dim;
   const Vec<Dim> arm_i = surface_arm<Dim>(packing, c.i, c.arm_i - 0.5 * c.gap * n, n);
   const Vec<Dim> arm_j = surface_arm<Dim>(packing, c.j, c.arm_j + 0.5 * c.gap * n, -n);
   const bool wall = packing.is_wall(c.j);
   // The normal turns by alpha with i and by beta with j; the points in contact slide by w.
   MotionMap<Dim> alpha = MotionMap<Dim>::Zero(), beta = alpha, w = alpha;
-  alpha.template middleCols<kRotations<Dim>>(kAngle) = turn<Dim>(tangents, n);
+  alpha.template middleCols<kRotations<Dim>>(Dim) = turn<Dim>(tangents, n);
   w.template leftCols<Dim>() = -tangents.transpose();
-  w.template middleCols<kRotations<Dim>>(kAngle) = -turn<Dim>(tangents, arm_i);
+  w.template middleCols<kRotations<Dim>>(Dim) = -turn<Dim>(tangents, arm_i);
   if (!wall) {
     beta.template rightCols<kRotations<Dim>>() = turn<Dim>(tangents, n);
     w.template middleCols<Dim>(kDofs<Dim>) = tangents.transpose();
@@ -105,7 +104,7 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   const MotionMap<Dim> drive = w + radii_i * alpha + radii_j * beta;
   PairMatrix<Dim> out = drive.transpose() * inverse * drive - alpha.transpose() * radii_i * alpha -
                         beta.transpose() * radii_j * beta;
-  out.template block<kRotations<Dim>, kRotations<Dim>>(kAngle, kAngle) -= turn_curvature(arm_i, n);
+  out.template block<kRotations<Dim>, kRotations<Dim>>(Dim, Dim) -= turn_curvature(arm_i, n);
   if (!wall) out.template bottomRightCorner<kRotations<Dim>, kRotations<Dim>>() += turn_curvature(arm_j, n);
   return 0.5 * (out + out.transpose());  // rounding of the large radii
 }

@@ -10,6 +10,10 @@ namespace floc {
 template <int Dim>
 using PairMatrix = Eigen::Matrix<double, 2 * kDofs<Dim>, 2 * kDofs<Dim>>;
 
+/// Displacements and rotation vectors of two grains in this order.
+template <int Dim>
+using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
+
 /// Returns the second derivatives of the gap of a contact with respect to the displacements and the rotation vectors of
 /// its grains (1/length, with rotations times a length). The motion of a wall is not part of them.
 ///

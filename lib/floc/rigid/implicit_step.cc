@@ -19,10 +19,6 @@ constexpr double kSameOpening = 1e-6;
 /// although rounding ended the iteration: the next step corrects for it.
 constexpr double kAcceptedError = 1e-5;
 
-/// Displacements and rotation vectors of the two bodies of a contact.
-template <int Dim>
-using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
-
 /// One unknown velocity: of a body along an axis of space, of a body about a principal axis, or the stretch of the
 /// cell along an axis. Rotations and stretches are multiplied by a length, so that all unknowns are velocities.
 template <int Dim>
@@ -239,12 +235,6 @@ class StepProgram {
   ConeProgram<Dim> program_;
 };
 
-template <int Dim>
-bool is_solved(const ConeSolution<Dim>& solution) {
-  const bool nearly = solution.residual < kAcceptedError && solution.gap < kAcceptedError;
-  return solution.status == ConeStatus::kSolved || (solution.status == ConeStatus::kFailed && nearly);
-}
-
 }  // namespace
 
 template <int Dim>
@@ -255,11 +245,11 @@ bool solve_at_once(BodyMotion<Dim>& bodies, std::vector<StepContact<Dim>>& conta
   InteriorPoint<Dim> method(step.program());
   const bool slides = std::ranges::any_of(contacts, [](const auto& c) { return c.friction > 0.0; });
   ConeSolution<Dim> solution = method.solve(step.program());
-  for (int n = 1; slides && n < kMostSolutions && is_solved(solution); ++n) {
+  for (int n = 1; slides && n < kMostSolutions && solution.is_solved(kAcceptedError); ++n) {
     if (step.add_opening(solution) < kSameOpening) break;
     solution = method.solve(step.program());
   }
-  if (!is_solved(solution)) return false;
+  if (!solution.is_solved(kAcceptedError)) return false;
   step.set_solution(solution, bodies, contacts);
   return true;
 }

@@ -9,6 +9,7 @@
 namespace floc {
 namespace {
 
+/// Largest number of Newton steps.
 constexpr int kMostNewtonSteps = 8;
 /// Largest error of the conditions of a solution that is accepted, equations and inequalities, in the units of the program.
 constexpr double kViolation = 1e-9;
@@ -92,28 +93,10 @@ struct KnownFaces {
     }
   }
 
- private:
-  void linearise_surface(int k, const Vec<Dim>& z) {
-    const Vec<Dim> normal = reflected<Dim>(x[k]);
-    const Vec<Dim> off = z - multiplier[k] * normal;
-    const double outside = 0.5 * x[k].dot(normal);
-    Eigen::Matrix<double, Dim + 1, Dim + 1> system = Eigen::Matrix<double, Dim + 1, Dim + 1>::Zero();
-    system.diagonal().template head<Dim>() =
-        program.compliance[k] - multiplier[k] * reflected<Dim>(Vec<Dim>::Ones());
-    system.template topRightCorner<Dim, 1>() = normal;
-    system.template bottomLeftCorner<1, Dim>() = normal.transpose();
-    const Eigen::Matrix<double, Dim + 1, Dim + 1> inverse = system.inverse();
-    flexibility[k] = inverse.template topLeftCorner<Dim, Dim>();
-    shift[k] = -flexibility[k] * off - inverse.template topRightCorner<Dim, 1>() * outside;
-    error = std::max({error, off.template lpNorm<Eigen::Infinity>(), std::abs(outside)});
-  }
-
- public:
   /// Changes y, x and the multipliers.
   void step(const Eigen::VectorXd& dy) {
     const std::vector<Vec<Dim>> motion = program.relative_motion(dy);
     y += dy;
-    const std::vector<Vec<Dim>> before = x;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] += flexibility[k] * motion[k] + shift[k];
     // The multiplier that fits the new x best: z = l J x.
     const std::vector<Vec<Dim>> z = gradient();
@@ -130,6 +113,23 @@ struct KnownFaces {
       if (face[k] == Face::surface) most = std::max(most, -multiplier[k]);
     }
     return most;
+  }
+
+ private:
+  /// Linearises the conditions of a block on the surface: those of x, and x' J x = 0 with the multiplier as its unknown.
+  void linearise_surface(int k, const Vec<Dim>& z) {
+    const Vec<Dim> normal = reflected<Dim>(x[k]);
+    const Vec<Dim> off = z - multiplier[k] * normal;
+    const double outside = 0.5 * x[k].dot(normal);
+    Eigen::Matrix<double, Dim + 1, Dim + 1> system = Eigen::Matrix<double, Dim + 1, Dim + 1>::Zero();
+    system.diagonal().template head<Dim>() =
+        program.compliance[k] - multiplier[k] * reflected<Dim>(Vec<Dim>::Ones());
+    system.template topRightCorner<Dim, 1>() = normal;
+    system.template bottomLeftCorner<1, Dim>() = normal.transpose();
+    const Eigen::Matrix<double, Dim + 1, Dim + 1> inverse = system.inverse();
+    flexibility[k] = inverse.template topLeftCorner<Dim, Dim>();
+    shift[k] = -flexibility[k] * off - inverse.template topRightCorner<Dim, 1>() * outside;
+    error = std::max({error, off.template lpNorm<Eigen::Infinity>(), std::abs(outside)});
   }
 };
 

@@ -67,9 +67,7 @@ BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& prefe
     program_.linear[k] = -program_.compliance[k].cwiseProduct(preferred[k]);
   }
   ConeSolution<Dim> solution = method_.solve(program_);
-  const bool nearly = solution.status == ConeStatus::kFailed && solution.residual < kNearlySolved &&
-                      solution.gap < kNearlySolved;
-  if (solution.status != ConeStatus::kSolved && !nearly) fail(solution);
+  if (!solution.is_solved(kNearlySolved)) fail(solution);
   method_.polish(program_, solution);
   return forces(solution.x, solution.n_factorizations);
 }

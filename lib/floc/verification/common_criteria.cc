@@ -215,7 +215,7 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   const auto compare = [&](const Contact<Dim>& c, const char* flag, bool recorded, bool near, bool at) {
     if (recorded ? !near : at)
       record.wrong(fmt::format("{} are recorded as {}{}, but their forces show the opposite",
-                               name_of(stored, c), recorded ? "" : "not ", flag));
+                               pair_name(stored, c), recorded ? "" : "not ", flag));
   };
   for (const Contact<Dim>& c : stored.contacts) {
     const Law& law = stored.law_of(c);

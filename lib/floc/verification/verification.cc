@@ -45,7 +45,7 @@ Criterion check_geometry(const Packing<Dim>& stored, const Packing<Dim>& recompu
         std::max(std::abs(c.gap - r.gap), (c.normal - r.normal).norm() * branch(recomputed, r).norm());
     result.value = std::max(*result.value, error);
     if (!(error <= result.limit))
-      violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
+      violations.add(error, fmt::format("{} by {:.2g}", pair_name(recomputed, c), error));
   }
   result.where = violations.worst_first();
   result.holds = result.where.empty();
@@ -61,19 +61,19 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   const auto wrong = [&](const std::string& what) { violations.add(0.0, what), ++n_wrong; };
   for (const Contact<Dim>& c : recomputed.contacts) {
     if (!listed.insert({identity(c), c.key}).second)
-      wrong(name_of(recomputed, c) + " are in the contact list twice");
+      wrong(pair_name(recomputed, c) + " are in the contact list twice");
     if (c.distant && c.gap >= recomputed.law_of(c).range() + open && bridge_volume(recomputed, c) == 0.0)
       wrong(fmt::format("{} are in the contact list although they do not interact at their gap of {:.2g}",
-                        name_of(recomputed, c), c.gap));
+                        pair_name(recomputed, c), c.gap));
   }
   // Several contacts of one pair of grains are distinguished by the keys 0, 1, ...
   for (const Contact<Dim>& c : recomputed.contacts)
     if (c.key < 0 || (c.key > 0 && !listed.contains({identity(c), c.key - 1})))
       wrong(fmt::format("{} are in the contact list with the key {}, but not with the key before it",
-                        name_of(recomputed, c), c.key));
+                        pair_name(recomputed, c), c.key));
   for (const Contact<Dim>& c : missing_contacts(recomputed, open))
     wrong(fmt::format("{} are missing in the contact list although they interact at their gap of {:.2g}",
-                      name_of(recomputed, c), c.gap));
+                      pair_name(recomputed, c), c.gap));
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
@@ -146,9 +146,9 @@ Criterion check_law(const Packing<Dim>& stored, const Packing<Dim>& recomputed) 
       state = fmt::format("the contact being stored as {} although its gap is {:.2g}",
                           c.distant ? "distant" : "touching", r.gap);
     if (!(error <= result.limit))
-      violations.add(error, fmt::format("{} by {:.2g}", name_of(recomputed, c), error));
+      violations.add(error, fmt::format("{} by {:.2g}", pair_name(recomputed, c), error));
     else if (!state.empty())
-      violations.add(0.0, fmt::format("{} by {}", name_of(recomputed, c), state));
+      violations.add(0.0, fmt::format("{} by {}", pair_name(recomputed, c), state));
   }
   result.where = violations.worst_first();
   result.holds = result.where.empty();

@@ -40,7 +40,7 @@ Criterion check_rigid_geometry(const Packing<Dim>& stored, const Packing<Dim>& r
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>&c = stored.contacts[k], &r = recomputed.contacts[k];
     if (std::isinf(r.gap)) {
-      violations.add(r.gap, name_of(stored, c) + ", which have no contact point there");
+      violations.add(r.gap, pair_name(stored, c) + ", which have no contact point there");
       continue;
     }
     const double error =
@@ -48,10 +48,10 @@ Criterion check_rigid_geometry(const Packing<Dim>& stored, const Packing<Dim>& r
                   (c.arm_i - r.arm_i).norm()});
     result.value = std::max(*result.value, error);
     if (!(error <= result.limit))
-      violations.add(error, fmt::format("{} by {:.2g}", name_of(stored, c), error));
+      violations.add(error, fmt::format("{} by {:.2g}", pair_name(stored, c), error));
     else if (c.type != r.type)
       violations.add(0.0,
-                     fmt::format("{}, recorded as a contact of the type {} instead of {}", name_of(stored, c),
+                     fmt::format("{}, recorded as a contact of the type {} instead of {}", pair_name(stored, c),
                                  contact_type_name(c.type), contact_type_name(r.type)));
   }
   result.where = violations.worst_first();
@@ -76,13 +76,13 @@ Criterion check_list(const Packing<Dim>& packing, const RigidGeometry<Dim>& geom
   const std::vector<Contact<Dim>>& contacts = packing.contacts;
   for (std::size_t k = 1; k < contacts.size(); ++k)
     if (!precedes(contacts[k - 1], contacts[k]))
-      wrong(name_of(packing, contacts[k]) + " are in the contact list twice or out of order");
+      wrong(pair_name(packing, contacts[k]) + " are in the contact list twice or out of order");
   std::vector<Contact<Dim>> sorted = contacts;
   std::ranges::sort(sorted, precedes<Contact<Dim>>);
   for (const Contact<Dim>& c : geometry.overlapping)
     if (!has_pair(sorted, c))
       wrong(fmt::format("{} are missing in the contact list although they overlap by {:.2g}",
-                        name_of(packing, c), -c.gap));
+                        pair_name(packing, c), -c.gap));
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
@@ -109,10 +109,10 @@ Criterion check_law(const Packing<Dim>& packing) {
     error = std::max(error, std::abs(c.shear_force.dot(c.normal))) / mean;
     result.value = std::max(*result.value, error);
     if (!(error <= result.limit))
-      violations.add(error, fmt::format("{} by {:.2g}", name_of(packing, c), error));
+      violations.add(error, fmt::format("{} by {:.2g}", pair_name(packing, c), error));
     else if (const std::string property = elastic_property(c); !property.empty())
       violations.add(
-          0.0, fmt::format("{} have {}, which rigid contacts do not have", name_of(packing, c), property));
+          0.0, fmt::format("{} have {}, which rigid contacts do not have", pair_name(packing, c), property));
   }
   result.where = violations.worst_first();
   result.holds = result.where.empty();
@@ -132,10 +132,10 @@ Criterion check_cone(const Packing<Dim>& packing) {
     result.value = std::max({*result.value, beyond, pull});
     if (!(pull <= result.limit))
       violations.add(pull, fmt::format("{} pull with the force {:.3g} beyond their adhesion",
-                                       name_of(packing, c), -c.elastic_force));
+                                       pair_name(packing, c), -c.elastic_force));
     else if (!(beyond <= result.limit))
       violations.add(beyond, fmt::format("{} with the tangential force {:.3g} at a limit of {:.3g}",
-                                         name_of(packing, c), c.shear_force.norm(), mu * c.elastic_force));
+                                         pair_name(packing, c), c.shear_force.norm(), mu * c.elastic_force));
   }
   result.where = violations.worst_first();
   result.holds = result.where.empty();
@@ -154,11 +154,11 @@ Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& g
     result.value = std::max(*result.value, share);
     if (c.gap > 0.0 && !(share < tolerance))
       violations.add(share,
-                     fmt::format("{} carry a force across the gap {:.2g}", name_of(recomputed, c), c.gap));
+                     fmt::format("{} carry a force across the gap {:.2g}", pair_name(recomputed, c), c.gap));
   }
   for (const Contact<Dim>& c : geometry.overlapping)
     violations.add(-c.gap / (2.0 * smaller_radius(recomputed, c)),
-                   fmt::format("{} overlap by {:.2g}", name_of(recomputed, c), -c.gap));
+                   fmt::format("{} overlap by {:.2g}", pair_name(recomputed, c), -c.gap));
   result.where = violations.worst_first();
   result.holds = result.where.empty() && *result.value < tolerance;
   return result;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "floc/packing/packing.h"
+#include "floc/packing/body_name.h"
 
 namespace floc {
 
@@ -31,13 +31,5 @@ class Violations {
  private:
   std::vector<std::pair<double, std::string>> found_;
 };
-
-/// Returns the two bodies of a contact in words.
-template <int Dim>
-std::string name_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
-  const Grains<Dim>& g = packing.grains;
-  if (packing.is_wall(c.j)) return fmt::format("grain {} and wall {}", g.name(c.i), c.j - g.size());
-  return fmt::format("grains {}-{}", g.name(c.i), g.name(c.j));
-}
 
 }  // namespace floc

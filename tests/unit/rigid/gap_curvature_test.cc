@@ -9,9 +9,6 @@
 namespace floc::test {
 namespace {
 
-template <int Dim>
-using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
-
 /// Returns a packing in which the two grains of a contact have moved and turned.
 template <int Dim>
 Packing<Dim> moved(Packing<Dim> packing, const Contact<Dim>& c, const PairMotion<Dim>& motion) {

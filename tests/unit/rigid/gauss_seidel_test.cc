@@ -17,10 +17,7 @@ constexpr double kTolerance = 1e-13;
 TEST(GaussSeidel, CarriesAStackOfDisksInTheFirstStep) {
   constexpr int kDisks = 20;
   constexpr double kMass = 2.0, kGravity = 3.0, kStep = 0.1;
-  std::vector<StepContact<2>> contacts;
-  // Disk 0 is the top one.
-  for (int k = 0; k < kDisks; ++k)
-    contacts.push_back(touching<2>(k, k + 1, {0.0, -0.5}, {0.0, 0.5}, {0.0, -1.0}, 0.0));
+  std::vector<StepContact<2>> contacts = stack_of_disks(kDisks);
   const auto solve = [&] {
     BodyMotion<2> bodies = balls_and_ground<2>(kDisks, kMass, 0.5);
     for (int k = 0; k < kDisks; ++k) bodies.velocity[k] = {0.0, -kStep * kGravity};

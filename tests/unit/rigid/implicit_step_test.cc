@@ -13,9 +13,7 @@ namespace {
 TEST(ImplicitStep, CarriesAStackOfDisks) {
   constexpr int kDisks = 200;
   constexpr double kMass = 2.0, kGravity = 3.0, kStep = 0.1;
-  std::vector<StepContact<2>> contacts;
-  for (int k = 0; k < kDisks; ++k)
-    contacts.push_back(touching<2>(k, k + 1, {0.0, -0.5}, {0.0, 0.5}, {0.0, -1.0}, 0.0));
+  std::vector<StepContact<2>> contacts = stack_of_disks(kDisks);
   BodyMotion<2> bodies = balls_and_ground<2>(kDisks, kMass, 0.5);
   for (int k = 0; k < kDisks; ++k) bodies.velocity[k] = {0.0, -kStep * kGravity};
   ASSERT_TRUE(solve_at_once<2>(bodies, contacts, {}));

@@ -207,9 +207,9 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
   return out;
 }
 
-/// Returns the change of the momenta of both grains of each contact of a step by the turn of its normal force, for unit
-/// velocities: - dt P times the second derivatives of the gap. The negative eigenvalues are replaced by zero, so that the step is a convex
-/// program.
+/// Returns the change of the momenta of both grains of each contact of a step by the turn of its normal impulse P, for
+/// unit velocities: -dt P times the second derivatives of the gap. Negative eigenvalues are replaced by zero, so that the
+/// step is a convex program.
 template <int Dim>
 std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& trial, double dt) const {
   std::vector<PairMatrix<Dim>> out;

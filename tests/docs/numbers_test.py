@@ -302,19 +302,19 @@ class Test:
         return list(csv.DictReader(open(os.path.join(self.directory, name))))
 
     def fit_of_demo_tables(self):
-        rows = self.rows("floc fit consolidation data/tables/demo")
+        rows = self.rows("floc fit consolidation data/tables/consolidation")
         pooled = {r["parameter"]: r for r in rows if r["sample"] == "pooled"}
         names = {"P1*": "P1_star", "P0*": "P0_star"}
         for name, value, error, interval in self.claim_table("| parameter | value "):
             row = pooled[names.get(name, name)]
             for shown, column in ((value, "value"), (error, "stderr")):
-                self.number_or_none(shown, row[column], f"fit of data/tables/demo, {column} of {name}")
+                self.number_or_none(shown, row[column], f"fit of data/tables/consolidation, {column} of {name}")
             low, high = interval.split(" to ")
-            self.number(low, row["low95"], f"fit of data/tables/demo, low95 of {name}")
-            self.number(high, row["high95"], f"fit of data/tables/demo, high95 of {name}")
+            self.number(low, row["low95"], f"fit of data/tables/consolidation, low95 of {name}")
+            self.number(high, row["high95"], f"fit of data/tables/consolidation, high95 of {name}")
 
     def demo_results(self):
-        """The last lines of floc demo: the fit of eight samples, which README prints too, beside the demo's own."""
+        """The last lines of floc demo: the fit of six samples, which README prints too, beside the demo's own."""
         said = self.shell("floc demo demo").stdout
         lines = said.strip().split("\n")
         fitted = {line.split()[0]: line.split() for line in lines[-10:-1]}
@@ -324,12 +324,12 @@ class Test:
             if not cells or len(cells) != 4:
                 self.fault(f"floc demo: no line of {name} in\n{said[-1000:]}")
                 continue
-            self.number_or_none(value, cells[1], f"floc demo, {name} of eight samples")
+            self.number_or_none(value, cells[1], f"floc demo, {name} of six samples")
             self.number_or_none(error, cells[2], f"floc demo, error of {name}")
         own = {r["parameter"]: r["value"] for r in self.rows("floc fit consolidation demo")}
         with self.hanging_on_demo():
             self.number_or_none(fitted["lambda"][3], own.get("lambda"), "floc demo, lambda of the demo")
-        if "not identified" in lines[-1] or "lambda = 0.187 +- 0.024" not in lines[-1]:
+        if "not identified" in lines[-1] or "lambda = 0.171 +- 0.004" not in lines[-1]:
             self.fault(f"floc demo: its last line is {lines[-1]!r}")
 
     def progress(self):

@@ -136,7 +136,7 @@ class Reader:
         self.root.run(self.block(name, "--seeds 1..4"))
 
     def demo_says(self, printed):
-        """The law of eight samples, which the tutorial has too."""
+        """The law of six samples, which the tutorial has too."""
         names = {"P1*": "P1_star", "P0*": "P0_star"}
         tables = self.page["docs/tutorials/powder2d.md"].tables
         for name, value, error, _ in next(rows for header, rows, _ in tables if "standard error" in header):

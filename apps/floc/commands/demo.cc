@@ -42,17 +42,16 @@ int step(const std::string& about, const std::vector<std::string>& arguments, bo
 }
 
 /// Prints the parameters of the consolidation law from two fits: to the sample of this demonstration, and to the mean
-/// of eight samples, which are installed with floc. A parameter that the sample of the demonstration does not determine
+/// of six larger samples, which are installed with floc. A parameter that the sample of the demonstration does not determine
 /// is left empty.
 void print_laws(const std::string& directory, const std::string& tables) {
   fmt::print(stderr,
-             "\n== Parameters of the consolidation law, fitted to the mean of eight samples like this one, and "
-             "to this "
-             "sample\n   floc fit consolidation {}\n   floc fit consolidation {}\n",
+             "\n== Parameters of the consolidation law, fitted to the mean of six samples of 5600 disks, and to "
+             "this sample\n   floc fit consolidation {}\n   floc fit consolidation {}\n",
              tables, directory);
-  const ConsolidationFit eight = consolidation_fit({tables}), one = consolidation_fit({directory});
-  Table table{{"parameter", "eight samples", "stderr", "this sample"}, {}};
-  for (const FittedParameter& p : eight.parameters) {
+  const ConsolidationFit six = consolidation_fit({tables}), one = consolidation_fit({directory});
+  Table table{{"parameter", "six samples", "stderr", "this sample"}, {}};
+  for (const FittedParameter& p : six.parameters) {
     TableValue own;
     for (const FittedParameter& q : one.parameters)
       if (q.name == p.name && q.value) own = *q.value;
@@ -60,17 +59,17 @@ void print_laws(const std::string& directory, const std::string& tables) {
                           p.standard_error ? TableValue(*p.standard_error) : TableValue(), own});
   }
   write_table(std::cout, table, TableFormat::table);
-  for (const FittedParameter& p : eight.parameters)
+  for (const FittedParameter& p : six.parameters)
     if (p.name == "lambda" && p.value && p.standard_error)
       fmt::print(
           "A single sample of 400 disks collapses in jumps, at pressures that differ between samples; the mean "
-          "of eight samples has lambda = {:.3f} +- {:.3f}\n",
+          "of six samples of 5600 disks has lambda = {:.3f} +- {:.3f}\n",
           *p.value, *p.standard_error);
   std::fflush(stdout);
 }
 
 int run_demo(const std::string& directory) {
-  const std::string scene = shipped("scenes/demo.toml"), tables = shipped("tables/demo");
+  const std::string scene = shipped("scenes/demo.toml"), tables = shipped("tables/consolidation");
   const auto began = std::chrono::steady_clock::now();
   const std::string picture = directory + "/forces.svg", page = directory + "/report.html";
   pass_signals_on();

@@ -787,7 +787,7 @@ class Test:
         return max((float(r["P"]), int(r["step"])) for r in states if r["state"] == state)[1]
 
     def tradeoff(self):
-        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/tradeoff/tradeoff.csv"))))
+        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/tradeoff/disks-cohesive.csv"))))
 
         def error(row):
             values = [float(row[name]) for name in ("error_before_high", "error_after_high") if row[name]]
@@ -797,7 +797,7 @@ class Test:
             chosen = {r["observable"]: r for r in rows if r["knob"] == knob and r["value"] == value}
             what = f"tradeoff {knob} {value}"
             if not chosen:
-                self.fault(what + ": not in data/tables/tradeoff/tradeoff.csv")
+                self.fault(what + ": not in data/tables/tradeoff/disks-cohesive.csv")
                 continue
             any_row = chosen.get("phi", chosen.get("B"))
             self.number(cost, any_row["cost_ratio"], what + ", cost_ratio")

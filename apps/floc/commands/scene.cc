@@ -17,6 +17,7 @@
 #include "floc/tables/size_rows.h"
 #include "process/command.h"
 #include "process/output.h"
+#include "process/prices_option.h"
 #include "process/printing.h"
 
 namespace floc {
@@ -25,6 +26,7 @@ namespace {
 struct SceneArguments {
   std::string path;
   std::vector<std::string> overrides;
+  std::string prices;
   /// Name of the csv file for the sizes of the grains beside those that the scene asks for; if empty, no file is written.
   std::string sizes;
   Printing printing;
@@ -32,7 +34,7 @@ struct SceneArguments {
 };
 
 int check_scene(const SceneArguments& arguments) {
-  const Scene scene = read_scene(arguments.path, arguments.overrides);
+  const Scene scene = read_scene(arguments.path, arguments.overrides, arguments.prices);
   Table table{{"group", "value", "meaning"}, {}};
   for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.printing);
@@ -91,6 +93,7 @@ Command add_scene(CommandLine program) {
       .add_option("--set", arguments->overrides,
                   "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
+  add_prices_option(check, arguments->prices);
   check.add_option(
       "--sizes", arguments->sizes,
       "csv file to write, with one row per interval of diameters (between two sieves of a sieve curve, "

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "floc/elasticity/moduli.h"
-#include "floc/scene/numerical_settings.h"
+#include "floc/prices/numerical_settings.h"
 #include "floc/scene/scene.h"
 
 namespace floc {

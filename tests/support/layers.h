@@ -45,9 +45,9 @@ inline const LayerOrder& layer_order() {
       {"picture", {"structure", "elasticity", "packing", "lattice"}},
       {"tradeoff", {"scene", "loading", "elasticity", "structure", "fitting"}},
       {"campaign", {"scene", "loading", "io"}},
-      {"planning", {"campaign", "fitting", "prices", "scene", "tradeoff"}},
       {"tables",
        {"elasticity", "fitting", "io", "lattice", "rigid", "run_directory", "structure", "verification"}},
+      {"planning", {"campaign", "fitting", "prices", "scene", "tables", "tradeoff"}},
   };
   return order;
 }

@@ -63,7 +63,7 @@ class PriceModel {
 
   int measured_grains() const { return n_grains_; }
   /// Smallest and largest number of grains for which the model is used: not fewer than were measured, and not more than
-  /// a hundred times as many. Both are that of the scene if its diameters are listed.
+  /// fifty times as many. Both are that of the scene if its diameters are listed.
   int least_grains() const { return least_grains_; }
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }

@@ -1,3 +1,5 @@
+#include "floc/planning/plan.h"
+
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -9,7 +11,6 @@
 #include "floc/io/atomic_file.h"
 #include "floc/planning/duration.h"
 #include "floc/planning/pilot.h"
-#include "floc/planning/plan.h"
 #include "floc/planning/plan_check.h"
 #include "floc/planning/plan_file.h"
 #include "floc/scene/read_scene.h"
@@ -17,8 +18,8 @@
 #include "floc/scene/scene_prices.h"
 #include "process/command.h"
 #include "process/output.h"
-#include "process/printing.h"
 #include "process/prices_option.h"
+#include "process/printing.h"
 
 namespace floc {
 namespace {
@@ -45,9 +46,9 @@ struct PlanArguments {
 };
 
 Table table_of(const PlanChoice& choice, const std::string& kind) {
-  Table table{{"plan", "observable", "error", "n_grains", "n_samples", "knob", "value", "cpu_hours", "wall_hours",
-               "memory_mb", "error_settings", "error_size", "error_scatter", "tolerance", "time_step", "finish",
-               "patience", "kind"},
+  Table table{{"plan", "observable", "error", "n_grains", "n_samples", "knob", "value", "cpu_hours",
+               "wall_hours", "memory_mb", "error_settings", "error_size", "error_scatter", "tolerance",
+               "time_step", "finish", "patience", "kind"},
               {}};
   for (std::size_t p = 0; p < choice.plans.size(); ++p) {
     const Plan& plan = choice.plans[p];
@@ -58,8 +59,8 @@ Table table_of(const PlanChoice& choice, const std::string& kind) {
                             std::int64_t{plan.n_grains}, std::int64_t{plan.n_samples}, plan.settings.parameter,
                             plan.settings.value, plan.core_seconds / kSecondsPerHour,
                             plan.wall_seconds / kSecondsPerHour, plan.memory_mb, error.settings, error.size,
-                            error.scatter, s.tolerance, s.time_step, std::string(finish_name(s.finish)), s.patience,
-                            kind});
+                            error.scatter, s.tolerance, s.time_step, std::string(finish_name(s.finish)),
+                            s.patience, kind});
     }
   }
   return table;
@@ -70,8 +71,10 @@ Table table_of(const PlanChoice& choice, const std::string& kind) {
 std::optional<PriceTable> prices_for(const PlanArguments& arguments, const Scene& scene) {
   ScenePrices found = prices_of(scene, arguments.prices);
   if (!found.table && !arguments.pilot)
-    throw InputError(arguments.scene, found.problem + "; --pilot measures the costs and the scatter of this scene");
-  if (!found.table) spdlog::info("{}: {}; the plan is made from the pilot alone", arguments.scene, found.problem);
+    throw InputError(arguments.scene,
+                     found.problem + "; --pilot measures the costs and the scatter of this scene");
+  if (!found.table)
+    spdlog::info("{}: {}; the plan is made from the pilot alone", arguments.scene, found.problem);
   return std::move(found.table);
 }
 
@@ -86,7 +89,8 @@ PilotResult measured_pilot(const Scene& scene, const std::optional<double>& budg
 /// Says in words what the best plan is, and what the promised errors leave out.
 void tell(const Plan& best, const PriceModel& model, const PlanRequest& request) {
   spdlog::info(
-      "the best plan: {} sample{} of {} grains with {}, {} of processor time, {} on {} core{}. Errors are relative half "
+      "the best plan: {} sample{} of {} grains with {}, {} of processor time, {} on {} core{}. Errors are "
+      "relative half "
       "widths of 95 % intervals",
       best.n_samples, best.n_samples == 1 ? "" : "s", best.n_grains, best.settings.name(),
       duration_in_words(best.core_seconds), duration_in_words(best.wall_seconds), request.cores,
@@ -95,8 +99,9 @@ void tell(const Plan& best, const PriceModel& model, const PlanRequest& request)
     spdlog::info("this is less than the budget: a plan has at most {} samples and {} grains here", kMostSamples,
                  model.most_grains());
   if (!model.knows_settings())
-    spdlog::info("the errors that the numerical settings cause, and those of the finite size, are not known without a "
-                 "table of prices: the errors here are those of the scatter between samples");
+    spdlog::info(
+        "the errors that the numerical settings cause, and those of the finite size, are not known without a "
+        "table of prices: the errors here are those of the scatter between samples");
   if (best.n_grains > kFarExtrapolation * model.measured_grains())
     spdlog::info("the prices were measured with {} grains: they are extrapolated far beyond that",
                  model.measured_grains());
@@ -117,14 +122,17 @@ int make_plan(PlanArguments& arguments) {
   PlanRequest& request = arguments.request;
   if (!arguments.budget.empty()) request.budget = duration_of("--budget", arguments.budget);
   if (!request.budget && arguments.wants.empty())
-    throw InputError("floc plan", "expected --budget, the time that may be spent, or --want, the errors that are wanted");
+    throw InputError("floc plan",
+                     "expected --budget, the time that may be spent, or --want, the errors that are wanted");
   const Scene scene = read_scene(arguments.scene, arguments.overrides);
   if (!scene.accuracy.empty())
-    throw InputError(arguments.scene, "floc plan chooses the numerical settings itself: remove the table [accuracy]");
-  if (scene.starts_from_state())
     throw InputError(arguments.scene,
-                     "assembly.protocol = \"state\": a plan needs samples with any number of grains, which requires a "
-                     "gas in place of a saved state: expected \"direct\" or \"aggregation\"");
+                     "floc plan chooses the numerical settings itself: remove the table [accuracy]");
+  if (scene.starts_from_state())
+    throw InputError(
+        arguments.scene,
+        "assembly.protocol = \"state\": a plan needs samples with any number of grains, which requires a "
+        "gas in place of a saved state: expected \"direct\" or \"aggregation\"");
   std::optional<PriceTable> table = prices_for(arguments, scene);
   const std::string prices = table ? table->name() : "pilot";
   std::optional<PilotResult> pilot;
@@ -145,8 +153,8 @@ int check_plan_of(const PlanArguments& arguments) {
   Table table{{"quantity", "unit", "promised", "achieved", "ratio", "mean", "n_samples"}, {}};
   for (const PlanCheck& c : check_plan(campaign, plans, arguments.check))
     table.rows.push_back({c.quantity, c.unit, c.promised, or_undefined(c.achieved),
-                          c.achieved ? TableValue(*c.achieved / c.promised) : TableValue(), or_undefined(c.mean),
-                          std::int64_t{c.n_samples}});
+                          c.achieved ? TableValue(*c.achieved / c.promised) : TableValue(),
+                          or_undefined(c.mean), std::int64_t{c.n_samples}});
   print_table(table, arguments.printing);
   return kDone;
 }
@@ -154,22 +162,25 @@ int check_plan_of(const PlanArguments& arguments) {
 }  // namespace
 
 Command add_plan(CommandLine program) {
-  CommandLine app = program.add_subcommand(
-      "plan",
-      "Choose the number of grains, the number of samples and the numerical settings of a scene for a budget, or for "
-      "wanted errors");
+  CommandLine app = program.add_subcommand("plan",
+                                           "Choose the number of grains, the number of samples and the "
+                                           "numerical settings of a scene for a budget, or for "
+                                           "wanted errors");
   const auto arguments = std::make_shared<PlanArguments>();
   app.add_option("SCENE", arguments->scene, "scene file (TOML)");
-  const Option budget = app.add_option("--budget", arguments->budget,
-                                       "time that the runs may take on the given number of cores, such as 90s, 30min, "
-                                       "2h, 3d or 1y");
+  const Option budget =
+      app.add_option("--budget", arguments->budget,
+                     "time that the runs may take on the given number of cores, such as 90s, 30min, "
+                     "2h, 3d or 1y");
   const Option want =
-      app.add_option("--want", arguments->wants,
-                     "NAME=ERROR,...: largest accepted relative errors of the means over states and samples, or of "
-                     "fitted values, such as phi=0.003,B=0.03,lambda=0.02")
+      app.add_option(
+             "--want", arguments->wants,
+             "NAME=ERROR,...: largest accepted relative errors of the means over states and samples, or of "
+             "fitted values, such as phi=0.003,B=0.03,lambda=0.02")
           .delimiter(',')
           .one_argument_each();
-  app.add_option("--cores", arguments->request.cores, "number of cores, each of which makes one sample at a time")
+  app.add_option("--cores", arguments->request.cores,
+                 "number of cores, each of which makes one sample at a time")
       .within(PlanRequest::kCores)
       .show_default();
   app.add_option("--observables", arguments->request.observables,
@@ -181,15 +192,18 @@ Command add_plan(CommandLine program) {
                  "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
   add_prices_option(app, arguments->prices);
-  const Option pilot = app.add_flag("--pilot", arguments->pilot,
-                                    "run a few small samples of the scene first, and take the costs and the scatter "
-                                    "between samples from them");
-  const Option output = app.add_option("-o,--output", arguments->output,
-                                       "campaign file to write, which makes the samples of the best plan; a scene file "
-                                       "if the plan has one sample");
-  app.add_option("--check", arguments->check,
-                 "DIR: compare the runs of a campaign that floc plan has written with the errors and the cost that it "
-                 "promised")
+  const Option pilot =
+      app.add_flag("--pilot", arguments->pilot,
+                   "run a few small samples of the scene first, and take the costs and the scatter "
+                   "between samples from them");
+  const Option output =
+      app.add_option("-o,--output", arguments->output,
+                     "campaign file to write, which makes the samples of the best plan; a scene file "
+                     "if the plan has one sample");
+  app.add_option(
+         "--check", arguments->check,
+         "DIR: compare the runs of a campaign that floc plan has written with the errors and the cost that it "
+         "promised")
       .excludes(budget)
       .excludes(want)
       .excludes(pilot)
@@ -197,7 +211,8 @@ Command add_plan(CommandLine program) {
   add_printing_options(app, arguments->printing);
   return {app, [arguments] {
             if (!arguments->check.empty()) return check_plan_of(*arguments);
-            if (arguments->scene.empty()) throw InputError("floc plan", "expected a scene file, or --check DIR");
+            if (arguments->scene.empty())
+              throw InputError("floc plan", "expected a scene file, or --check DIR");
             return make_plan(*arguments);
           }};
 }

@@ -268,8 +268,8 @@ std::optional<PlanPromise> read_promise(TableReader& root) {
   promise.errors = t.flat_numbers("errors");
   for (const auto& [name, error] : promise.errors)
     if (!(error > 0.0))
-      t.fault("errors", fmt::format("{}.{} = {}: expected a positive number (relative error)", t.path_of("errors"),
-                                    name, error));
+      t.fault("errors", fmt::format("{}.{} = {}: expected a positive number (relative error)",
+                                    t.path_of("errors"), name, error));
   t.refuse_other_keys();
   return promise;
 }

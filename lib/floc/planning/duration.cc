@@ -50,9 +50,10 @@ double duration_of(const std::string& name, const std::string& text) {
   const auto unit = seconds_of(word);
   const double seconds = value && unit ? *value * *unit : 0.0;
   if (!(seconds > 0.0) || !std::isfinite(seconds))
-    throw InputError(name + " " + text,
-                     "expected a positive number with one of the units s, min, h, d and y, such as 90s, 30min, 2h, "
-                     "1.5d or 1y");
+    throw InputError(
+        name + " " + text,
+        "expected a positive number with one of the units s, min, h, d and y, such as 90s, 30min, 2h, "
+        "1.5d or 1y");
   return seconds;
 }
 

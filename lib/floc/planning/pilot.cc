@@ -31,11 +31,13 @@ std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples,
     SamplePath path = make_sample(run_options(scene, setting, scene.seed + static_cast<std::uint64_t>(k)), {},
                                   nullptr, deadline);
     if (path.out_of_time)
-      throw NoResult(fmt::format("--pilot: the samples of {} grains are not complete within {} of processor time: give "
-                                 "a larger budget, or a shorter load path",
-                                 n_grains, duration_in_words(limit)));
+      throw NoResult(
+          fmt::format("--pilot: the samples of {} grains are not complete within {} of processor time: give "
+                      "a larger budget, or a shorter load path",
+                      n_grains, duration_in_words(limit)));
     if (!path.whole())
-      throw NoResult(fmt::format("--pilot: a sample of {} grains has no equilibrium: {}", n_grains, path.failure));
+      throw NoResult(
+          fmt::format("--pilot: a sample of {} grains has no equilibrium: {}", n_grains, path.failure));
     for (ObservedState& state : path.states) state.state.packing.contacts.clear();
     paths.push_back(std::move(path));
   }
@@ -62,7 +64,8 @@ std::vector<ObservablePrice> scatter_between(const std::vector<SamplePath>& path
   for (int k = 0; k < kObservables; ++k) {
     std::vector<double> means, sizes;
     for (const SamplePath& path : paths) {
-      means.push_back(mean_over_states(path, [k](const Observation& o) { return o[static_cast<std::size_t>(k)]; }));
+      means.push_back(
+          mean_over_states(path, [k](const Observation& o) { return o[static_cast<std::size_t>(k)]; }));
       sizes.push_back(mean_over_states(path, [k](const Observation& o) { return floc::size_of(k, o, o); }));
     }
     const SampleMean mean = mean_of_samples(means), size = mean_of_samples(sizes);
@@ -77,12 +80,13 @@ std::vector<ObservablePrice> scatter_between(const std::vector<SamplePath>& path
 
 PilotResult run_pilot(const Scene& scene, double limit) {
   if (scene.starts_from_state())
-    throw InputError("assembly.protocol = \"state\"",
-                     "a plan needs samples with any number of grains, which requires a gas in place of a saved state: "
-                     "expected \"direct\" or \"aggregation\"");
+    throw InputError(
+        "assembly.protocol = \"state\"",
+        "a plan needs samples with any number of grains, which requires a gas in place of a saved state: "
+        "expected \"direct\" or \"aggregation\"");
   const bool is_listed = scene.grains.diameter.kind == DiameterDistribution::Kind::list;
-  const int n_large = is_listed ? scene.grains.count
-                                : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);
+  const int n_large =
+      is_listed ? scene.grains.count : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);
   const Deadline deadline(limit);
   const std::vector<SamplePath> large = samples(scene, n_large, kSamples, deadline, limit);
   PilotResult result{n_large, kSamples, mean_seconds(large), 0.5 * (kLeastExponent + kLargestExponent),

@@ -17,6 +17,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Factor by which a budget may be exceeded because of rounding errors.
+constexpr double kRounding = 1.0 + 1e-12;
+
 /// Ratio of two successive numbers of grains among which a plan is chosen.
 constexpr double kStepOfGrains = 1.1;
 
@@ -54,7 +57,8 @@ class PlanSearch {
     std::vector<ScoredPlan> found = plans_of_settings(kLeastSamples);
     if (found.empty()) found = plans_of_settings(1);
     if (found.empty()) refuse();
-    std::stable_sort(found.begin(), found.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
     PlanChoice choice{observables_, {}};
     for (auto& [score, plan] : found)
       if (static_cast<int>(choice.plans.size()) < n_plans) choice.plans.push_back(std::move(plan));
@@ -108,7 +112,7 @@ class PlanSearch {
   /// Returns the largest number of samples of a number of grains that fits into the budget; 0 if none does.
   int samples_in_budget(const PricedSettings& settings, int n_grains) const {
     if (!request_.budget) return kMostSamples;
-    const double rounds = std::floor(*request_.budget / model_.core_seconds(settings, n_grains));
+    const double rounds = std::floor(kRounding * *request_.budget / model_.core_seconds(settings, n_grains));
     return static_cast<int>(std::min(rounds * request_.cores, static_cast<double>(kMostSamples)));
   }
 
@@ -140,7 +144,8 @@ class PlanSearch {
     std::optional<Plan> best;
     for (const int n_grains : sizes_)
       if (const int n = samples_for_wants(settings, n_grains); n > 0)
-        if (Plan here = plan(settings, n_grains, std::max(n, least_samples)); !best || here.core_seconds < best->core_seconds)
+        if (Plan here = plan(settings, n_grains, std::max(n, least_samples));
+            !best || here.core_seconds < best->core_seconds)
           best = std::move(here);
     return best;
   }
@@ -159,13 +164,15 @@ class PlanSearch {
     std::vector<std::string> problems;
     for (const auto& [k, wanted] : wanted_)
       if (const double least = least_error(k); !std::isfinite(least))
-        problems.push_back(fmt::format("{0}={1:g}: the table has no error of {0} that numerical settings cause; "
-                                       "leave it out",
-                                       observables_[k].name, wanted));
+        problems.push_back(
+            fmt::format("{0}={1:g}: the table has no error of {0} that numerical settings cause; "
+                        "leave it out",
+                        observables_[k].name, wanted));
       else if (wanted < least)
-        problems.push_back(fmt::format("{}={:g}: expected at least {:.2g}, the smallest error that any settings leave "
-                                       "with up to {} grains and {} samples",
-                                       observables_[k].name, wanted, least * 1.005, sizes_.back(), kMostSamples));
+        problems.push_back(
+            fmt::format("{}={:g}: expected at least {:.2g}, the smallest error that any settings leave "
+                        "with up to {} grains and {} samples",
+                        observables_[k].name, wanted, least * 1.005, sizes_.back(), kMostSamples));
     if (!problems.empty()) throw InputError("--want", fmt::format("{}", fmt::join(problems, "; ")));
   }
 
@@ -196,12 +203,13 @@ class PlanSearch {
       for (const int n_grains : sizes_) {
         double worst = 0.0;
         for (const auto& [k, wanted] : wanted_)
-          worst = std::max(worst,
-                           model_.error(observables_[k], settings, n_grains, kMostSamples).total() / wanted);
+          worst =
+              std::max(worst, model_.error(observables_[k], settings, n_grains, kMostSamples).total() / wanted);
         nearest = std::min(nearest, worst);
       }
-    throw InputError("--want", "no settings keep all of these errors at once; the nearest that can be had are " +
-                                   scaled_wants(1.005 * nearest));
+    throw InputError("--want",
+                     "no settings keep all of these errors at once; the nearest that can be had are " +
+                         scaled_wants(1.005 * nearest));
   }
 
   std::string scaled_wants(double factor) const {
@@ -220,16 +228,17 @@ class PlanSearch {
         if (n_samples < 1) continue;
         double worst = 0.0;
         for (const auto& [k, wanted] : wanted_)
-          worst = std::max(worst, model_.error(observables_[k], settings, n_grains, n_samples).total() / wanted);
+          worst =
+              std::max(worst, model_.error(observables_[k], settings, n_grains, n_samples).total() / wanted);
         nearest = std::min(nearest, worst);
       }
     throw InputError(
         "--budget " + duration_in_words(*request_.budget),
         fmt::format("the wanted errors take {} on {} core{}: expected at least that{}",
                     duration_in_words(least.wall_seconds), request_.cores, request_.cores == 1 ? "" : "s",
-                    std::isfinite(nearest)
-                        ? ", or larger errors; the nearest that the budget allows are " + scaled_wants(1.005 * nearest)
-                        : ""));
+                    std::isfinite(nearest) ? ", or larger errors; the nearest that the budget allows are " +
+                                                 scaled_wants(1.005 * nearest)
+                                           : ""));
   }
 
   const PriceModel& model_;
@@ -246,9 +255,15 @@ Plan plan_of(const PriceModel& model, const std::vector<ObservablePrice>& observ
              const PricedSettings& settings, int n_grains, int n_samples, int cores) {
   const double seconds = model.core_seconds(settings, n_grains);
   const double rounds = std::ceil(static_cast<double>(n_samples) / cores);
-  Plan plan{settings,         n_grains, n_samples, seconds * n_samples, seconds * rounds,
-            model.memory_mb(n_grains) * std::min(cores, n_samples), {}};
-  for (const ObservablePrice& o : observables) plan.errors.push_back(model.error(o, settings, n_grains, n_samples));
+  Plan plan{settings,
+            n_grains,
+            n_samples,
+            seconds * n_samples,
+            seconds * rounds,
+            model.memory_mb(n_grains) * std::min(cores, n_samples),
+            {}};
+  for (const ObservablePrice& o : observables)
+    plan.errors.push_back(model.error(o, settings, n_grains, n_samples));
   return plan;
 }
 
@@ -272,18 +287,22 @@ std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::stri
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const std::string name = text.substr(0, equals);
-    const auto error = equals == std::string::npos ? std::nullopt : parse_number<double>(text.substr(equals + 1));
+    const auto error =
+        equals == std::string::npos ? std::nullopt : parse_number<double>(text.substr(equals + 1));
     if (!error || !(*error > 0.0) || !std::isfinite(*error))
-      throw InputError("--want " + text, "expected NAME=ERROR with a positive relative error, such as phi=0.003");
+      throw InputError("--want " + text,
+                       "expected NAME=ERROR with a positive relative error, such as phi=0.003");
     std::vector<std::string> meant = {name};
     if (std::find(names.begin(), names.end(), name) == names.end() &&
         std::find(keys.begin(), keys.end(), name) != keys.end())
       meant = observables_of(name);
-    std::erase_if(meant, [&](const auto& m) { return std::find(names.begin(), names.end(), m) == names.end(); });
+    std::erase_if(meant,
+                  [&](const auto& m) { return std::find(names.begin(), names.end(), m) == names.end(); });
     if (meant.empty())
-      throw InputError("--want " + text, fmt::format("{} is not a quantity of this scene with a price: expected one of "
-                                                     "{}; the nearest is {}",
-                                                     name, fmt::join(names, ", "), nearest_name(name, names)));
+      throw InputError("--want " + text,
+                       fmt::format("{} is not a quantity of this scene with a price: expected one of "
+                                   "{}; the nearest is {}",
+                                   name, fmt::join(names, ", "), nearest_name(name, names)));
     for (const std::string& m : meant) {
       if (std::any_of(wants.begin(), wants.end(), [&](const auto& w) { return w.first == m; }))
         throw InputError("--want " + text, m + " is wanted twice: expected each quantity once");

@@ -26,9 +26,9 @@ struct PlanRequest {
 struct Plan {
   PricedSettings settings;
   int n_grains = 0, n_samples = 0;
-  double core_seconds = 0.0;  ///< processor time of all samples (s)
-  double wall_seconds = 0.0;  ///< wall time of all samples on the cores of the request (s)
-  double memory_mb = 0.0;     ///< largest memory of the samples that run at the same time (MB)
+  double core_seconds = 0.0;        ///< processor time of all samples (s)
+  double wall_seconds = 0.0;        ///< wall time of all samples on the cores of the request (s)
+  double memory_mb = 0.0;           ///< largest memory of the samples that run at the same time (MB)
   std::vector<ErrorBudget> errors;  ///< one for each of PlanChoice::observables
 };
 

@@ -17,9 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Parameters of the fit of the consolidation law, in tables of prices and in those of fits alike.
-const std::vector<std::string> kFitted = {"lambda", "alpha", "Phi_max"};
-
 /// Returns a value of an override in the notation of TOML: a word without quotation marks is a string.
 std::string as_toml(const std::string& value) {
   const bool is_quoted = !value.empty() && std::string("\"'[{").find(value.front()) != std::string::npos;
@@ -55,8 +52,7 @@ std::string quoted_list(const std::vector<std::string>& names) {
 std::string collections_of(const std::vector<ObservablePrice>& observables) {
   std::string text;
   std::vector<std::string> taken;
-  const bool has_fit =
-      std::ranges::any_of(observables, [](const auto& o) { return std::ranges::count(kFitted, o.name) > 0; });
+  const bool has_fit = std::ranges::any_of(observables, [](const auto& o) { return is_fitted(o.name); });
   for (const char* table : {"path.csv", "moduli", "network", "structure"}) {
     std::vector<std::string> columns = columns_in(table, observables, taken);
     const std::string name = fs::path(table).stem().string();
@@ -75,12 +71,18 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
     if (std::isfinite(plan.errors[k].total()))
       errors.push_back(fmt::format("{} = {:.4g}", observables[k].name, plan.errors[k].total()));
   return fmt::format(
-      "\n[plan]                          # what floc plan --check DIR compares the runs with\nsettings = \"{}\"\n"
-      "prices = '{}'\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, over the values\nerrors = {{{}}}\n",
+      "\n[plan]                          # what floc plan --check DIR compares the runs with\nsettings = "
+      "\"{}\"\n"
+      "prices = '{}'\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, over the values\nerrors = "
+      "{{{}}}\n",
       plan.settings.name(), prices, plan.core_seconds, fmt::join(errors, ", "));
 }
 
 }  // namespace
+
+bool is_fitted(const std::string& observable) {
+  return observable == "lambda" || observable == "alpha" || observable == "Phi_max";
+}
 
 std::vector<std::string> changes_of(const Plan& plan, const Scene& scene) {
   std::vector<std::string> changes;
@@ -92,7 +94,8 @@ std::vector<std::string> changes_of(const Plan& plan, const Scene& scene) {
         chosen.parameter == "gap_tolerance" || chosen.parameter == "finish")
       changes.push_back(fmt::format("dynamics.{}={}", chosen.parameter, chosen.value));
     else if (!is_of_scene)
-      throw InputError(chosen.name(), "settings of several parameters of rigid grains cannot be written into a scene");
+      throw InputError(chosen.name(),
+                       "settings of several parameters of rigid grains cannot be written into a scene");
     return changes;
   }
   const NumericalSettings& s = chosen.settings;
@@ -112,7 +115,8 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
   for (const std::string& change : changes_of(plan, scene)) changes.push_back(change);
   if (plan.n_samples == 1)
     return fmt::format(
-        "# One sample, as floc plan chose it for {}: run floc run {} -o DIR. Promised: {:.4g} s of processor time.\n"
+        "# One sample, as floc plan chose it for {}: run floc run {} -o DIR. Promised: {:.4g} s of processor "
+        "time.\n"
         "{}",
         source.scene_file, output, plan.core_seconds, read_scene(source.scene_file, changes).text);
   std::vector<std::string> settings;
@@ -121,7 +125,8 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
   std::string text = fmt::format(
       "# A plan for {0}, made by floc plan: {1} samples of {2} grains. The commands\n#\n"
       "#   floc campaign plan {3} -o {4}\n#   cd {4} && snakemake --cores 2\n#   floc plan --check {4}\n#\n"
-      "# make its runs and tables, and compare them with the plan.\n\n[campaign]\nscene = \"{5}\"\nseeds = \"{6}..{7}\"\n",
+      "# make its runs and tables, and compare them with the plan.\n\n[campaign]\nscene = \"{5}\"\nseeds = "
+      "\"{6}..{7}\"\n",
       scene.name, plan.n_samples, plan.n_grains, output, fs::path(output).stem().string(),
       fs::absolute(source.scene_file).lexically_proximate(folder).generic_string(), scene.seed,
       scene.seed + static_cast<std::uint64_t>(plan.n_samples) - 1);

@@ -14,6 +14,9 @@ struct PlanSource {
   std::string prices;                  ///< table of prices, or pilot, in words
 };
 
+/// Whether an observable is a parameter of the fit of the consolidation law to paths.
+bool is_fitted(const std::string& observable);
+
 /// Returns the changes of a scene, as texts "key.path=value", that a plan makes: the number of grains and the numerical
 /// settings.
 /// @throws InputError if the settings are those of a table row that a scene cannot have

@@ -32,7 +32,8 @@ constexpr double kProgramMemory = 36.0;
 constexpr double kMemoryOfDisk = 0.006, kMemoryOfSphere = 0.03;
 
 double number_or_nan(const std::string& text) {
-  return parse_number<double>(text.substr(0, text.find(' '))).value_or(std::numeric_limits<double>::quiet_NaN());
+  return parse_number<double>(text.substr(0, text.find(' ')))
+      .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /// Returns the rows of a table about one observable with one parameter.
@@ -44,21 +45,21 @@ std::vector<const PriceRow*> rows_of(const PriceTable& table, const std::string&
   return found;
 }
 
-/// Returns the standard deviation between samples over the mean; NaN if the table does not tell it.
-double scatter_of(const PriceTable& table, const std::string& observable) {
+/// Returns the standard deviation between samples of `n_grains` grains over the mean; NaN if the table does not tell it.
+double scatter_of(const PriceTable& table, const std::string& observable, int n_grains) {
   for (const PriceRow& row : table.rows)
     if (row.observable == observable && row.sample_scatter > 0.0) return row.sample_scatter;
   // Tables of older versions: the standard error of a mean over n samples.
   for (const PriceRow* row : rows_of(table, "samples", observable))
     if (row->mean_stderr > 0.0) return row->mean_stderr * std::sqrt(number_or_nan(row->value));
-  // Fits in tables of older versions: a difference of two fits, each to n samples, scatters by sqrt(2/n) times as much
-  // as the fit to a sample. The root mean square over all settings is more precise than that of one.
+  // Fits in tables of older versions: the difference of the fits to two sets of n independent samples, of N and of n0
+  // grains, has the variance s^2 (n0/N + 1)/n, where s is the scatter between samples of n0 grains.
   double squares = 0.0;
   int n = 0;
-  for (const PricedSettings& settings : settable_prices(table)) {
-    const auto row = settings.of.find(observable);
-    if (row == settings.of.end() || !(row->second->mean_stderr > 0.0)) continue;
-    squares += std::pow(row->second->mean_stderr, 2) * row->second->n_samples / 2.0;
+  for (const PriceRow* row : rows_of(table, "count", observable)) {
+    if (!(row->mean_stderr > 0.0) || row->n_grains <= 0) continue;
+    const double ratio = static_cast<double>(n_grains) / row->n_grains;
+    squares += std::pow(row->mean_stderr, 2) * row->n_samples / (ratio + 1.0);
     ++n;
   }
   return n > 0 ? std::sqrt(squares / n) : std::numeric_limits<double>::quiet_NaN();
@@ -135,12 +136,14 @@ void PriceModel::take_table() {
   const auto row = std::find_if(table_->rows.begin(), table_->rows.end(),
                                 [](const PriceRow& r) { return r.parameter == "scene"; });
   if (row == table_->rows.end() || row->n_grains <= 0 || !(row->core_seconds > 0.0))
-    throw InputError(table_->place,
-                     "this table lacks a row with the knob scene, or its columns n_grains and core_seconds: expected "
-                     "a table that floc tradeoff --format csv of this version of floc has written");
+    throw InputError(
+        table_->place,
+        "this table lacks a row with the knob scene, or its columns n_grains and core_seconds: expected "
+        "a table that floc tradeoff --format csv of this version of floc has written");
   n_grains_ = least_grains_ = row->n_grains;
   for (const PriceRow& other : table_->rows)
-    if (other.parameter == "count" && other.n_grains > 0) least_grains_ = std::min(least_grains_, other.n_grains);
+    if (other.parameter == "count" && other.n_grains > 0)
+      least_grains_ = std::min(least_grains_, other.n_grains);
   most_grains_ = n_grains_ * kExtrapolation;
   cost_exponent_ = exponent_of(*table_, *row);
   if (row->n_states > 0) {
@@ -149,7 +152,7 @@ void PriceModel::take_table() {
   }
   for (const std::string& name : table_->observables()) {
     const PriceRow* reference = table_->find("strict", "all", name);
-    const double scatter = scatter_of(*table_, name);
+    const double scatter = scatter_of(*table_, name, n_grains_);
     if (reference == nullptr || !(scatter > 0.0) || reference->n_samples < 2) continue;
     observables_.push_back({name, reference->unit, scatter, reference->n_samples - 1,
                             size_of_table(*table_, name, n_grains_, size_exponent_)});
@@ -169,7 +172,8 @@ void PriceModel::take_pilot(const PilotResult& pilot) {
     most_grains_ = n_grains_ * kExtrapolation;
   } else {
     cost_factor_ *= pilot.core_seconds / core_seconds(settings_of_scene(), pilot.n_grains);
-    cost_factor_ *= std::pow(static_cast<double>(n_grains_) / pilot.n_grains, pilot.cost_exponent - cost_exponent_);
+    cost_factor_ *=
+        std::pow(static_cast<double>(n_grains_) / pilot.n_grains, pilot.cost_exponent - cost_exponent_);
   }
   cost_exponent_ = pilot.cost_exponent;
   for (const ObservablePrice& measured : pilot.observables) {
@@ -193,10 +197,11 @@ const ObservablePrice& PriceModel::observable(const std::string& name, const std
     if (o.name == name) return o;
     names.push_back(o.name);
   }
-  throw InputError(place, fmt::format("{} is not a quantity of this scene that {} has: expected one of {}; the nearest "
-                                      "is {}",
-                                      name, table_ ? "the " + table_->name() : "the pilot", fmt::join(names, ", "),
-                                      nearest_name(name, names)));
+  throw InputError(
+      place, fmt::format("{} is not a quantity of this scene that {} has: expected one of {}; the nearest "
+                         "is {}",
+                         name, table_ ? "the " + table_->name() : "the pilot", fmt::join(names, ", "),
+                         nearest_name(name, names)));
 }
 
 double PriceModel::core_seconds(const PricedSettings& settings, double n_grains) const {
@@ -216,8 +221,8 @@ double PriceModel::size_error(const ObservablePrice& observable, double n_grains
   return observable.size ? *observable.size * std::pow(n_grains, -size_exponent_) : 0.0;
 }
 
-ErrorBudget PriceModel::error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
-                              double n_samples) const {
+ErrorBudget PriceModel::error(const ObservablePrice& observable, const PricedSettings& settings,
+                              double n_grains, double n_samples) const {
   ErrorBudget error;
   if (table_) {
     error.settings = settings_error(settings, observable.name);
@@ -225,7 +230,8 @@ ErrorBudget PriceModel::error(const ObservablePrice& observable, const PricedSet
     if (std::isnan(error.settings)) error.settings = std::numeric_limits<double>::infinity();
   }
   error.size = size_error(observable, n_grains);
-  error.scatter = student_t_95(observable.dof) * observable.scatter * std::sqrt(n_grains_ / (n_grains * n_samples));
+  error.scatter =
+      student_t_95(observable.dof) * observable.scatter * std::sqrt(n_grains_ / (n_grains * n_samples));
   return error;
 }
 

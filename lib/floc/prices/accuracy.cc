@@ -40,9 +40,9 @@ bool is_of_cell(const std::string& parameter) {
 /// Whether a parameter of a table of prices is one that a scene can give for more accuracy: settings of elastic grains,
 /// then those of rigid grains.
 bool is_settable(const std::string& parameter) {
-  static const std::vector<std::string> kSettable = {
-      "strict",   "scene",    "finish",          "tolerance",    "time_step",
-      "patience", "together", "sweep_tolerance", "gap_tolerance"};
+  static const std::vector<std::string> kSettable = {"strict",    "scene",           "finish",
+                                                     "tolerance", "time_step",       "patience",
+                                                     "together",  "sweep_tolerance", "gap_tolerance"};
   return std::find(kSettable.begin(), kSettable.end(), parameter) != kSettable.end();
 }
 
@@ -56,11 +56,13 @@ std::vector<PricedSettings> candidates_of(const PriceTable& table, bool (*is_wan
       return c.parameter == row.parameter && c.value == row.value;
     });
     if (at == candidates.end())
-      at = candidates.insert(candidates.end(), {row.parameter, row.value, row.settings, row.cost_ratio, row.core_seconds, {}});
+      at = candidates.insert(candidates.end(),
+                             {row.parameter, row.value, row.settings, row.cost_ratio, row.core_seconds, {}});
     at->of[row.observable] = &row;
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const PricedSettings& x, const PricedSettings& y) { return x.cost_ratio < y.cost_ratio; });
+  std::stable_sort(candidates.begin(), candidates.end(), [](const PricedSettings& x, const PricedSettings& y) {
+    return x.cost_ratio < y.cost_ratio;
+  });
   return candidates;
 }
 
@@ -96,7 +98,7 @@ bool is_default(double factor) {
 /// @param parameter  quantity that the factor multiplies: "cell_mass" or "strain_rate_cap"
 /// @param factor  value in the scene over the default value
 const PricedSettings* nearest_beyond(const std::vector<PricedSettings>& of_cell, const std::string& parameter,
-                                double factor) {
+                                     double factor) {
   const auto distance = [&](double f) { return factor > 1.0 ? std::log(f) : -std::log(f); };
   const PricedSettings* nearest = nullptr;
   for (const PricedSettings& c : of_cell) {

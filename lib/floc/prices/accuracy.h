@@ -30,9 +30,9 @@ const std::vector<std::string>& observables_of(const std::string& key);
 struct PricedSettings {
   std::string parameter, value;
   NumericalSettings settings;
-  double cost_ratio;                            ///< processor time over that of the strictest settings
-  double core_seconds;                          ///< processor time of a sample (s)
-  std::map<std::string, const PriceRow*> of;    ///< rows of the table, by the names of the observables
+  double cost_ratio;                          ///< processor time over that of the strictest settings
+  double core_seconds;                        ///< processor time of a sample (s)
+  std::map<std::string, const PriceRow*> of;  ///< rows of the table, by the names of the observables
 
   bool is_reference() const { return parameter == "strict"; }
   std::string name() const { return parameter + " " + value; }
@@ -78,8 +78,7 @@ struct AccuracyChoice {
 /// @param wanted  requested errors, at least one; each key is from accuracy_keys(), each error is positive
 /// @param cells  mass of the cell and cap on its strain rate in the assembly and in each stage of the load path
 /// @pre covers_cell(table, cell) is true for each of `cells`
-[[nodiscard]] AccuracyChoice choose_accuracy(const PriceTable& table,
-                                             const WantedAccuracy& wanted,
+[[nodiscard]] AccuracyChoice choose_accuracy(const PriceTable& table, const WantedAccuracy& wanted,
                                              const std::vector<CellFactors>& cells = {});
 
 /// Whether the table of errors was measured on grains whose stiffness number differs from `kappa` by at most a factor

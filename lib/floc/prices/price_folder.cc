@@ -49,10 +49,11 @@ std::string price_folder() {
       for (const char* place : kPlaces)
         if (std::error_code failed; fs::is_directory(folder / place, failed)) return (folder / place).string();
   }
-  throw InputError("share/floc/tables/tradeoff",
-                   "this folder, with the tables of the errors and costs of numerical settings, is in no folder "
-                   "above the program: install floc again, or give a table that floc tradeoff has written "
-                   "(--prices FILE)");
+  throw InputError(
+      "share/floc/tables/tradeoff",
+      "this folder, with the tables of the errors and costs of numerical settings, is in no folder "
+      "above the program: install floc again, or give a table that floc tradeoff has written "
+      "(--prices FILE)");
 }
 
 std::vector<std::string> priced_kinds() {

@@ -16,8 +16,8 @@ namespace {
 
 /// Columns that the tables of every version of floc have.
 const std::vector<std::string> kColumns = {
-    "knob",      "value",     "observable",        "cost_ratio",       "tolerance",       "time_step",
-    "finish",    "patience",  "error_before_high", "error_after_high", "mean_difference", "mean_error95",
+    "knob",   "value",    "observable",        "cost_ratio",       "tolerance",       "time_step",
+    "finish", "patience", "error_before_high", "error_after_high", "mean_difference", "mean_error95",
     "kappa"};
 
 /// Reads cells of a table of prices. Columns are found by their names.
@@ -121,10 +121,11 @@ PriceTable read_price_table(const std::string& csv, const std::string& place) {
     const Cells one(cells, row);
     const std::string kind = cells.has("kind") ? one.text("kind") : kOldestKind;
     if (row > 0 && kind != table.kind)
-      throw InputError(cells.place(row),
-                       fmt::format("the value of column kind is {}: expected {}, as in the rows before, because a "
-                                   "table is about scenes of one kind",
-                                   kind, table.kind));
+      throw InputError(
+          cells.place(row),
+          fmt::format("the value of column kind is {}: expected {}, as in the rows before, because a "
+                      "table is about scenes of one kind",
+                      kind, table.kind));
     table.kind = kind;
     table.rows.push_back(row_of(one));
   }

@@ -101,16 +101,18 @@ ScenePrices prices_of(const Scene& scene, const std::string& file) {
   std::optional<PriceTable> table =
       file.empty() ? shipped_prices(kind) : read_price_table(read_text(file), file);
   if (!table)
-    return {std::nullopt,
-            fmt::format("the scene is of the kind {}, for which no table of prices is shipped with floc: expected "
-                        "one of the kinds {}, or a table of this kind that floc tradeoff has written (--prices "
-                        "FILE)",
-                        kind, fmt::join(priced_kinds(), ", "))};
+    return {
+        std::nullopt,
+        fmt::format("the scene is of the kind {}, for which no table of prices is shipped with floc: expected "
+                    "one of the kinds {}, or a table of this kind that floc tradeoff has written (--prices "
+                    "FILE)",
+                    kind, fmt::join(priced_kinds(), ", "))};
   if (table->kind != kind)
     return {std::nullopt,
-            fmt::format("the scene is of the kind {}, but the {} is about scenes of the kind {}; tables are shipped "
-                        "for the kinds {}",
-                        kind, table->name(), table->kind, fmt::join(priced_kinds(), ", "))};
+            fmt::format(
+                "the scene is of the kind {}, but the {} is about scenes of the kind {}; tables are shipped "
+                "for the kinds {}",
+                kind, table->name(), table->kind, fmt::join(priced_kinds(), ", "))};
   const std::string problem = problem_of(*table, scene);
   return problem.empty() ? ScenePrices{std::move(table), ""} : ScenePrices{std::nullopt, problem};
 }

@@ -46,7 +46,8 @@ std::string refusal(const std::string& text, const std::vector<std::string>& ove
 
 TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
   const Scene scene = parse_scene(kAskedScene + "[accuracy]\nphi = 0.01\nmoduli = 0.05\n", "s.toml", ".");
-  const AccuracyChoice expected = choose_accuracy(*shipped_prices("disks-cohesive"), {{"phi", 0.01}, {"moduli", 0.05}});
+  const AccuracyChoice expected =
+      choose_accuracy(*shipped_prices("disks-cohesive"), {{"phi", 0.01}, {"moduli", 0.05}});
   ASSERT_TRUE(expected.found()) << expected.failure_reason;
   EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
   EXPECT_EQ(scene.relaxation.tolerance.energy, expected.settings.energy());
@@ -89,11 +90,12 @@ TEST(AccuracyOfAScene, RefusesATableOfAnotherKind) {
     (void)parse_scene(kAskedScene + "[accuracy]\nphi = 0.01\n", "s.toml", ".", {}, scratch.file("beads.csv"));
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                testing::AllOf(HasSubstr("s.toml:20: [accuracy]: the scene is of the kind disks-cohesive, but the "
-                                         "table "),
-                               HasSubstr("beads.csv is about scenes of the kind beads-hertz; tables are shipped "
-                                         "for the kinds disks-cohesive")));
+    EXPECT_THAT(
+        error.what(),
+        testing::AllOf(HasSubstr("s.toml:20: [accuracy]: the scene is of the kind disks-cohesive, but the "
+                                 "table "),
+                       HasSubstr("beads.csv is about scenes of the kind beads-hertz; tables are shipped "
+                                 "for the kinds disks-cohesive")));
   }
 }
 

@@ -107,15 +107,12 @@ void tell(const Plan& best, const PriceModel& model, const PlanRequest& request)
                  model.measured_grains());
 }
 
-void write_plan(const PlanArguments& arguments, const PlanChoice& choice, const Scene& scene,
-                const std::string& prices) {
-  const std::string text = plan_file(choice.plans.front(), choice.observables, scene,
-                                     {arguments.scene, arguments.overrides, prices}, arguments.output);
-  write_bytes_atomically(arguments.output, text);
-  const bool is_campaign = choice.plans.front().n_samples > 1;
-  const std::string directory = std::filesystem::path(arguments.output).stem().string();
-  spdlog::info("wrote {0}; you may run next: floc {2} {0} -o {1}", arguments.output, directory,
-               is_campaign ? "campaign plan" : "run");
+void write_plan(const PlanChoice& choice, const Scene& scene, const PlanSource& source,
+                const std::string& output) {
+  const Plan& best = choice.plans.front();
+  write_bytes_atomically(output, plan_file(best, choice.observables, scene, source, output));
+  spdlog::info("wrote {0}; you may run next: floc {2} {0} -o {1}", output,
+               std::filesystem::path(output).stem().string(), best.n_samples > 1 ? "campaign plan" : "run");
 }
 
 int make_plan(PlanArguments& arguments) {
@@ -137,14 +134,16 @@ int make_plan(PlanArguments& arguments) {
   const std::string prices = table ? table->name() : "pilot";
   std::optional<PilotResult> pilot;
   if (arguments.pilot) pilot = measured_pilot(scene, request.budget);
-  const PriceModel model(scene, std::move(table), pilot);
+  PriceModel model(scene, std::move(table), pilot);
+  const PlanSource source{arguments.scene, arguments.overrides, prices};
+  model.remove_settings([&](const PricedSettings& settings) { return !allows(source, scene, settings); });
   std::vector<std::string> names;
   for (const ObservablePrice& o : model.observables()) names.push_back(o.name);
   request.wants = wants_of(arguments.wants, names);
   const PlanChoice choice = choose_plans(model, request, kPlans);
   print_table(table_of(choice, scene_kind(scene)), arguments.printing);
   tell(choice.plans.front(), model, request);
-  if (!arguments.output.empty()) write_plan(arguments, choice, scene, prices);
+  if (!arguments.output.empty()) write_plan(choice, scene, source, arguments.output);
   return kDone;
 }
 
@@ -209,7 +208,7 @@ Command add_plan(CommandLine program) {
       .excludes(pilot)
       .excludes(output);
   add_printing_options(app, arguments->printing);
-  return {app, [arguments] {
+  return {app, [arguments]() -> int {
             if (!arguments->check.empty()) return check_plan_of(*arguments);
             if (arguments->scene.empty())
               throw InputError("floc plan", "expected a scene file, or --check DIR");

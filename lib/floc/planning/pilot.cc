@@ -20,7 +20,7 @@ constexpr int kSamples = 6, kSmallSamples = 3;
 /// Number of grains of the larger samples, of disks and of spheres, unless the scene has fewer.
 constexpr int kDisks = 200, kSpheres = 150;
 /// Limits of the exponent of the processor time. A few small samples tell it only roughly.
-constexpr double kLeastExponent = 1.0, kLargestExponent = 1.5;
+constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
 
 std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
                                 double limit) {
@@ -31,10 +31,10 @@ std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples,
     SamplePath path = make_sample(run_options(scene, setting, scene.seed + static_cast<std::uint64_t>(k)), {},
                                   nullptr, deadline);
     if (path.out_of_time)
-      throw NoResult(
-          fmt::format("--pilot: the samples of {} grains are not complete within {} of processor time: give "
-                      "a larger budget, or a shorter load path",
-                      n_grains, duration_in_words(limit)));
+      throw InputError("--pilot",
+                       fmt::format("the samples of {} grains are not complete within {} of processor time: "
+                                   "expected a larger budget, or a shorter load path",
+                                   n_grains, duration_in_words(limit)));
     if (!path.whole())
       throw NoResult(
           fmt::format("--pilot: a sample of {} grains has no equilibrium: {}", n_grains, path.failure));
@@ -84,6 +84,10 @@ PilotResult run_pilot(const Scene& scene, double limit) {
         "assembly.protocol = \"state\"",
         "a plan needs samples with any number of grains, which requires a gas in place of a saved state: "
         "expected \"direct\" or \"aggregation\"");
+  if (scene.dimension != 2 || scene.law.is_rigid())
+    throw InputError("--pilot",
+                     "a pilot measures the costs and the scatter only of elastic disks: expected a table of "
+                     "prices (--prices FILE) for this scene");
   const bool is_listed = scene.grains.diameter.kind == DiameterDistribution::Kind::list;
   const int n_large =
       is_listed ? scene.grains.count : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);

@@ -84,10 +84,8 @@ bool is_fitted(const std::string& observable) {
   return observable == "lambda" || observable == "alpha" || observable == "Phi_max";
 }
 
-std::vector<std::string> changes_of(const Plan& plan, const Scene& scene) {
+std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& scene) {
   std::vector<std::string> changes;
-  if (plan.n_grains != scene.grains.count) changes.push_back(fmt::format("grains.count={}", plan.n_grains));
-  const PricedSettings& chosen = plan.settings;
   const bool is_of_scene = chosen.parameter == "scene";
   if (scene.law.is_rigid()) {
     if (chosen.parameter == "time_step" || chosen.parameter == "sweep_tolerance" ||
@@ -109,10 +107,22 @@ std::vector<std::string> changes_of(const Plan& plan, const Scene& scene) {
   return changes;
 }
 
+bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings) {
+  try {
+    std::vector<std::string> changes = source.overrides;
+    for (const std::string& change : changes_of(settings, scene)) changes.push_back(change);
+    (void)read_scene(source.scene_file, changes);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
                       const PlanSource& source, const std::string& output) {
   std::vector<std::string> changes = source.overrides;
-  for (const std::string& change : changes_of(plan, scene)) changes.push_back(change);
+  if (plan.n_grains != scene.grains.count) changes.push_back(fmt::format("grains.count={}", plan.n_grains));
+  for (const std::string& change : changes_of(plan.settings, scene)) changes.push_back(change);
   if (plan.n_samples == 1)
     return fmt::format(
         "# One sample, as floc plan chose it for {}: run floc run {} -o DIR. Promised: {:.4g} s of processor "

@@ -17,10 +17,13 @@ struct PlanSource {
 /// Whether an observable is a parameter of the fit of the consolidation law to paths.
 bool is_fitted(const std::string& observable);
 
-/// Returns the changes of a scene, as texts "key.path=value", that a plan makes: the number of grains and the numerical
-/// settings.
+/// Returns the changes of a scene, as texts "key.path=value", that give it numerical settings.
 /// @throws InputError if the settings are those of a table row that a scene cannot have
-std::vector<std::string> changes_of(const Plan& plan, const Scene& scene);
+std::vector<std::string> changes_of(const PricedSettings& settings, const Scene& scene);
+
+/// Returns whether a scene without faults has none with these settings either. Some scenes refuse settings, for example
+/// a tolerance that is not smaller than their pressure.
+bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings);
 
 /// Returns the text of the file of a plan: a campaign file with one run for each sample and with the promised errors in
 /// its table [plan] or, for a single sample, a scene.

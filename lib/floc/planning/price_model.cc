@@ -24,8 +24,9 @@ constexpr double kCostExponent = 1.25;
 /// tell it. Most of the time goes into the assembly and into rearrangements, whose number depends on the range of the
 /// load. Measured on 200 cohesive disks: 1.6 s with 16 states, 2.3 s with 40 states of the same load path.
 constexpr double kShareOfSteps = 0.3;
-/// Largest number of grains for which prices are extrapolated, over the number with which they were measured.
-constexpr int kExtrapolation = 50;
+/// Largest number of grains for which the prices of a table, and those of a pilot, are extrapolated, over the number with
+/// which they were measured.
+constexpr int kExtrapolation = 50, kExtrapolationOfPilot = 10;
 /// Memory of the program itself (MB), and of a grain (MB) in two and in three dimensions, of a run that finishes its
 /// equilibria by Newton steps.
 constexpr double kProgramMemory = 36.0;
@@ -169,26 +170,29 @@ void PriceModel::take_pilot(const PilotResult& pilot) {
     as_it_is.core_seconds = pilot.core_seconds;
     settings_ = {as_it_is};
     n_grains_ = least_grains_ = pilot.n_grains;
-    most_grains_ = n_grains_ * kExtrapolation;
+    most_grains_ = n_grains_ * kExtrapolationOfPilot;
+    cost_exponent_ = pilot.cost_exponent;
   } else {
     cost_factor_ *= pilot.core_seconds / core_seconds(settings_of_scene(), pilot.n_grains);
-    cost_factor_ *=
-        std::pow(static_cast<double>(n_grains_) / pilot.n_grains, pilot.cost_exponent - cost_exponent_);
   }
-  cost_exponent_ = pilot.cost_exponent;
   for (const ObservablePrice& measured : pilot.observables) {
     ObservablePrice scaled = measured;
     scaled.scatter *= std::sqrt(static_cast<double>(pilot.n_grains) / n_grains_);
     const auto known = std::find_if(observables_.begin(), observables_.end(),
                                     [&](const ObservablePrice& o) { return o.name == measured.name; });
-    if (known == observables_.end()) {
-      if (!table_) observables_.push_back(scaled);
-    } else if (scaled.dof >= known->dof) {
-      // The scatter of the scene itself counts, unless the table knows its own from more samples.
-      known->scatter = scaled.scatter;
-      known->dof = scaled.dof;
+    if (known != observables_.end()) {
+      const double squares =
+          known->dof * std::pow(known->scatter, 2) + scaled.dof * std::pow(scaled.scatter, 2);
+      known->dof += scaled.dof;
+      known->scatter = std::sqrt(squares / known->dof);
+    } else if (!table_) {
+      observables_.push_back(scaled);
     }
   }
+}
+
+void PriceModel::remove_settings(const std::function<bool(const PricedSettings&)>& is_wrong) {
+  std::erase_if(settings_, [&](const PricedSettings& s) { return s.parameter != "scene" && is_wrong(s); });
 }
 
 const ObservablePrice& PriceModel::observable(const std::string& name, const std::string& place) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ struct ObservablePrice {
   std::optional<double> size;
 };
 
-/// Measurements on samples of a scene, which replace those of a table of prices: see run_pilot().
+/// Measurements on samples of a scene: see run_pilot().
 struct PilotResult {
   int n_grains = 0;      ///< number of grains of a sample
   int n_samples = 0;     ///< number of samples of this size
@@ -41,8 +42,8 @@ struct PilotResult {
 };
 
 /// Cost and errors of runs of a scene, by their number of grains, their number of samples and their settings. They are
-/// extrapolated from a table of prices, from a pilot, or from both: the settings' errors from the table, the rest from
-/// the pilot.
+/// extrapolated from a table of prices, from a pilot, or from both. With both the processor time is that of the pilot, with
+/// the table's dependence on size and settings, and the scatter is pooled.
 ///
 /// 1. The processor time of a sample is proportional to N^p. Of it the share b/(1 - b + b n/n0) is proportional to the
 /// number n of equilibria of the scene, over the number n0 in the table; the rest is that of the assembly.
@@ -61,9 +62,13 @@ class PriceModel {
   /// @throws InputError that names the nearest observable, if the model does not have this one
   const ObservablePrice& observable(const std::string& name, const std::string& place) const;
 
+  /// Removes settings from those among which plans are chosen.
+  /// @param is_wrong  whether settings are removed; the settings of the row "scene" are kept in any case
+  void remove_settings(const std::function<bool(const PricedSettings&)>& is_wrong);
+
   int measured_grains() const { return n_grains_; }
   /// Smallest and largest number of grains for which the model is used: not fewer than were measured, and not more than
-  /// fifty times as many. Both are that of the scene if its diameters are listed.
+  /// fifty times as many (ten times after a pilot alone). Both are that of the scene if its diameters are listed.
   int least_grains() const { return least_grains_; }
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }

@@ -220,12 +220,15 @@ TEST(PriceModelOfAScene, TakesCostAndScatterFromAPilotAndSettingsFromTheTable) {
   const Scene here = scene_of_ten_states();
   const PilotResult pilot{50, 20, 3.0, 1.5, {{"phi", "", 0.04, 19, std::nullopt}}};
   const PriceModel both(here, prices(), pilot), alone(here, std::nullopt, pilot);
-  for (const PriceModel* model : {&both, &alone}) {
-    const PricedSettings own = model->settings_of_scene();
-    EXPECT_NEAR(model->core_seconds(own, 50), 3.0, 1e-9);
-    EXPECT_NEAR(model->core_seconds(own, 200), 24.0, 1e-9);
-    EXPECT_NEAR(model->error(model->observable("phi", ""), own, 50, 1).scatter, student_t_95(19) * 0.04, 1e-12);
-  }
+  for (const PriceModel* model : {&both, &alone})
+    EXPECT_NEAR(model->core_seconds(model->settings_of_scene(), 50), 3.0, 1e-9);
+  EXPECT_NEAR(both.core_seconds(both.settings_of_scene(), 200), 12.0, 1e-9) << "the power one of the table";
+  EXPECT_NEAR(alone.core_seconds(alone.settings_of_scene(), 200), 24.0, 1e-9);
+  EXPECT_NEAR(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).scatter,
+              student_t_95(19) * 0.04, 1e-12);
+  // 19 degrees of freedom with 0.04 at 50 grains, 8 with 0.02 at 100.
+  EXPECT_NEAR(both.error(both.observable("phi", ""), both.settings_of_scene(), 100, 1).scatter,
+              student_t_95(27) * std::sqrt((19 * 0.04 * 0.04 / 2.0 + 8 * 0.02 * 0.02) / 27.0), 1e-12);
   EXPECT_GT(both.error(both.observable("phi", ""), both.settings_of_scene(), 50, 1).settings, 0.0);
   EXPECT_EQ(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).settings, 0.0);
 }

@@ -17,6 +17,7 @@
 #include "floc/scene/scene_kind.h"
 #include "floc/scene/scene_prices.h"
 #include "process/command.h"
+#include "process/fault.h"
 #include "process/output.h"
 #include "process/prices_option.h"
 #include "process/printing.h"
@@ -212,7 +213,9 @@ Command add_plan(CommandLine program) {
             if (!arguments->check.empty()) return check_plan_of(*arguments);
             if (arguments->scene.empty())
               throw InputError("floc plan", "expected a scene file, or --check DIR");
-            return make_plan(*arguments);
+            const Fault fault = fault_of(arguments->scene, [&] { return make_plan(*arguments); });
+            if (!fault.message.empty()) spdlog::error("floc: {}", fault.message);
+            return fault.code;
           }};
 }
 

@@ -17,7 +17,7 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 ObservedState state(int stage, double pressure, double phi, double B) {
   ObservedState s;
   s.stage = stage;
-  s.state.target_stress.setConstant(pressure);
+  s.mean_stress = s.driven_load = s.driven_stress = pressure;
   s.observation.fill(kNoNumber);
   s.observation[kPhi] = phi;
   s.observation[kB] = B;
@@ -90,9 +90,9 @@ TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAf
 
 TEST(Comparison, SamplingErrorFallsWithTheRootOfTheirNumber) {
   const SamplePath a = path(0.0), b = path(0.02);
-  const double one = sampling_errors({&a, &b}, 1)[kPhi].mean.standard_error;
+  const double one = sampling_errors({&a, &b}, 1, std::nullopt)[kPhi].mean.standard_error;
   EXPECT_GT(one, 0.0);
-  EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4)[kPhi].mean.standard_error, 0.5 * one);
+  EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4, std::nullopt)[kPhi].mean.standard_error, 0.5 * one);
 }
 
 TEST(Tradeoff, FrontHoldsWhatNoOtherBeatsInBothCostAndError) {

@@ -3,6 +3,7 @@
 
 import argparse
 import concurrent.futures
+import csv
 import os
 import subprocess
 import sys
@@ -32,9 +33,9 @@ STUDIES = {
                           "load.0.strain_step=5e-3"]),
     "disks-cohesionless-constant-volume": (
         "constant_volume", ["grains.count=150", "load.0.strain=0.05", "load.0.strain_step=2.5e-3"]),
-    "rigid-disks": ("rigid_disks_demo", ["grains.count=150"]),
+    "rigid-disks": ("rigid_disks_demo", ["grains.count=100"]),
     "rigid-polygons": ("pentagons_demo", ["grains.count=60"]),
-    "rigid-polyhedra": ("polyhedra_demo", ["grains.count=60"]),
+    "rigid-polyhedra": ("polyhedra_demo", ["grains.count=30"]),
 }
 
 
@@ -56,7 +57,10 @@ def make(kind, floc, budget, samples, folder):
         return f"{kind}: exit code {code} after {seconds:.0f} s of processor time; its messages are in {log}", False
     with open(table, "wb") as out:
         out.write(text)
-    return f"{kind}: {seconds:.0f} s of processor time, {text.count(b'scene,as it is,phi')} table", True
+    rows = list(csv.DictReader(text.decode().splitlines()))
+    strict = next(row for row in rows if row["knob"] == "strict")
+    return (f"{kind}: {seconds:.0f} s of processor time, {strict['n_samples']} samples of {strict['n_grains']} grains "
+            f"and {strict['n_states']} states", True)
 
 
 def main():
@@ -70,13 +74,17 @@ def main():
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     succeeded = True
+    lines = []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         studies = [pool.submit(make, kind, options.floc, options.budget, options.samples, options.output)
                    for kind in options.only or STUDIES]
         for study in concurrent.futures.as_completed(studies):
             line, whole = study.result()
             print(line, flush=True)
+            lines.append(line + "\n")
             succeeded = succeeded and whole
+    with open(os.path.join(options.output, "times.txt"), "w", encoding="utf-8") as times:
+        times.writelines(sorted(lines))
     sys.exit(0 if succeeded else 1)
 
 

@@ -36,6 +36,10 @@ bool applies_to_newton(const Scene& scene) {
   return applies_to_elastic(scene) && applies_to_cells(scene);
 }
 
+bool applies_to_walls(const Scene& scene) {
+  return scene.assembly.box.has_value();
+}
+
 bool applies_to_decades(const Scene& scene) {
   return std::any_of(scene.load.begin(), scene.load.end(),
                      [](const LoadStage& stage) { return stage.steps_per_decade.has_value(); });
@@ -79,7 +83,7 @@ void add_rigid_together(const Scene&, const StudiedSetting& base, Settings& list
         },
         list);
   };
-  all("coarse", 0.2, 0.1);
+  all("coarse", 0.1, 0.1);
   all("medium", 0.1, 1e-2);
   all("careful", 0.025, 1e-4);
 }
@@ -91,13 +95,12 @@ void add_finish(const Scene&, const StudiedSetting& base, Settings& list) {
       base, "finish", "static", [](StudiedSetting& s) { s.numerical.finish = Finish::statics; }, list);
 }
 
-void add_forces(const Scene&, const StudiedSetting& base, Settings& list) {
-  const auto forces = [&](const char* value, RigidForces chosen) {
-    add(
-        base, "finish", value, [&](StudiedSetting& s) { s.contact_dynamics.forces = chosen; }, list);
-  };
-  forces("canonical", RigidForces::canonical);
-  forces("closest", RigidForces::closest);
+void add_forces(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  for (const auto& [value, forces] :
+       {std::pair("closest", RigidForces::closest), std::pair("canonical", RigidForces::canonical)})
+    if (forces != scene.relaxation.contact_dynamics.forces)
+      add(
+          base, "finish", value, [&](StudiedSetting& s) { s.contact_dynamics.forces = forces; }, list);
 }
 
 /// The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. Newton steps
@@ -162,6 +165,27 @@ void add_cell_mass(const Scene&, const StudiedSetting& base, Settings& list) {
         [&](StudiedSetting& s) { s.cell_mass_factor = factor; }, list);
 }
 
+/// Walls: the criterion that ends a compaction, and the longest time of it where the scene has one.
+void add_end(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  using Criterion = CompactionEnd::Criterion;
+  if (scene.relaxation.compaction.criterion != Criterion::settled)
+    add(
+        base, "end", "settled", [](StudiedSetting& s) { s.compaction.criterion = Criterion::settled; }, list);
+  for (const double ratio : {1e-3, 1e-5, 2e-7})
+    add(
+        base, "end", fmt::format("energy_ratio {:.0e}", ratio),
+        [&](StudiedSetting& s) {
+          s.compaction.criterion = Criterion::energy_ratio;
+          s.compaction.energy_ratio = ratio;
+        },
+        list);
+  if (!scene.relaxation.compaction.longest) return;
+  for (const double factor : {0.5, 2.0})
+    add(
+        base, "stop_time", fmt::format("{} times", factor),
+        [&](StudiedSetting& s) { *s.compaction.longest *= factor; }, list);
+}
+
 bool has_any_number_of_grains(const Scene& scene) {
   return scene.grains.diameter.kind != DiameterDistribution::Kind::list;
 }
@@ -186,6 +210,7 @@ StudiedSetting as_it_is(const Scene& scene) {
   setting.value = "as it is";
   setting.numerical = NumericalSettings::of(scene.relaxation);
   setting.contact_dynamics = scene.relaxation.contact_dynamics;
+  setting.compaction = scene.relaxation.compaction;
   return setting;
 }
 
@@ -227,6 +252,7 @@ const std::vector<DeclaredSetting>& declared_settings() {
       {"time_step", applies_to_rigid, add_rigid_time_step},
       {"sweep_tolerance", applies_to_rigid, add_sweep_tolerance},
       {"gap_tolerance", applies_to_rigid, add_gap_tolerance},
+      {"end", applies_to_walls, add_end},
       {"patience", applies_to_elastic, add_patience},
       {"strain_rate_cap", applies_to_cells, add_rate_cap},
       {"cell_mass", applies_to_cells, add_cell_mass},
@@ -267,6 +293,7 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
   if (setting.numerical.tolerance == scene.relaxation.tolerance.force)
     options.relaxation.tolerance = scene.relaxation.tolerance;
   options.relaxation.contact_dynamics = setting.contact_dynamics;
+  options.relaxation.compaction = setting.compaction;
   options.relaxation.threads = 1;
   if (setting.n_grains > 0) options.grains.count = setting.n_grains;
   for (LoadStage& stage : options.load) {

@@ -17,6 +17,7 @@ struct StudiedSetting {
   std::string value;  ///< value of the changed parameter, as a user would write it
   NumericalSettings numerical;
   ContactDynamicsOptions contact_dynamics;  ///< settings of rigid grains
+  CompactionEnd compaction;                 ///< end of a compaction between walls
   double rate_cap_factor = 1.0;   ///< factor by which every cap on the strain rate of the cell is multiplied
   double cell_mass_factor = 1.0;  ///< factor by which the mass of the cell on the load path is multiplied
   double steps_factor = 1.0;      ///< factor by which the numbers of steps a decade are multiplied

@@ -31,7 +31,7 @@ constexpr double kReferenceCost = 4.0;
 constexpr double kShareOfRuns = 0.97;
 /// Processor time of a run over that with the strictest settings, beyond which the run is stopped and its setting left
 /// out.
-constexpr double kLongestRun = 3.0;
+constexpr double kLongestRun = 1.5;
 /// Safety factor on the expected processor time of a run, when it is checked whether the run fits into the budget.
 constexpr double kMargin = 1.3;
 
@@ -172,7 +172,7 @@ class Study {
 
   /// Makes a sample with setting number i.
   /// @param reference  see make_sample()
-  /// @param deadline  deadline of the run
+  /// @param deadline  deadline of the run, before its states are relaxed with the strictest settings
   SamplePath make_path(std::size_t i, std::uint64_t seed, const SamplePath* reference,
                        const Deadline& deadline) {
     const StudiedSetting& setting = settings_[i];
@@ -180,7 +180,7 @@ class Study {
     if (setting.is_reference()) {
       for (ObservedState& s : path.states) s.settled = s.observation;
     } else if (path.whole() && !setting.has_other_states()) {
-      settle(run_options(scene_, settings_[0], seed).relaxation, deadline, path);
+      settle(run_options(scene_, settings_[0], seed).relaxation, deadline_, path);
     }
     options_.progress(fmt::format("seed {}, setting {} {}: this sample took {:.2f} s", seed, setting.parameter,
                                   setting.value, path.core_seconds));
@@ -208,10 +208,9 @@ class Study {
   void fail(std::size_t i, std::uint64_t seed, const SamplePath& path) {
     const bool budget_is_used_up = path.out_of_time && (i == 0 || deadline_.passed());
     const std::string reason =
-        budget_is_used_up ? "the run was stopped because the budget was used up"
-        : path.out_of_time
-            ? "the run was stopped because it took several times as long as with the strictest settings"
-            : path.failure;
+        budget_is_used_up  ? "the run was stopped because the budget was used up"
+        : path.out_of_time ? "the run was stopped because it took longer than with the strictest settings"
+                           : path.failure;
     left_out_.push_back(
         fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed, reason));
     if (budget_is_used_up) return;

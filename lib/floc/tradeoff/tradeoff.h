@@ -61,8 +61,8 @@ struct Tradeoff {
 /// expected to fit.
 /// 2. Samples are added until the next one would not fit. A setting that is too expensive in the first sample is left
 /// out of the study.
-/// 3. A run that reaches the deadline is stopped, and so is a run that takes several times as long as that with the
-/// strictest settings.
+/// 3. A run that reaches the deadline is stopped, and so is a run that takes longer than that with the strictest
+/// settings.
 /// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if the scene
 /// starts from a saved state: samples are made from a gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);

@@ -8,10 +8,11 @@
 #include <memory>
 
 #include "floc/base/error.h"
+#include "floc/lattice/cemented_sample.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
-#include "floc/scene/scene_kind.h"
 #include "floc/tables/column.h"
+#include "floc/tradeoff/lattice_study.h"
 #include "plots/tradeoff_plot.h"
 #include "process/command.h"
 #include "process/output.h"
@@ -27,6 +28,8 @@ struct TradeoffCommand {
   std::string plot;
   Printing printing;
   TradeoffOptions options;
+  std::optional<double> matrix_content;  ///< in a study of cemented grains
+  double stiffness_ratio = LatticeStudyOptions{}.stiffness_ratio;
 };
 
 /// Returns the table cell of an error that was found by comparing n values. The cell is undefined if n is 0 or the
@@ -38,6 +41,7 @@ TableValue of_compared(int n, double value) {
 /// Scene that was run, with what each row of the table says of it.
 struct StudiedScene {
   const Scene& scene;
+  Subject subject;
   std::string kind;
   /// Dimensionless contact stiffness: a K_N/F0 or, without adhesion, K_N/P (a: diameter, K_N: normal stiffness, F0:
   /// pull-off force, P: pressure); undefined for rigid contacts.
@@ -85,10 +89,11 @@ const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
       {"moduli_seconds", [](const Row& r) { return r.setting.moduli_seconds; }},
       {"n_grains", [](const Row& r) { return count(r.setting.n_grains); }},
       {"n_samples", [](const Row& r) { return count(r.setting.n_samples); }},
-      {"tolerance", [](const Row& r) { return r.setting.setting.numerical.tolerance; }},
-      {"time_step", [](const Row& r) { return time_step_of(r.run.scene, r.setting.setting); }},
+      {"tolerance", [](const Row& r) { return tolerance_of(r.setting.setting); }},
+      {"time_step",
+       [](const Row& r) { return or_undefined_number(time_step_of(r.run.scene, r.setting.setting)); }},
       {"finish", [](const Row& r) { return finish_of(r.run.scene, r.setting.setting); }},
-      {"patience", [](const Row& r) { return r.setting.setting.numerical.patience; }},
+      {"patience", [](const Row& r) { return or_undefined_number(patience_of(r.setting.setting)); }},
       {"kappa", [](const Row& r) { return r.run.kappa; }},
       {"scene", [](const Row& r) { return r.run.scene.name; }},
       {"kind", [](const Row& r) { return r.run.kind; }},
@@ -106,7 +111,7 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
   const std::vector<std::string> names = observable_names();
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
-    if (!declared_observables()[k].applies(run.scene)) continue;
+    if (!applies(declared_observables()[k], run.scene, run.subject)) continue;
     // The Pareto front contains the numerical settings for which no other setting is both cheaper and more accurate. It
     // is determined for each observable separately, because a setting may be on the front of one observable and not on
     // that of another.
@@ -137,13 +142,20 @@ void print_tradeoff(Table table, const Printing& printing) {
   print_table(table, printing);
 }
 
+Tradeoff study(const TradeoffCommand& command, const Scene& scene) {
+  if (!command.matrix_content) return study_tradeoff(scene, command.options);
+  return study_lattice(scene, {*command.matrix_content, command.stiffness_ratio}, command.options);
+}
+
 int run_tradeoff(TradeoffCommand& command) {
   const Scene scene = read_scene(command.scene, command.overrides);
-  require_observables(command.observables, scene);
+  const Subject subject = command.matrix_content ? Subject::lattice : Subject::states;
+  require_observables(command.observables, scene, subject);
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
-  const Tradeoff tradeoff = study_tradeoff(scene, command.options);
-  std::cerr << "floc tradeoff does not vary two settings: power control, which equilibrium.finish = dynamic "
-               "switches on, and the precision in which forces are computed, which is always double\n";
+  const Tradeoff tradeoff = study(command, scene);
+  if (subject == Subject::states)
+    std::cerr << "floc tradeoff does not vary two settings: power control, which equilibrium.finish = dynamic "
+                 "switches on, and the precision in which forces are computed, which is always double\n";
   for (const std::string& message : tradeoff.left_out)
     std::cerr << "left out of the study: " << message << '\n';
   if (tradeoff.settings.empty()) {
@@ -152,7 +164,7 @@ int run_tradeoff(TradeoffCommand& command) {
                  "numerical settings; give a larger --budget\n";
     return kNotConverged;
   }
-  const StudiedScene run{scene, scene_kind(scene), stiffness_of(scene)};
+  const StudiedScene run{scene, subject, kind_of_study(scene, subject), stiffness_of(scene)};
   print_tradeoff(table_of(run, tradeoff, command.observables), command.printing);
   if (!command.plot.empty()) plot_tradeoff(command.plot, tradeoff);
   return kDone;
@@ -182,6 +194,15 @@ Command add_tradeoff(CommandLine program) {
       .delimiter(',')
       .one_argument_each()
       .one_of(observable_names());
+  app.add_option(
+         "--lattice", command->matrix_content,
+         "study the lattice of cemented grains (floc lattice) in place of the states: volume fraction of "
+         "the matrix between the grains of the last state")
+      .within(CementOptions::kContent);
+  app.add_option("--stiffness-ratio", command->stiffness_ratio,
+                 "with --lattice, stiffness of the grains over that of the matrix")
+      .within(LatticeStudyOptions::kRatio)
+      .show_default();
   app.add_option("--plot", command->plot,
                  "F.svg: plot to write, of the error against the cost; the data and the gnuplot script are "
                  "written to the same directory");

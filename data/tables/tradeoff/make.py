@@ -36,7 +36,11 @@ STUDIES = {
     "rigid-disks": ("rigid_disks_demo", ["grains.count=100"]),
     "rigid-polygons": ("pentagons_demo", ["grains.count=60"]),
     "rigid-polyhedra": ("polyhedra_demo", ["grains.count=30"]),
+    "disks-cemented": ("cemented2d", ["grains.count=100", 'grains.diameter={distribution="uniform", min=0.5, max=1.5}']),
+    "spheres-cemented": ("cemented3d", ["grains.count=40", 'grains.diameter={distribution="uniform", min=0.5, max=1.0}']),
 }
+# Matrix content of the kinds of cemented grains, whose lattices are studied.
+MATRIX = {"disks-cemented": 0.1, "spheres-cemented": 0.2}
 
 
 def make(kind, floc, budget, samples, folder):
@@ -45,6 +49,8 @@ def make(kind, floc, budget, samples, folder):
     command = [floc, "tradeoff", os.path.join(SCENES, scene + ".toml")]
     for change in changes:
         command += ["--set", change]
+    if kind in MATRIX:
+        command += ["--lattice", str(MATRIX[kind])]
     command += ["--budget", str(budget), "--samples", str(samples), "--format", "csv"]
     table, log = os.path.join(folder, kind + ".csv"), os.path.join(folder, kind + ".log")
     with open(log, "w") as messages:

@@ -128,6 +128,15 @@ const std::array<DeclaredObservable, kObservables>& declared_observables() {
        is_sheared, nullptr},
       {"dilatancy", "1", "dilatancy angle at the peak of a shear test (degrees)", Source::path, is_drained_test,
        nullptr},
+      {"E_lattice", "stress", "Young's modulus of cemented grains", Source::lattice, in_every_scene, nullptr},
+      {"spread_nodes", "1", "standard deviation of the stress of all nodes over its mean", Source::lattice,
+       in_every_scene, nullptr},
+      {"beta_grain", "1", "decay rate of the tail of the stresses in grains, in units of their mean",
+       Source::lattice, in_every_scene, nullptr},
+      {"beta_matrix", "1", "decay rate of the tail of the stresses in the matrix", Source::lattice,
+       in_every_scene, nullptr},
+      {"beta_forces", "1", "decay rate of the tail of the forces between cemented grains", Source::lattice,
+       in_every_scene, nullptr},
   }};
   return observables;
 }
@@ -138,10 +147,20 @@ std::vector<std::string> observable_names() {
   return names;
 }
 
-std::vector<std::string> observable_names(const Scene& scene) {
+std::string kind_of_study(const Scene& scene, Subject subject) {
+  if (subject == Subject::states) return scene_kind(scene);
+  return scene.dimension == 2 ? "disks-cemented" : "spheres-cemented";
+}
+
+bool applies(const DeclaredObservable& observable, const Scene& scene, Subject subject) {
+  const bool is_of_lattice = observable.source == ObservableSource::lattice;
+  return is_of_lattice == (subject == Subject::lattice) && observable.applies(scene);
+}
+
+std::vector<std::string> observable_names(const Scene& scene, Subject subject) {
   std::vector<std::string> names;
   for (const DeclaredObservable& o : declared_observables())
-    if (o.applies(scene)) names.emplace_back(o.name);
+    if (applies(o, scene, subject)) names.emplace_back(o.name);
   return names;
 }
 
@@ -151,14 +170,15 @@ std::string unit_of(const DeclaredObservable& observable, const Scene& scene) {
   return scene.dimension == 2 ? "N/m" : "Pa";
 }
 
-void require_observables(const std::vector<std::string>& names, const Scene& scene) {
-  const std::vector<std::string> known = observable_names(scene);
+void require_observables(const std::vector<std::string>& names, const Scene& scene, Subject subject) {
+  const std::vector<std::string> known = observable_names(scene, subject);
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError("--observables " + name,
-                       fmt::format("a scene of the kind \"{}\" does not have this observable; the one with the "
-                                   "most similar name is {}, and all that it has are {}",
-                                   scene_kind(scene), nearest_name(name, known), fmt::join(known, ", ")));
+      throw InputError(
+          "--observables " + name,
+          fmt::format("a study of the kind \"{}\" does not have this observable; the one with the "
+                      "most similar name is {}, and all that it has are {}",
+                      kind_of_study(scene, subject), nearest_name(name, known), fmt::join(known, ", ")));
 }
 
 double size_of(int k, const Observation& x, const Observation& y) {

@@ -43,6 +43,11 @@ enum Observable {
   kPeakRatio,
   kCriticalRatio,
   kDilatancy,
+  kLatticeE,
+  kLatticeSpread,
+  kTailGrain,
+  kTailMatrix,
+  kTailForces,
   kObservables
 };
 
@@ -55,6 +60,7 @@ enum class ObservableSource {
   state,   ///< one state: its geometry and its forces
   moduli,  ///< the elastic moduli of one state, which other methods give with other errors
   path,    ///< a fit to the states of a path
+  lattice  ///< the lattice of cemented grains under a load, see lattice_study.h
 };
 
 /// Quantities of one state from which the values of observables follow. Members that do not apply to the state, such as
@@ -77,7 +83,7 @@ struct DeclaredObservable {
   const char* meaning;
   ObservableSource source;
   bool (*applies)(const Scene&);
-  /// Returns the value in one state; null for observables of whole paths (path_value()).
+  /// Returns the value in one state; null for observables of whole paths (path_value()) and of lattices.
   double (*value)(const StateMeasures&);
 };
 
@@ -88,16 +94,25 @@ const std::array<DeclaredObservable, kObservables>& declared_observables();
 /// Returns the names of all observables.
 std::vector<std::string> observable_names();
 
-/// Returns the names of the observables that a scene has.
-std::vector<std::string> observable_names(const Scene& scene);
+/// Subject of a study: the states of a scene, or its grains cemented by a matrix, as a lattice.
+enum class Subject { states, lattice };
+
+/// Returns the name of the kind of a study: scene_kind() or, of cemented grains, "disks-cemented" or "spheres-cemented".
+std::string kind_of_study(const Scene& scene, Subject subject);
+
+/// Whether an observable exists in a study of a scene.
+bool applies(const DeclaredObservable& observable, const Scene& scene, Subject subject);
+
+/// Returns the names of the observables that exist in a study of a scene.
+std::vector<std::string> observable_names(const Scene& scene, Subject subject);
 
 /// Returns the unit of an observable in a scene: "1", "F1" (the force scale) or, for stresses, "Pa" ("N/m" in 2D) in SI
 /// units and "reduced" in reduced units.
 std::string unit_of(const DeclaredObservable& observable, const Scene& scene);
 
-/// Requires that a scene has the observables with these names.
-/// @throws InputError that names the first one that it does not have, its kind, and the nearest one that it has
-void require_observables(const std::vector<std::string>& names, const Scene& scene);
+/// Requires that the observables with these names exist in a study of a scene.
+/// @throws InputError that names the first one that does not, the kind of the study, and the nearest one that does
+void require_observables(const std::vector<std::string>& names, const Scene& scene, Subject subject);
 
 /// Returns the observables of a state.
 /// @param state  state with forces and residuals in its contact list

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace floc {
 namespace {
@@ -274,11 +275,53 @@ std::vector<StudiedSetting> studied_settings(const Scene& scene) {
   return list;
 }
 
+std::vector<StudiedSetting> lattice_settings(const Scene& scene) {
+  const bool flat = scene.dimension == 2;
+  const double nodes = flat ? 15.0 : 6.5, tolerance = flat ? 1e-10 : 1e-9;
+  StudiedSetting base = as_it_is(scene);
+  base.lattice = LatticeSettings{nodes, LatticeMethod::automatic, tolerance};
+  Settings list;
+  add(
+      base, "strict", "all",
+      [&](StudiedSetting& s) {
+        s.lattice = {flat ? 35.0 : 12.0, LatticeMethod::automatic, 1e-3 * tolerance};
+      },
+      list);
+  list.push_back(base);
+  for (const double n : flat ? std::vector{5.0, 8.0, 11.0, 22.0} : std::vector{3.0, 4.5, 9.0})
+    add(
+        base, "nodes_a_diameter", fmt::format("{}", n),
+        [&](StudiedSetting& s) { s.lattice->nodes_a_diameter = n; }, list);
+  for (const double t : {1e-2, 1e-4, 1e-6, 1e-8})
+    add(
+        base, "tolerance", fmt::format("{:.0e}", t), [&](StudiedSetting& s) { s.lattice->tolerance = t; },
+        list);
+  for (const auto& [value, method] :
+       {std::pair("factor", LatticeMethod::factor), std::pair("iterative", LatticeMethod::iterative)})
+    add(
+        base, "method", value, [&](StudiedSetting& s) { s.lattice->method = method; }, list);
+  if (has_any_number_of_grains(scene)) add_count(scene, base, list);
+  return list;
+}
+
+double tolerance_of(const StudiedSetting& setting) {
+  return setting.lattice ? setting.lattice->tolerance : setting.numerical.tolerance;
+}
+
 double time_step_of(const Scene& scene, const StudiedSetting& setting) {
+  if (setting.lattice) return std::numeric_limits<double>::quiet_NaN();
   return scene.law.is_rigid() ? setting.contact_dynamics.time_step : setting.numerical.time_step;
 }
 
+double patience_of(const StudiedSetting& setting) {
+  return setting.lattice ? std::numeric_limits<double>::quiet_NaN() : setting.numerical.patience;
+}
+
 std::string finish_of(const Scene& scene, const StudiedSetting& setting) {
+  if (setting.lattice)
+    return setting.lattice->method == LatticeMethod::factor      ? "factor"
+           : setting.lattice->method == LatticeMethod::iterative ? "iterative"
+                                                                 : "automatic";
   if (!scene.law.is_rigid()) return finish_name(setting.numerical.finish);
   const RigidForces forces = setting.contact_dynamics.forces;
   return forces == RigidForces::closest ? "closest" : forces == RigidForces::canonical ? "canonical" : "none";

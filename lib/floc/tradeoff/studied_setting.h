@@ -1,13 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "floc/elasticity/moduli.h"
+#include "floc/lattice/relaxed_springs.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/scene.h"
 
 namespace floc {
+
+/// Numerical settings of the lattice of cemented grains (`floc lattice`).
+struct LatticeSettings {
+  double nodes_a_diameter = 15.0;  ///< number of lattice nodes per mean diameter of the grains
+  LatticeMethod method = LatticeMethod::automatic;
+  double tolerance = 1e-10;  ///< imbalance of the forces on the nodes over the load
+};
 
 /// One variant of a scene that a study compares: one parameter (rarely several) has another value than in the scene,
 /// all others are as in the scene. In the reference (the strictest settings), every parameter has its strictest value.
@@ -23,6 +32,7 @@ struct StudiedSetting {
   double steps_factor = 1.0;      ///< factor by which the numbers of steps a decade are multiplied
   int n_grains = 0;               ///< number of grains; 0 if it is that of the scene
   ModuliOptions moduli;
+  std::optional<LatticeSettings> lattice;  ///< present in a study of cemented grains
 
   bool is_reference() const { return parameter == "strict"; }
   /// Whether only the computation of the elastic moduli differs from the scene. No run is then made: the moduli are
@@ -54,11 +64,22 @@ NumericalSettings strict_settings();
 /// computed, because it is always double.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
+/// Returns the variants of a study of the lattice of cemented grains: the finest lattice with the strictest tolerance
+/// first, then that of `floc lattice` as it is, then other numbers of nodes a diameter, tolerances, methods and numbers
+/// of grains.
+std::vector<StudiedSetting> lattice_settings(const Scene& scene);
+
+/// Returns the tolerance of a setting: that of equilibria or, of a lattice, that of its solution.
+double tolerance_of(const StudiedSetting& setting);
+
 /// Returns the time step of a setting in the unit of its dynamics: NumericalSettings::time_step or, for rigid grains,
-/// ContactDynamicsOptions::time_step.
+/// ContactDynamicsOptions::time_step. NaN for a lattice, and so is the patience.
 double time_step_of(const Scene& scene, const StudiedSetting& setting);
 
-/// Returns the keyword of how a setting finishes equilibria: equilibrium.finish or, for rigid grains, dynamics.finish.
+double patience_of(const StudiedSetting& setting);
+
+/// Returns the keyword of how a setting finishes equilibria: equilibrium.finish, for rigid grains dynamics.finish, and of
+/// a lattice the method of its solution.
 std::string finish_of(const Scene& scene, const StudiedSetting& setting);
 
 /// Returns the options for running a scene with a setting of the study, on one thread.

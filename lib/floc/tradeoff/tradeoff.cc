@@ -259,64 +259,13 @@ class Study {
         levels.push_back(s.levels);
       }
       if (references.empty()) continue;
-      MeasuredSetting m = cost_of(settings_[i], references, paths);
+      MeasuredSetting m = cost_of(scene_, settings_[i], references, paths);
       m.errors = settings_[i].is_moduli_level()    ? compare_levels(references, levels)
                  : settings_[i].has_other_states() ? compare_means(references, paths, window)
                                                    : compare(references, paths, window);
       out.settings.push_back(std::move(m));
     }
-    add_sample_numbers(window, out);
-  }
-
-  static void describe_reference(const std::vector<const SamplePath*>& references,
-                                 const std::optional<PressureWindow>& window, Tradeoff& out) {
-    out.n_states = static_cast<int>(references.front()->states.size());
-    out.reference = mean_values(references, window);
-    out.scatter.fill(std::numeric_limits<double>::quiet_NaN());
-    if (references.size() < 2) return;
-    const ObservableErrors one = sampling_errors(references, 1, window);
-    for (std::size_t k = 0; k < kObservables; ++k)
-      if (one[k].mean.n > 0) out.scatter[k] = one[k].mean.standard_error;
-  }
-
-  MeasuredSetting cost_of(const StudiedSetting& setting, const std::vector<const SamplePath*>& references,
-                          const std::vector<const SamplePath*>& paths) const {
-    const auto total = [](const std::vector<const SamplePath*>& of, double SamplePath::*seconds) {
-      return std::accumulate(of.begin(), of.end(), 0.0,
-                             [&](double sum, const SamplePath* p) { return sum + p->*seconds; });
-    };
-    const auto n = static_cast<double>(paths.size());
-    const double seconds = total(paths, &SamplePath::core_seconds);
-    double memory = 0.0;
-    for (const SamplePath* path : paths) memory = std::max(memory, path->memory);
-    return {setting,
-            setting.n_grains > 0 ? setting.n_grains : scene_.grains.count,
-            static_cast<int>(paths.size()),
-            seconds / n,
-            total(paths, &SamplePath::moduli_seconds) / n,
-            seconds / total(references, &SamplePath::core_seconds),
-            memory,
-            {}};
-  }
-
-  /// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. It is the
-  /// scatter between samples with the strictest settings.
-  void add_sample_numbers(const std::optional<PressureWindow>& window, Tradeoff& out) const {
-    std::vector<const SamplePath*> references;
-    for (const Sample& s : samples_[0]) references.push_back(&s.path);
-    if (references.size() < 2) return;
-    for (int n = 1; n <= static_cast<int>(references.size()); n *= 2) {
-      StudiedSetting setting = settings_[0];
-      setting.parameter = "samples";
-      setting.value = std::to_string(n);
-      MeasuredSetting m = cost_of(setting, references, references);
-      m.core_seconds *= n;
-      m.moduli_seconds *= n;
-      m.cost_ratio = n;
-      m.n_samples = n;
-      m.errors = sampling_errors(references, n, window);
-      out.settings.push_back(std::move(m));
-    }
+    add_sample_numbers(scene_, settings_[0], all, window, out);
   }
 
   Scene scene_;
@@ -332,7 +281,7 @@ class Study {
 
 }  // namespace
 
-Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
+void require_study(const Scene& scene, const TradeoffOptions& options) {
   require_in_range("budget", options.budget, kPositiveNumber);
   require_in_range("samples", options.max_samples, TradeoffOptions::kSamples);
   if (scene.starts_from_state())
@@ -340,7 +289,61 @@ Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
         "assembly.protocol = \"state\"",
         "the study makes samples with different numbers of grains, which requires a gas in place of a saved "
         "state: expected \"direct\" or \"aggregation\"");
+}
+
+Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
+  require_study(scene, options);
   return Study(std::move(scene), options).run();
+}
+
+void describe_reference(const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out) {
+  out.n_states = static_cast<int>(references.front()->states.size());
+  out.reference = mean_values(references, window);
+  out.scatter.fill(std::numeric_limits<double>::quiet_NaN());
+  if (references.size() < 2) return;
+  const ObservableErrors one = sampling_errors(references, 1, window);
+  for (std::size_t k = 0; k < kObservables; ++k)
+    if (one[k].mean.n > 0) out.scatter[k] = one[k].mean.standard_error;
+}
+
+MeasuredSetting cost_of(const Scene& scene, const StudiedSetting& setting,
+                        const std::vector<const SamplePath*>& references,
+                        const std::vector<const SamplePath*>& paths) {
+  const auto total = [](const std::vector<const SamplePath*>& of, double SamplePath::*seconds) {
+    return std::accumulate(of.begin(), of.end(), 0.0,
+                           [&](double sum, const SamplePath* p) { return sum + p->*seconds; });
+  };
+  const auto n = static_cast<double>(paths.size());
+  const double seconds = total(paths, &SamplePath::core_seconds);
+  double memory = 0.0;
+  for (const SamplePath* path : paths) memory = std::max(memory, path->memory);
+  return {setting,
+          setting.n_grains > 0 ? setting.n_grains : scene.grains.count,
+          static_cast<int>(paths.size()),
+          seconds / n,
+          total(paths, &SamplePath::moduli_seconds) / n,
+          seconds / total(references, &SamplePath::core_seconds),
+          memory,
+          {}};
+}
+
+void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
+                        const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out) {
+  if (references.size() < 2) return;
+  for (int n = 1; n <= static_cast<int>(references.size()); n *= 2) {
+    StudiedSetting setting = strict;
+    setting.parameter = "samples";
+    setting.value = std::to_string(n);
+    MeasuredSetting m = cost_of(scene, setting, references, references);
+    m.core_seconds *= n;
+    m.moduli_seconds *= n;
+    m.cost_ratio = n;
+    m.n_samples = n;
+    m.errors = sampling_errors(references, n, window);
+    out.settings.push_back(std::move(m));
+  }
 }
 
 double single_state_error(const ObservableError& error) {

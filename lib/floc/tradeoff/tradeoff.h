@@ -67,6 +67,27 @@ struct Tradeoff {
 /// starts from a saved state: samples are made from a gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
+/// Requires options and a scene from which a study can make samples. @throws InputError as study_tradeoff()
+void require_study(const Scene& scene, const TradeoffOptions& options);
+
+/// Describes the reference paths of a study: its members n_states, reference and scatter.
+/// @param references  paths of the runs with the strictest settings, one for each seed, at least one
+void describe_reference(const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out);
+
+/// Returns a setting with the costs of its samples, without errors.
+/// @param scene  scene of the study
+/// @param references  paths of the runs with the strictest settings from the same seeds as `paths`
+MeasuredSetting cost_of(const Scene& scene, const StudiedSetting& setting,
+                        const std::vector<const SamplePath*>& references,
+                        const std::vector<const SamplePath*>& paths);
+
+/// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. It is the scatter
+/// between samples with the strictest settings.
+void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
+                        const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out);
+
 /// Returns for each setting of a study whether it is Pareto-optimal for an observable: no other setting is at least as
 /// cheap and at least as accurate, and cheaper or more accurate. The error of the observable is that of
 /// single_state_error().

@@ -86,7 +86,7 @@ TEST_P(EveryKind, HasAValueOfEachObservableAndNoErrorAgainstItself) {
   const Observation mean = mean_values({&path}, std::nullopt);
   for (std::size_t k = 0; k < kObservables; ++k) {
     const DeclaredObservable& o = declared_observables()[k];
-    if (!o.applies(scene)) continue;
+    if (!applies(o, scene, Subject::states)) continue;
     if (!rare.contains(o.name)) {
       EXPECT_TRUE(std::isfinite(mean[k])) << o.name;
     }
@@ -103,9 +103,12 @@ TEST_P(EveryKind, HasAValueOfEachObservableAndNoErrorAgainstItself) {
 
 TEST_P(EveryKind, ObservablesOfRigidGrainsAreTheirsAlone) {
   for (const char* rigid : {"z_pairs", "indeterminacy", "force_freedom"})
-    EXPECT_EQ(testing::Value(observable_names(scene), testing::Contains(rigid)), scene.law.is_rigid()) << rigid;
+    EXPECT_EQ(testing::Value(observable_names(scene, Subject::states), testing::Contains(rigid)),
+              scene.law.is_rigid())
+        << rigid;
   for (const char* elastic : {"B", "G", "B_reuss"})
-    EXPECT_EQ(testing::Value(observable_names(scene), testing::Contains(elastic)), !scene.law.is_rigid())
+    EXPECT_EQ(testing::Value(observable_names(scene, Subject::states), testing::Contains(elastic)),
+              !scene.law.is_rigid())
         << elastic;
 }
 
@@ -138,12 +141,12 @@ TEST_P(EveryKind, EachSettingChangesItsOptionsAlone) {
 
 TEST_P(EveryKind, AnObservableOfOtherScenesIsRefusedWithTheNearest) {
   for (const DeclaredObservable& o : declared_observables()) {
-    if (o.applies(scene)) {
-      EXPECT_NO_THROW(require_observables({o.name}, scene)) << o.name;
+    if (applies(o, scene, Subject::states)) {
+      EXPECT_NO_THROW(require_observables({o.name}, scene, Subject::states)) << o.name;
       continue;
     }
     try {
-      require_observables({"phi", o.name}, scene);
+      require_observables({"phi", o.name}, scene, Subject::states);
       ADD_FAILURE() << o.name << " is not refused";
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(std::string("--observables ") + o.name));

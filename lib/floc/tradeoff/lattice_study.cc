@@ -59,6 +59,8 @@ Observation observe_lattice(const Packing<Dim>& packing, const LatticeStudyOptio
   const CementedSample<Dim> sample = cement(packing, lattice_in(packing.cell, spacing), cement_options);
   ElementStiffness stiffness;
   stiffness.grain = options.stiffness_ratio;
+  // In 3D the modulus of a lattice of equal spring constants would be proportional to one over the spacing.
+  stiffness.by_facet = Dim == 3;
   const LatticeNetwork<Dim> network = lattice_network(sample, stiffness);
   if (network.n_directions < Dim)
     throw InputError("lattice", "the cemented grains do not hold together across the cell");

@@ -39,6 +39,8 @@ STUDIES = {
     "disks-cemented": ("cemented2d", ["grains.count=100", 'grains.diameter={distribution="uniform", min=0.5, max=1.5}']),
     "spheres-cemented": ("cemented3d", ["grains.count=40", 'grains.diameter={distribution="uniform", min=0.5, max=1.0}']),
 }
+# Factor on the budget of kinds whose table is to have eight samples.
+BUDGET = {"disks-cohesive": 3.0}
 # Matrix content of the kinds of cemented grains, whose lattices are studied.
 MATRIX = {"disks-cemented": 0.1, "spheres-cemented": 0.2}
 
@@ -51,7 +53,7 @@ def make(kind, floc, budget, samples, folder):
         command += ["--set", change]
     if kind in MATRIX:
         command += ["--lattice", str(MATRIX[kind])]
-    command += ["--budget", str(budget), "--samples", str(samples), "--format", "csv"]
+    command += ["--budget", str(BUDGET.get(kind, 1.0) * budget), "--samples", str(samples), "--format", "csv"]
     table, log = os.path.join(folder, kind + ".csv"), os.path.join(folder, kind + ".log")
     with open(log, "w") as messages:
         study = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=messages, env={**os.environ, "OMP_NUM_THREADS": "1"})

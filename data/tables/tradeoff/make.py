@@ -18,24 +18,24 @@ STUDIES = {
         "cohesionless_cycle", ["grains.count=150", "load.0.steps_per_decade=2", "load.1.steps_per_decade=1"]),
     "beads-hertz": ("spheres_demo", ["grains.count=200", "load.0.to=1e6"]),
     "spheres-cohesive": (
-        "powder3d", ["grains.count=150", "load.0.to=1", "load.0.steps_per_decade=2", "load.1.steps_per_decade=1"]),
+        "powder3d", ["grains.count=100", "load.0.to=1", "load.0.steps_per_decade=2", "load.1.steps_per_decade=1"]),
     "spheres-wet": ("wet_demo", ["grains.count=150"]),
     "spheres-cohesive-walls": ("compaction_demo", ["grains.count=150"]),
     "disks-cohesive-oedometer": (
-        "oedometer", ["grains.count=100", "load.0.steps_per_decade=3", "load.1.steps_per_decade=3",
+        "oedometer", ["grains.count=80", "load.0.steps_per_decade=3", "load.1.steps_per_decade=3",
                       "load.2.steps_per_decade=3"]),
     "disks-cohesionless-biaxial": (
         "biaxial_dense", ["grains.count=150", "load.0.strain=0.1", "load.0.strain_step=5e-3"]),
     "disks-cohesive-biaxial": (
-        "biaxial_cohesive", ["grains.count=100", "load.0.steps_per_decade=1", "load.1.strain_step=1e-2"]),
+        "biaxial_cohesive", ["grains.count=80", "load.0.steps_per_decade=1", "load.1.strain_step=1e-2"]),
     "disks-cohesionless-simple-shear": (
         "biaxial_dense", ["grains.count=150", "load.0.control=simple_shear", "load.0.strain=0.1",
                           "load.0.strain_step=5e-3"]),
     "disks-cohesionless-constant-volume": (
         "constant_volume", ["grains.count=150", "load.0.strain=0.05", "load.0.strain_step=2.5e-3"]),
-    "rigid-disks": ("rigid_disks_demo", ["grains.count=100"]),
+    "rigid-disks": ("rigid_disks_demo", ["grains.count=80"]),
     "rigid-polygons": ("pentagons_demo", ["grains.count=60"]),
-    "rigid-polyhedra": ("polyhedra_demo", ["grains.count=30"]),
+    "rigid-polyhedra": ("polyhedra_demo", ["grains.count=30", "cell.solid_fraction=0.08"]),
     "disks-cemented": ("cemented2d", ["grains.count=100", 'grains.diameter={distribution="uniform", min=0.5, max=1.5}']),
     "spheres-cemented": ("cemented3d", ["grains.count=40", 'grains.diameter={distribution="uniform", min=0.5, max=1.0}']),
 }

@@ -64,6 +64,7 @@ LONG = {
     "floc run data/scenes/demo.toml -o ensemble": "four samples of the demo",
     "floc fit consolidation ensemble": "with them",
     "floc tradeoff data/scenes/demo.toml": "ten minutes",
+    "floc tradeoff data/scenes/cemented3d.toml": "five minutes",
     "--track-contacts 0.1": "a run of its own",
     "--bootstrap 1000": "a minute",
     "-o frames/ --as png": "forty pictures",
@@ -810,6 +811,19 @@ class Test:
                     self.number(mean, chosen[name]["mean_difference"], f"{what}, mean of {name}")
                     self.number(stderr, chosen[name]["mean_stderr"], f"{what}, standard error of {name}")
 
+    def names_of_tradeoff(self):
+        """The page names every observable once, and every parameter of the program's own tables."""
+        help_text = subprocess.run([self.floc, "tradeoff", "--help"], capture_output=True, text=True, check=True).stdout
+        known = re.search(r"--observables TEXT:\{(.*?)\}", help_text).group(1).split(",")
+        told = [name for row in self.claim_table("| observable | of | meaning |") for name in row[0].split(", ")]
+        if sorted(known) != sorted(told):
+            self.fault(f"observables of floc tradeoff: {sorted(set(known) ^ set(told))} are not on the page, or not in the program")
+        knobs = " ".join(row[0] for row in self.claim_table("| knob | of | strictest |"))
+        path = os.path.join(self.source, "data/tables/tradeoff/disks-cohesive.csv")
+        for knob in {row["knob"] for row in csv.DictReader(open(path))} - {"strict", "scene", "together"}:
+            if not re.search(rf"\b{knob}\b", knobs):
+                self.fault(f"parameters of floc tradeoff: {knob} is not on the page")
+
     # Grains with corners.
 
     def checked_shape(self, shape, dimension=2):
@@ -970,7 +984,7 @@ class Test:
                               self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
                               self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
-                              self.lattice, self.tradeoff, self.kinds_of_shapes, self.shapes_of_states):
+                              self.lattice, self.tradeoff, self.names_of_tradeoff, self.kinds_of_shapes, self.shapes_of_states):
                     try:
                         with self.hanging_on_demo(check in of_demo):
                             check()

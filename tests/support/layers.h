@@ -43,7 +43,7 @@ inline const LayerOrder& layer_order() {
       {"imports", {"io", "neighbors", "verification"}},
       {"run_directory", {"scene", "loading", "io", "structure", "elasticity", "neighbors"}},
       {"picture", {"structure", "elasticity", "packing", "lattice"}},
-      {"tradeoff", {"scene", "loading", "elasticity", "structure", "fitting"}},
+      {"tradeoff", {"scene", "loading", "elasticity", "structure", "fitting", "rigid", "io", "lattice"}},
       {"campaign", {"scene", "loading", "io"}},
       {"tables",
        {"elasticity", "fitting", "io", "lattice", "rigid", "run_directory", "structure", "verification"}},

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "floc/base/error.h"
-#include "floc/campaign/sample_mean.h"
 #include "floc/planning/duration.h"
+#include "floc/tradeoff/path_fits.h"
 #include "floc/tradeoff/sample_path.h"
 #include "floc/tradeoff/studied_setting.h"
+#include "floc/tradeoff/tradeoff.h"
 
 namespace floc {
 namespace {
@@ -38,7 +38,7 @@ std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples,
     if (!path.whole())
       throw NoResult(
           fmt::format("--pilot: a sample of {} grains has no equilibrium: {}", n_grains, path.failure));
-    for (ObservedState& state : path.states) state.state.packing.contacts.clear();
+    path.drop_packings();
     paths.push_back(std::move(path));
   }
   return paths;
@@ -50,28 +50,17 @@ double mean_seconds(const std::vector<SamplePath>& paths) {
   return sum / static_cast<double>(paths.size());
 }
 
-/// Returns the mean of an observable over the states of a path that have a value; NaN if none has.
-double mean_over_states(const SamplePath& path, const std::function<double(const Observation&)>& value) {
-  double sum = 0.0;
-  int n = 0;
-  for (const ObservedState& state : path.states)
-    if (const double x = value(state.observation); std::isfinite(x)) sum += x, ++n;
-  return sum / n;
-}
-
-std::vector<ObservablePrice> scatter_between(const std::vector<SamplePath>& paths) {
+std::vector<ObservablePrice> scatter_between(const Scene& scene, const std::vector<SamplePath>& paths) {
+  std::vector<const SamplePath*> all;
+  for (const SamplePath& path : paths) all.push_back(&path);
+  Tradeoff described;
+  describe_reference(all, fit_window(all), described);
   std::vector<ObservablePrice> prices;
-  for (int k = 0; k < kObservables; ++k) {
-    std::vector<double> means, sizes;
-    for (const SamplePath& path : paths) {
-      means.push_back(
-          mean_over_states(path, [k](const Observation& o) { return o[static_cast<std::size_t>(k)]; }));
-      sizes.push_back(mean_over_states(path, [k](const Observation& o) { return floc::size_of(k, o, o); }));
-    }
-    const SampleMean mean = mean_of_samples(means), size = mean_of_samples(sizes);
-    const double scatter = mean.deviation.value_or(0.0) / size.mean;
-    if (scatter > 0.0 && std::isfinite(scatter))
-      prices.push_back({kObservableNames[static_cast<std::size_t>(k)], "", scatter, mean.n - 1, std::nullopt});
+  for (std::size_t k = 0; k < kObservables; ++k) {
+    const DeclaredObservable& declared = declared_observables()[k];
+    if (const double scatter = described.scatter[k]; scatter > 0.0 && std::isfinite(scatter))
+      prices.push_back(
+          {declared.name, unit_of(declared, scene), scatter, static_cast<int>(paths.size()) - 1, std::nullopt});
   }
   return prices;
 }
@@ -84,17 +73,13 @@ PilotResult run_pilot(const Scene& scene, double limit) {
         "assembly.protocol = \"state\"",
         "a plan needs samples with any number of grains, which requires a gas in place of a saved state: "
         "expected \"direct\" or \"aggregation\"");
-  if (scene.dimension != 2 || scene.law.is_rigid())
-    throw InputError("--pilot",
-                     "a pilot measures the costs and the scatter only of elastic disks: expected a table of "
-                     "prices (--prices FILE) for this scene");
   const bool is_listed = scene.grains.diameter.kind == DiameterDistribution::Kind::list;
   const int n_large =
       is_listed ? scene.grains.count : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);
   const Deadline deadline(limit);
   const std::vector<SamplePath> large = samples(scene, n_large, kSamples, deadline, limit);
   PilotResult result{n_large, kSamples, mean_seconds(large), 0.5 * (kLeastExponent + kLargestExponent),
-                     scatter_between(large)};
+                     scatter_between(scene, large)};
   if (!is_listed && n_large >= 4) {
     const std::vector<SamplePath> small = samples(scene, n_large / 2, kSmallSamples, deadline, limit);
     const double ratio = static_cast<double>(n_large) / (n_large / 2);

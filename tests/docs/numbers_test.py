@@ -71,6 +71,8 @@ LONG = {
     "floc run data/scenes/cemented2d.toml": "some minutes; floc lattice on its state as many again",
     "floc lattice grains/": "likewise",
     "cd friction && snakemake": "six runs of the demo's size",
+    "cd plan && snakemake": "two minutes",
+    "floc plan --check plan": "with them",
 }
 # Tables by a part of their header, whose numbers no command prints, or not the same ones twice.
 UNCHECKED_TABLES = {
@@ -110,6 +112,7 @@ UNCHECKED_TABLES = {
     "| column | unit | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| `grains.diameter.distribution` |": "words",
     "| part of a run |": "defaults, which the tests of scenes hold",
+    "| part | what it is |": "words",
     "| cell.mass | samples |": "an hour; study.py makes samples of the kind",
     "| P | B, dP > 0 |": "floc_pressure_response takes an hour",
 }

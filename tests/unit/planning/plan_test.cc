@@ -111,7 +111,7 @@ ByHand by_hand(bool fast, int n_grains, int n_samples) {
 }
 
 TEST_F(Plans, TheBestInABudgetIsThatOfAllCombinations) {
-  for (const double budget : {10.0, 60.0, 3600.0, 1e5})
+  for (const double budget : {10.0, 60.0, 1800.0})
     for (const int cores : {1, 3}) {
       double best = std::numeric_limits<double>::infinity();
       for (const bool fast : {false, true})

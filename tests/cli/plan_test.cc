@@ -17,7 +17,7 @@ using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 
-const std::string kDemo = source_directory() + "/data/scenes/demo.toml ";
+const std::string kDemoScene = source_directory() + "/data/scenes/demo.toml ";
 /// A scene whose small samples take a fraction of a second.
 const std::string kQuick =
     source_directory() +
@@ -41,7 +41,7 @@ class PlanCommand : public testing::Test {
 
 TEST_F(PlanCommand, KeepsBudgetsAndWants) {
   for (const char* budget : {"5s", "30min", "2 h", "3d"})
-    for (const auto& row : rows(kDemo + "--cores 2 --budget '" + budget + "'")) {
+    for (const auto& row : rows(kDemoScene + "--cores 2 --budget '" + budget + "'")) {
       const double hours = std::string(budget) == "5s"      ? 5 / 3600.0
                            : std::string(budget) == "30min" ? 0.5
                            : std::string(budget) == "2 h"   ? 2.0
@@ -51,36 +51,36 @@ TEST_F(PlanCommand, KeepsBudgetsAndWants) {
                   double(row["error_settings"]) + double(row["error_size"]) + double(row["error_scatter"]),
                   1e-9 * double(row["error"]));
     }
-  const json wanted = rows(kDemo + "--want phi=0.01,B=0.1");
+  const json wanted = rows(kDemoScene + "--want phi=0.01,B=0.1");
   ASSERT_GE(wanted.size(), 2u);
   for (const auto& row : wanted) EXPECT_LE(row["error"], row["observable"] == "phi" ? 0.01 : 0.1);
 }
 
 TEST_F(PlanCommand, ObservablesCanBeChosen) {
-  for (const auto& row : rows(kDemo + "--budget 1h --observables phi,lambda"))
+  for (const auto& row : rows(kDemoScene + "--budget 1h --observables phi,lambda"))
     EXPECT_TRUE(row["observable"] == "phi" || row["observable"] == "lambda");
 }
 
 TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
   const std::pair<std::string, std::string> refused[] = {
-      {kDemo, "expected --budget, the time that may be spent, or --want"},
+      {kDemoScene, "expected --budget, the time that may be spent, or --want"},
       {"", "expected a scene file, or --check DIR"},
-      {kDemo + "--budget 2m", "--budget 2m: expected a positive number with one of the units"},
-      {kDemo + "--budget 1ms", "--budget 1ms: expected"},
-      {kDemo + "--budget 0.01s", "a single sample of the smallest size, 50 grains, takes "},
-      {kDemo + "--want K0=0.1", "K0 is not a quantity of this scene"},
-      {kDemo + "--want phi=1e-9", "phi=1e-09: expected at least "},
-      {kDemo + "--want phi=0.003 --budget 2s", "the nearest that the budget allows are phi="},
-      {kDemo + "--budget 1h --set contact.normal.stiffness=1e9", "a K_N/F0 = 1e+09 is outside the range"},
-      {kDemo + "--budget 1h --set cell.mass=100", "the mass of the cell is 1e+03 times the default"},
-      {kDemo + "--budget 1h --set accuracy.phi=0.01", "remove the table [accuracy]"},
-      {kDemo + "--budget 1h --prices none.csv", "none.csv"},
-      {kDemo + "--budget 1h --prices beads.csv",
+      {kDemoScene + "--budget 2m", "--budget 2m: expected a positive number with one of the units"},
+      {kDemoScene + "--budget 1ms", "--budget 1ms: expected"},
+      {kDemoScene + "--budget 0.01s", "a single sample of the smallest size, 50 grains, takes "},
+      {kDemoScene + "--want K0=0.1", "K0 is not a quantity of this scene"},
+      {kDemoScene + "--want phi=1e-9", "phi=1e-09: expected at least "},
+      {kDemoScene + "--want phi=0.003 --budget 2s", "the nearest that the budget allows are phi="},
+      {kDemoScene + "--budget 1h --set contact.normal.stiffness=1e9", "a K_N/F0 = 1e+09 is outside the range"},
+      {kDemoScene + "--budget 1h --set cell.mass=100", "the mass of the cell is 1e+03 times the default"},
+      {kDemoScene + "--budget 1h --set accuracy.phi=0.01", "remove the table [accuracy]"},
+      {kDemoScene + "--budget 1h --prices none.csv", "none.csv"},
+      {kDemoScene + "--budget 1h --prices beads.csv",
        "the scene is of the kind disks-cohesive, but the table beads.csv is "
        "about scenes of the kind beads-hertz; tables are shipped for"},
-      {kDemo + "--budget 1h --prices old.csv", "old.csv: column"},
-      {kDemo + "--budget 1h --pilot --set grains.count=1", "grains.count"},
-      {kDemo + "--budget 1s --pilot", "--pilot: the samples of 200 grains are not complete within 0.2 s"},
+      {kDemoScene + "--budget 1h --prices old.csv", "old.csv: column"},
+      {kDemoScene + "--budget 1h --pilot --set grains.count=1", "grains.count"},
+      {kDemoScene + "--budget 1s --pilot", "--pilot: the samples of 200 grains are not complete within 0.2 s"},
       {"--check .", "this directory holds no campaign"},
   };
   write_text(scratch_.file("beads.csv"),
@@ -100,11 +100,11 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
 
 TEST_F(PlanCommand, ExtremeBudgetsGiveWordsAndNoHang) {
   for (const char* budget : {"1000y", "1e9y", "0.55s"}) {
-    const Outcome o = plan(kDemo + "--budget " + budget);
+    const Outcome o = plan(kDemoScene + "--budget " + budget);
     EXPECT_EQ(o.code, 0) << budget << o.err;
     EXPECT_THAT(o.err, HasSubstr("the best plan: ")) << budget;
   }
-  EXPECT_THAT(plan(kDemo + "--budget 1000y").err, HasSubstr("this is less than the budget"));
+  EXPECT_THAT(plan(kDemoScene + "--budget 1000y").err, HasSubstr("this is less than the budget"));
 }
 
 TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
@@ -131,11 +131,11 @@ TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
 
 TEST_F(PlanCommand, LeavesOutSettingsThatTheSceneRefuses) {
   // A tolerance of 1e-2 is not smaller than the first pressure of the scene.
-  for (const auto& row : rows(kDemo + "--want phi=0.2")) EXPECT_LT(row["tolerance"], 1e-2);
+  for (const auto& row : rows(kDemoScene + "--want phi=0.2")) EXPECT_LT(row["tolerance"], 1e-2);
 }
 
 TEST_F(PlanCommand, WritesASceneForASingleSample) {
-  const Outcome o = plan(kDemo + "--budget 0.55s -o one.toml");
+  const Outcome o = plan(kDemoScene + "--budget 0.55s -o one.toml");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, AllOf(HasSubstr("1 sample of "), HasSubstr("you may run next: floc run one.toml")));
   EXPECT_EQ(run_floc("scene check one.toml", scratch_.path()).code, 0);
@@ -153,9 +153,9 @@ TEST_F(PlanCommand, APilotMeasuresScenesWithoutATable) {
 }
 
 TEST_F(PlanCommand, SceneCheckPredictsByTheSamePrices) {
-  const Outcome check = run_floc("scene check " + kDemo);
+  const Outcome check = run_floc("scene check " + kDemoScene);
   EXPECT_THAT(check.err, HasSubstr("by the prices of the kind disks-cohesive, a run takes "));
-  EXPECT_EQ(run_floc("scene check " + kDemo + "--prices none.csv").code, 4);
+  EXPECT_EQ(run_floc("scene check " + kDemoScene + "--prices none.csv").code, 4);
 }
 
 }  // namespace

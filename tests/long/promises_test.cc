@@ -9,7 +9,7 @@
 #include "floc/scene/scene_prices.h"
 #include "support/places.h"
 
-// What tables of prices promise, and what plans promise, for every kind with a table. To run them alone:
+// The promises of tables of prices, and those of plans, for every kind with a table. To run them alone:
 //   build/release/tests/long_tests --gtest_filter='Promises.*'
 
 namespace floc {
@@ -77,7 +77,7 @@ TEST(Promises, OfPlansAreKeptInErrorAndInCost) {
     const ScenePrices prices = prices_of(scene, "");
     if (!prices.table || n_plans == 9) continue;
     const PriceModel model(scene, prices.table, run_pilot(scene, 600.0));
-    for (const double budget : {10.0, 30.0, 90.0}) {
+    for (const double budget : {5.0, 15.0, 45.0}) {
       ++n_plans;
       for (const test::PlanOutcome& outcome :
            test::outcome_of_plan(scene, model, budget, studied_settings(scene)[0])) {

@@ -63,7 +63,7 @@ inline void count_states(const PricedSettings& priced, const SamplePath& referen
       const Observation& here = path.states[i].observation;
       const Observation& truth = same[i] ? reference.states[i].observation : path.states[i].settled;
       const double error = std::abs(here[at] - truth[at]);
-      // What rounding makes of a difference is no error of the settings.
+      // Differences by rounding are no errors of the settings.
       constexpr double kRounding = 1e-9;
       if (std::isfinite(error))
         promises.add(error <= std::max(row->second->error, kRounding) * size_of(k, here, truth));
@@ -110,7 +110,7 @@ inline PromisesOfTable count_promises(const Scene& scene, const PriceTable& tabl
   return promises;
 }
 
-/// What a plan promised of an observable, and the difference of its samples from a reference ensemble.
+/// Promise of a plan about an observable, and the difference of its samples from a reference ensemble.
 struct PlanOutcome {
   std::string observable;
   double promised, achieved;

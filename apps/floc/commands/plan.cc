@@ -33,7 +33,7 @@ constexpr double kShareOfPilot = 0.2, kPilotSeconds = 600.0;
 constexpr double kFarExtrapolation = 10.0;
 constexpr double kSecondsPerHour = 3600.0;
 
-struct PlanArguments {
+struct PlanCommand {
   std::string scene;
   std::vector<std::string> overrides;
   std::string prices;
@@ -69,7 +69,7 @@ Table table_of(const PlanChoice& choice, const std::string& kind) {
 
 /// Returns the table of prices of a scene.
 /// @throws InputError if none applies and no pilot is asked for
-std::optional<PriceTable> prices_for(const PlanArguments& arguments, const Scene& scene) {
+std::optional<PriceTable> prices_for(const PlanCommand& arguments, const Scene& scene) {
   ScenePrices found = prices_of(scene, arguments.prices);
   if (!found.table && !arguments.pilot)
     throw InputError(arguments.scene,
@@ -116,7 +116,7 @@ void write_plan(const PlanChoice& choice, const Scene& scene, const PlanSource& 
                std::filesystem::path(output).stem().string(), best.n_samples > 1 ? "campaign plan" : "run");
 }
 
-int make_plan(PlanArguments& arguments) {
+int make_plan(PlanCommand& arguments) {
   PlanRequest& request = arguments.request;
   if (!arguments.budget.empty()) request.budget = duration_of("--budget", arguments.budget);
   if (!request.budget && arguments.wants.empty())
@@ -148,7 +148,7 @@ int make_plan(PlanArguments& arguments) {
   return kDone;
 }
 
-int check_plan_of(const PlanArguments& arguments) {
+int check_plan_of(const PlanCommand& arguments) {
   const auto [campaign, plans] = campaign_of(arguments.check);
   Table table{{"quantity", "unit", "promised", "achieved", "ratio", "mean", "n_samples"}, {}};
   for (const PlanCheck& c : check_plan(campaign, plans, arguments.check))
@@ -166,7 +166,7 @@ Command add_plan(CommandLine program) {
                                            "Choose the number of grains, the number of samples and the "
                                            "numerical settings of a scene for a budget, or for "
                                            "wanted errors");
-  const auto arguments = std::make_shared<PlanArguments>();
+  const auto arguments = std::make_shared<PlanCommand>();
   app.add_option("SCENE", arguments->scene, "scene file (TOML)");
   const Option budget =
       app.add_option("--budget", arguments->budget,

@@ -66,7 +66,7 @@ struct Reference {
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
-/// What floc plan promises of a campaign: see floc/planning/plan.h.
+/// Promise of floc plan about a campaign: see floc/planning/plan.h.
 struct PlanPromise {
   std::string settings;       ///< name of the numerical settings in the table of prices, such as "patience 0.2"
   std::string prices;         ///< table of prices, or pilot, from which the promise is made

@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// What a user wants to know of a scene, or may spend on it.
+/// Wishes of a user for a scene: errors that are wanted, or the time that may be spent.
 struct PlanRequest {
   std::optional<double> budget;  ///< wall time (s) on `cores` cores; absent: as much as the wanted errors take
   int cores = 1;

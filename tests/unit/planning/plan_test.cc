@@ -191,7 +191,7 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   EXPECT_THAT(refusal(dear),
               AllOf(HasSubstr("the wanted errors take "), HasSubstr("; the nearest that the budget "
                                                                     "allows are phi=0.0")));
-  // What is named as the nearest can be had.
+  // The nearest that is named can be had.
   const std::string words = refusal(below);
   const std::size_t at = words.find("at least ") + 9;
   below.wants = {{"phi", std::stod(words.substr(at))}};

@@ -827,6 +827,15 @@ class Test:
             if not re.search(rf"\b{knob}\b", knobs):
                 self.fault(f"parameters of floc tradeoff: {knob} is not on the page")
 
+    def settings_that_matter(self):
+        """The page has what the script beside the tables makes of them."""
+        summary = runpy.run_path(os.path.join(self.source, "data/tables/tradeoff/summary.py"))
+        made = {row[0]: row for row in summary["rows_of"](os.path.join(self.source, "data/tables/tradeoff"))}
+        told = {row[0]: tuple(row) for row in self.claim_table("| kind | samples | settings that matter most |")}
+        for kind in sorted(made.keys() | told.keys()):
+            if made.get(kind) != told.get(kind):
+                self.fault(f"settings that matter, {kind}: {told.get(kind)}, expected {made.get(kind)}")
+
     # Grains with corners.
 
     def checked_shape(self, shape, dimension=2):
@@ -987,7 +996,7 @@ class Test:
                               self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
                               self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
-                              self.lattice, self.tradeoff, self.names_of_tradeoff, self.kinds_of_shapes, self.shapes_of_states):
+                              self.lattice, self.tradeoff, self.names_of_tradeoff, self.settings_that_matter, self.kinds_of_shapes, self.shapes_of_states):
                     try:
                         with self.hanging_on_demo(check in of_demo):
                             check()

@@ -14,7 +14,6 @@ import csv
 import glob
 import math
 import os
-import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 NO_SETTINGS = {"strict", "scene", "together", "samples", "moduli", "count", "steps_per_decade"}
@@ -58,26 +57,29 @@ def words(setting):
     return f"{name} ({change:.0e}; {low:.2g} to {high:.2g})"
 
 
-def summary(file):
+def row_of(file):
+    """Returns the row of one table: kind, number of samples, settings that matter most and least."""
     with open(file, encoding="utf-8") as table:
         rows = list(csv.DictReader(table))
     settings = settings_of(rows)
-    n = max(row["n_samples"] for row in rows if row["knob"] == "strict")
+    n = next(row["n_samples"] for row in rows if row["knob"] == "strict")
     some = min(3, len(settings) // 2)
-    return (f"| {rows[0]['kind']} | {n} | {'; '.join(map(words, settings[:some]))} | "
-            f"{'; '.join(map(words, settings[::-1][:some]))} |")
+    return rows[0]["kind"], n, "; ".join(map(words, settings[:some])), "; ".join(map(words, settings[::-1][:some]))
+
+
+def rows_of(folder):
+    return [row_of(file) for file in sorted(glob.glob(os.path.join(folder, "*.csv")))
+            if os.path.basename(file) != "tradeoff.csv"]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", nargs="?", default=HERE, help="folder of the tables [that of this script]")
-    folder = parser.parse_args().folder
     print("| kind | samples | settings that matter most | settings that matter least |")
     print("|------|---------|---------------------------|----------------------------|")
-    for file in sorted(glob.glob(os.path.join(folder, "*.csv"))):
-        if os.path.basename(file) != "tradeoff.csv":
-            print(summary(file))
+    for row in rows_of(parser.parse_args().folder):
+        print("| " + " | ".join(row) + " |")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -185,7 +185,7 @@ void PriceModel::take_pilot(const PilotResult& pilot) {
           known->dof * std::pow(known->scatter, 2) + scaled.dof * std::pow(scaled.scatter, 2);
       known->dof += scaled.dof;
       known->scatter = std::sqrt(squares / known->dof);
-    } else if (!table_) {
+    } else {
       observables_.push_back(scaled);
     }
   }

@@ -81,7 +81,7 @@ TEST_P(EveryKind, HasItsName) {
 
 TEST_P(EveryKind, HasAValueOfEachObservableAndNoErrorAgainstItself) {
   SamplePath path = sample();
-  // What a small sample may not have: forces in tension, enough forces for a tail, and a bend of the consolidation law.
+  // A small sample may lack some: forces in tension, enough forces for a tail, and a bend of the consolidation law.
   const std::set<std::string> rare = {"tail_plus", "tail_minus", "lambda", "alpha", "Phi_max", "M_oedometer"};
   const Observation mean = mean_values({&path}, std::nullopt);
   for (std::size_t k = 0; k < kObservables; ++k) {

@@ -18,7 +18,7 @@ SCENES = os.path.join(HERE, os.pardir, os.pardir, os.pardir, "scenes")
 
 # Kind of packing -> shipped scene, last equilibrium that is made of it, and keys that make this one cheap.
 PACKINGS = {
-    "disks-cohesive": ("type1_rolling_small", 2, ["load.0.to=1", "load.0.steps_per_decade=1"]),
+    "disks-cohesionless": ("cohesionless_cycle", 2, []),
     "beads-hertz": ("spheres_demo", 1, ["load.0.to=1e6"]),
 }
 METHODS = [
@@ -107,13 +107,14 @@ def rows_of(floc, kind, most, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--floc", default="floc", help="program [floc]")
+    parser.add_argument("--only", choices=sorted(PACKINGS), help="kind of packing [all]")
     parser.add_argument("--most", type=int, default=100000, help="largest number of grains [100000]")
     parser.add_argument("-o", "--output", default=os.path.join(HERE, "sizes.csv"), help="table to write [sizes.csv here]")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder, open(options.output, "w", encoding="utf-8", newline="") as out:
         table = csv.DictWriter(out, COLUMNS, lineterminator="\n")
         table.writeheader()
-        for kind in PACKINGS:
+        for kind in [options.only] if options.only else PACKINGS:
             for row in rows_of(options.floc, kind, options.most, folder):
                 table.writerow(row)
                 out.flush()

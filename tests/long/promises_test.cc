@@ -62,6 +62,7 @@ TEST(Promises, OfTablesAreKeptAsOftenAsTheirConfidenceSays) {
     std::printf("%s: %d of %d values of states and %d of %d means are within the promised error\n",
                 scene_kind(scene).c_str(), promises.states.kept, promises.states.n, promises.means.kept,
                 promises.means.n);
+    std::fflush(stdout);
     EXPECT_GE(promises.states.n, 40) << held.file;
     EXPECT_GE(promises.means.n, 10) << held.file;
     EXPECT_GE(promises.states.probability(0.95), 0.01) << held.file;

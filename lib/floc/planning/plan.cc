@@ -54,9 +54,10 @@ class PlanSearch {
 
   PlanChoice best(int n_plans) const {
     if (observables_.empty())
-      throw InputError("floc plan",
-                       "the table of prices has fewer than two samples, so that it does not tell the scatter between "
-                       "them: expected a table of more samples (--prices FILE), or --pilot, which measures it");
+      throw InputError(
+          "floc plan",
+          "the table of prices has fewer than two samples, so that it does not tell the scatter between "
+          "them: expected a table of more samples (--prices FILE), or --pilot, which measures it");
     if (!wanted_.empty()) require_reachable();
     std::vector<ScoredPlan> found = plans_of_settings(kLeastSamples);
     if (found.empty()) found = plans_of_settings(1);

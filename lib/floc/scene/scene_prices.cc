@@ -44,16 +44,18 @@ std::string errors_in(const PriceTable& table) {
   return table.is_shipped ? "table of errors shipped with floc" : table.name();
 }
 
-/// Returns the key with which a scene caps the strain rate of its cell by default.
-const char* cap_name(const Scene& scene) {
-  return default_cap(scene.law).strain_rate_cap ? "strain_rate_cap" : "inertial_number_cap";
+/// Whether tables of the kind of a scene are measured with the default cell, so that the cell of the scene can be
+/// compared with theirs: those of cohesive grains, whose default is a cap on the strain rate. Without adhesion the cap
+/// is on the inertial number, for which each material has its own value.
+bool has_default_cells(const Scene& scene) {
+  return default_cap(scene.law).strain_rate_cap.has_value();
 }
 
 /// Returns why a table of prices does not apply to the cell of a scene; empty if it does.
 std::string problem_of_cell(const PriceTable& table, const Scene& scene) {
-  const bool has_strain_rate = default_cap(scene.law).strain_rate_cap.has_value();
+  if (!has_default_cells(scene)) return "";
   for (const RelaxationOptions& part : motions_of_cell(scene))
-    if (has_strain_rate && part.inertial_number_cap)
+    if (part.inertial_number_cap)
       return fmt::format(
           "strain_rate_cap is required in place of inertial_number_cap, because the errors in the {} were "
           "measured with a strain_rate_cap",
@@ -61,9 +63,9 @@ std::string problem_of_cell(const PriceTable& table, const Scene& scene) {
   for (const CellFactors& cell : cells_of(scene))
     if (!covers_cell(table, cell))
       return fmt::format(
-          "the mass of the cell is {:.3g} times the default mass on load paths, and its {} is {:.3g} times the "
-          "default; this is outside the range of the {}",
-          cell.mass, cap_name(scene), cell.rate_cap, errors_in(table));
+          "the mass of the cell is {:.3g} times the default mass on load paths, and its strain_rate_cap is "
+          "{:.3g} times the default; this is outside the range of the {}",
+          cell.mass, cell.rate_cap, errors_in(table));
   return "";
 }
 
@@ -81,15 +83,11 @@ std::string problem_of(const PriceTable& table, const Scene& scene) {
 }  // namespace
 
 std::vector<CellFactors> cells_of(const Scene& scene) {
-  const CellResponse usual = default_load_response(scene.law);
+  if (!has_default_cells(scene)) return {};
   std::vector<CellFactors> cells;
-  for (const RelaxationOptions& part : motions_of_cell(scene)) {
-    const double rate_cap =
-        usual.strain_rate_cap
-            ? part.strain_rate_cap.value_or(*usual.strain_rate_cap) / *usual.strain_rate_cap
-            : part.inertial_number_cap.value_or(*usual.inertial_number_cap) / *usual.inertial_number_cap;
-    cells.push_back({part.cell_mass / *usual.cell_mass, rate_cap});
-  }
+  for (const RelaxationOptions& part : motions_of_cell(scene))
+    cells.push_back(
+        {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
   // The mass of the cell during the assembly determines which packing is made. It does not affect the accuracy, so it
   // counts as the default.
   if (!cells.empty()) cells.front().mass = 1.0;

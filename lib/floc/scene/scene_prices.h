@@ -22,7 +22,8 @@ struct ScenePrices {
 ScenePrices prices_of(const Scene& scene, const std::string& file);
 
 /// Returns the mass of the cell, and the cap on its strain rate, in each part of a run, first in the assembly and then
-/// in each stage of the load path. They are divided by the default values for the scene; a box has no cell.
+/// in each stage of the load path, divided by the default values for cohesive grains. The result is empty for grains
+/// without adhesion, whose tables are not measured with the default cell, and for boxes.
 std::vector<CellFactors> cells_of(const Scene& scene);
 
 }  // namespace floc

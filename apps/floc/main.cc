@@ -23,11 +23,11 @@ namespace {
 
 using AddCommand = floc::Command (*)(floc::CommandLine);
 constexpr AddCommand kCommands[] = {
-    floc::add_run,      floc::add_scene,   floc::add_moduli,    floc::add_modes,   floc::add_network,
-    floc::add_forces,   floc::add_lattice, floc::add_structure, floc::add_compare, floc::add_fit,
-    floc::add_verify,   floc::add_info,    floc::add_convert,   floc::add_chain,   floc::add_draw,
-    floc::add_plot,     floc::add_report,  floc::add_tradeoff,  floc::add_demo,    floc::add_export,
-    floc::add_campaign, floc::add_help};
+    floc::add_run,    floc::add_scene,    floc::add_moduli,    floc::add_modes,   floc::add_network,
+    floc::add_forces, floc::add_lattice,  floc::add_structure, floc::add_compare, floc::add_fit,
+    floc::add_verify, floc::add_info,     floc::add_convert,   floc::add_chain,   floc::add_draw,
+    floc::add_plot,   floc::add_report,   floc::add_tradeoff,  floc::add_plan,    floc::add_demo,
+    floc::add_export, floc::add_campaign, floc::add_help};
 
 int run_command(const std::vector<floc::Command>& commands) {
   for (const floc::Command& command : commands)

@@ -95,7 +95,7 @@ std::string drive_scene(const Scene& scene, const SceneRunOptions& asked, Watch&
 }
 
 void run(const std::string& scene_file, const std::string& directory, const std::vector<std::string>& changes,
-         const py::object& seed, const py::object& threads, const py::object& until,
+         const std::string& prices, const py::object& seed, const py::object& threads, const py::object& until,
          const py::object& track_contacts, bool track_energy, bool resume, bool overwrite, bool timing,
          const py::object& told, const py::object& interval) {
   if (resume && overwrite)
@@ -112,7 +112,7 @@ void run(const std::string& scene_file, const std::string& directory, const std:
   asked.overwrite = overwrite;
   asked.no_timing = !timing;
   Watch watch(told, number_of("interval", interval, kNotNegativeNumber));
-  const Scene scene = read_scene(scene_file, changes);
+  const Scene scene = read_scene(scene_file, changes, prices);
   Warnings warnings;
   for (const std::string& words : scene_warnings(scene))
     warnings.push_back(fmt::format("{}: {}", scene_file, words));
@@ -130,9 +130,9 @@ void run(const std::string& scene_file, const std::string& directory, const std:
 
 void bind_run(py::module_& module) {
   module.def("run", &run, py::arg("scene"), py::arg("directory"), py::kw_only(), py::arg("changes"),
-             py::arg("seed"), py::arg("threads"), py::arg("until"), py::arg("track_contacts"),
-             py::arg("track_energy"), py::arg("resume"), py::arg("overwrite"), py::arg("timing"),
-             py::arg("told"), py::arg("interval"));
+             py::arg("prices"), py::arg("seed"), py::arg("threads"), py::arg("until"),
+             py::arg("track_contacts"), py::arg("track_energy"), py::arg("resume"), py::arg("overwrite"),
+             py::arg("timing"), py::arg("told"), py::arg("interval"));
 }
 
 }  // namespace floc::python

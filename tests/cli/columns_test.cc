@@ -93,6 +93,7 @@ TEST_F(Columns, OfAnotherCommandAreRefusedBeforeWork) {
                               "report none -o r.html",
                               "plot none -o p.svg --show coordination",
                               "tradeoff none.toml",
+                              "plan none.toml --budget 1h",
                               "campaign check none.toml",
                               "campaign outcome none",
                               "campaign collect none --table means"}) {

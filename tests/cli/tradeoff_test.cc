@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
+#include <vector>
 
 #include "support/places.h"
 #include "support/run_program.h"
@@ -56,6 +58,69 @@ TEST(TradeoffCommand, FirstColumnIsTheParameterAndObservablesCanBeChosen) {
   EXPECT_THAT(o.out, StartsWith("knob,value,observable,"));
   EXPECT_THAT(o.out, HasSubstr("\nstrict,all,phi,"));
   EXPECT_THAT(o.out, testing::Not(HasSubstr(",z_plus,")));
+}
+
+/// Shipped scenes of other kinds, so small that a sample takes a fraction of a second, and an observable of each.
+const std::vector<std::tuple<std::string, std::string, std::string>> kOtherKinds = {
+    {"beads-hertz", "spheres_demo.toml --set grains.count=50 --set load.0.to=1e5", "B"},
+    {"spheres-cohesive-walls", "compaction_demo.toml --set grains.count=50", "n_wall_contacts"},
+    {"disks-cohesionless-biaxial",
+     "biaxial_dense.toml --set grains.count=50 --set load.0.strain=0.04 --set load.0.strain_step=4e-3",
+     "peak_ratio"},
+    {"rigid-polygons", "pentagons_demo.toml --set grains.count=20", "force_freedom"},
+    {"disks-cemented",
+     "cemented2d.toml --set grains.count=20 --set 'grains.diameter={distribution=\"uniform\", min=0.5, max=1}' "
+     "--lattice 0.1",
+     "E_lattice"},
+};
+
+TEST(TradeoffCommand, StudiesEveryKindOfSceneInTheSameTable) {
+  for (const auto& [kind, scene, observable] : kOtherKinds) {
+    const Outcome o = run_floc("tradeoff " + source_directory() + "/data/scenes/" + scene +
+                               " --samples 1 --budget 5 --format json");
+    ASSERT_EQ(o.code, 0) << kind << ": " << o.err;
+    int n_strict = 0, n_scene = 0;
+    bool has_observable = false;
+    for (const auto& row : nlohmann::json::parse(o.out)) {
+      EXPECT_EQ(row["kind"], kind);
+      EXPECT_GT(row["n_states"], 0) << kind;
+      // A small sample may have too few forces for a tail.
+      const bool is_tail = std::string(row["observable"]).starts_with("tail_");
+      EXPECT_TRUE(is_tail || row["reference_value"].is_number()) << kind << " " << row["observable"];
+      EXPECT_FALSE(row["unit"].is_null()) << kind;
+      EXPECT_TRUE(row["sample_scatter"].is_null()) << "a single sample has no scatter";
+      has_observable = has_observable || row["observable"] == observable;
+      n_scene += row["knob"] == "scene";
+      if (row["knob"] != "strict") continue;
+      ++n_strict;
+      for (const char* error : {"error_before_high", "error_after_high", "mean_difference"})
+        EXPECT_TRUE(row[error].is_null() || row[error] == 0.0)
+            << kind << " " << row["observable"] << " " << error;
+    }
+    EXPECT_GT(n_strict, 4) << kind;
+    EXPECT_GE(n_scene, n_strict) << kind;
+    EXPECT_TRUE(has_observable) << kind << " " << observable;
+  }
+}
+
+TEST(TradeoffCommand, RefusesObservablesThatTheSceneDoesNotHave) {
+  const std::string scenes = "tradeoff " + source_directory() + "/data/scenes/";
+  const auto refusal = [&](const std::string& arguments) {
+    const Outcome o = run_floc(scenes + arguments);
+    EXPECT_EQ(o.code, 4) << arguments;
+    EXPECT_EQ(o.out, "") << arguments;
+    return o.err;
+  };
+  EXPECT_THAT(
+      refusal("demo.toml --observables phi,K0"),
+      HasSubstr("--observables K0: a study of the kind \"disks-cohesive\" does not have this observable; the "
+                "one with the most similar name is "));
+  EXPECT_THAT(refusal("rigid_disks_demo.toml --observables B"), HasSubstr("\"rigid-disks\""));
+  EXPECT_THAT(refusal("cohesionless_cycle.toml --observables tail_minus"), HasSubstr("is tail_plus"));
+  EXPECT_THAT(refusal("demo.toml --lattice 0.1 --observables phi"), HasSubstr("\"disks-cemented\""));
+  EXPECT_THAT(refusal("demo.toml --observables E_lattice"), HasSubstr("\"disks-cohesive\""));
+  EXPECT_THAT(refusal("rigid_disks_demo.toml --lattice 0.1"),
+              HasSubstr("elastic disks or spheres in a periodic cell"));
 }
 
 TEST(TradeoffCommand, SaysWhatABudgetDidNotAllow) {

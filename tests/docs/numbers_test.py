@@ -64,12 +64,15 @@ LONG = {
     "floc run data/scenes/demo.toml -o ensemble": "four samples of the demo",
     "floc fit consolidation ensemble": "with them",
     "floc tradeoff data/scenes/demo.toml": "ten minutes",
+    "floc tradeoff data/scenes/cemented3d.toml": "five minutes",
     "--track-contacts 0.1": "a run of its own",
     "--bootstrap 1000": "a minute",
     "-o frames/ --as png": "forty pictures",
     "floc run data/scenes/cemented2d.toml": "some minutes; floc lattice on its state as many again",
     "floc lattice grains/": "likewise",
     "cd friction && snakemake": "six runs of the demo's size",
+    "cd plan && snakemake": "two minutes",
+    "floc plan --check plan": "with them",
 }
 # Tables by a part of their header, whose numbers no command prints, or not the same ones twice.
 UNCHECKED_TABLES = {
@@ -109,6 +112,7 @@ UNCHECKED_TABLES = {
     "| column | unit | meaning |": "docs/generate writes it, and pages_test.py holds it",
     "| `grains.diameter.distribution` |": "words",
     "| part of a run |": "defaults, which the tests of scenes hold",
+    "| part | what it is |": "words",
     "| cell.mass | samples |": "an hour; study.py makes samples of the kind",
     "| P | B, dP > 0 |": "floc_pressure_response takes an hour",
 }
@@ -787,7 +791,7 @@ class Test:
         return max((float(r["P"]), int(r["step"])) for r in states if r["state"] == state)[1]
 
     def tradeoff(self):
-        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/tradeoff/tradeoff.csv"))))
+        rows = list(csv.DictReader(open(os.path.join(self.source, "data/tables/tradeoff/disks-cohesive.csv"))))
 
         def error(row):
             values = [float(row[name]) for name in ("error_before_high", "error_after_high") if row[name]]
@@ -797,7 +801,7 @@ class Test:
             chosen = {r["observable"]: r for r in rows if r["knob"] == knob and r["value"] == value}
             what = f"tradeoff {knob} {value}"
             if not chosen:
-                self.fault(what + ": not in data/tables/tradeoff/tradeoff.csv")
+                self.fault(what + ": not in data/tables/tradeoff/disks-cohesive.csv")
                 continue
             any_row = chosen.get("phi", chosen.get("B"))
             self.number(cost, any_row["cost_ratio"], what + ", cost_ratio")
@@ -809,6 +813,28 @@ class Test:
                     mean, stderr = shown.split(" +- ")
                     self.number(mean, chosen[name]["mean_difference"], f"{what}, mean of {name}")
                     self.number(stderr, chosen[name]["mean_stderr"], f"{what}, standard error of {name}")
+
+    def names_of_tradeoff(self):
+        """The page names every observable once, and every parameter of the program's own tables."""
+        help_text = subprocess.run([self.floc, "tradeoff", "--help"], capture_output=True, text=True, check=True).stdout
+        known = re.search(r"--observables TEXT:\{(.*?)\}", help_text).group(1).split(",")
+        told = [name for row in self.claim_table("| observable | of | meaning |") for name in row[0].split(", ")]
+        if sorted(known) != sorted(told):
+            self.fault(f"observables of floc tradeoff: {sorted(set(known) ^ set(told))} are not on the page, or not in the program")
+        knobs = " ".join(row[0] for row in self.claim_table("| knob | of | strictest |"))
+        path = os.path.join(self.source, "data/tables/tradeoff/disks-cohesive.csv")
+        for knob in {row["knob"] for row in csv.DictReader(open(path))} - {"strict", "scene", "together"}:
+            if not re.search(rf"\b{knob}\b", knobs):
+                self.fault(f"parameters of floc tradeoff: {knob} is not on the page")
+
+    def settings_that_matter(self):
+        """The page has what the script beside the tables makes of them."""
+        summary = runpy.run_path(os.path.join(self.source, "data/tables/tradeoff/summary.py"))
+        made = {row[0]: row for row in summary["rows_of"](os.path.join(self.source, "data/tables/tradeoff"))}
+        told = {row[0]: tuple(row) for row in self.claim_table("| kind | samples | settings that matter most |")}
+        for kind in sorted(made.keys() | told.keys()):
+            if made.get(kind) != told.get(kind):
+                self.fault(f"settings that matter, {kind}: {told.get(kind)}, expected {made.get(kind)}")
 
     # Grains with corners.
 
@@ -970,7 +996,7 @@ class Test:
                               self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
                               self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
-                              self.lattice, self.tradeoff, self.kinds_of_shapes, self.shapes_of_states):
+                              self.lattice, self.tradeoff, self.names_of_tradeoff, self.settings_that_matter, self.kinds_of_shapes, self.shapes_of_states):
                     try:
                         with self.hanging_on_demo(check in of_demo):
                             check()

@@ -107,12 +107,11 @@ class Test:
 
     def keys_that_are_read(self):
         """Names of the keys that the sources ask for, and of the numbers of contact laws."""
-        keys = set(ACCURACY.findall(self.read("lib/floc/scene/accuracy.cc")))
+        keys = set(ACCURACY.findall(self.read("lib/floc/prices/accuracy.cc")))
         keys |= set(SLOT.findall(self.read("lib/floc/contact/law_parameters.h")))
         for name in glob.glob(os.path.join(self.source, "lib/floc/scene/*.cc")):
-            if os.path.basename(name) != "accuracy.cc":  # which reads a table of results
-                text = open(name, encoding="utf-8").read()
-                keys |= set(READ.findall(text)) | {key for pair in READ_PAIR.findall(text) for key in pair}
+            text = open(name, encoding="utf-8").read()
+            keys |= set(READ.findall(text)) | {key for pair in READ_PAIR.findall(text) for key in pair}
         for name in glob.glob(os.path.join(self.source, "lib/floc/contact/*/*.h")):
             keys |= set(DECLARED.findall(open(name, encoding="utf-8").read()))
         return keys - WRITTEN_BY_FLOC
@@ -138,6 +137,7 @@ class Test:
             self.fault(f"docs/scenes.md does not describe the key {key!r}, which scenes read")
         sources = "".join(open(name, encoding="utf-8").read() for name in
                           glob.glob(os.path.join(self.source, "lib/floc/scene/*.cc")) +
+                          [os.path.join(self.source, "lib/floc/prices/accuracy.cc")] +
                           glob.glob(os.path.join(self.source, "lib/floc/contact/*.cc")))
         for path in paths:
             if f'"{path.split(".")[-1]}"' not in sources:

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "floc/scene/accuracy.h"
+#include "floc/prices/accuracy.h"
 #include "floc/scene/read_scene.h"
 #include "floc/tradeoff/comparison.h"
 #include "support/places.h"

@@ -37,15 +37,17 @@ inline const LayerOrder& layer_order() {
       {"structure", {"packing", "neighbors", "network"}},
       {"lattice", {"elasticity", "structure"}},
       {"io", {"packing", "contact"}},
-      {"scene", {"contact", "assembly", "loading", "io"}},
+      {"prices", {"relaxation", "io"}},
+      {"scene", {"contact", "assembly", "loading", "io", "prices"}},
       {"verification", {"scene", "io", "elasticity", "neighbors", "rigid"}},
       {"imports", {"io", "neighbors", "verification"}},
       {"run_directory", {"scene", "loading", "io", "structure", "elasticity", "neighbors"}},
       {"picture", {"structure", "elasticity", "packing", "lattice"}},
-      {"tradeoff", {"scene", "loading", "elasticity", "structure", "fitting"}},
+      {"tradeoff", {"scene", "loading", "elasticity", "structure", "fitting", "rigid", "io", "lattice"}},
       {"campaign", {"scene", "loading", "io"}},
       {"tables",
        {"elasticity", "fitting", "io", "lattice", "rigid", "run_directory", "structure", "verification"}},
+      {"planning", {"campaign", "fitting", "prices", "scene", "tables", "tradeoff"}},
   };
   return order;
 }

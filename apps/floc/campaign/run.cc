@@ -115,6 +115,7 @@ int run_sample(const CampaignRunArguments& arguments) {
   outcome.exit_code = run_floc(words, {"", "", log, false});
   if (outcome.exit_code != kDone) outcome.command = "run";
   const double before = children_seconds();
+  outcome.run_seconds = before;
   for (const TableCommand& table : tables) {
     if (outcome.exit_code != kDone || was_signalled()) break;
     outcome.exit_code = make_table(table, arguments, log);

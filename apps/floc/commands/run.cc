@@ -14,6 +14,7 @@
 #include "floc/scene/read_scene.h"
 #include "floc/scene/scene_warnings.h"
 #include "process/command.h"
+#include "process/prices_option.h"
 
 namespace floc {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 struct RunArguments {
   std::string scene;
   std::vector<std::string> overrides;
+  std::string prices;
   SceneRunOptions run;
   std::string seeds;  ///< range of seeds "A..B" of an ensemble; empty for a single run
   int jobs = 1;
@@ -85,7 +87,7 @@ void tell_unused_threads(const Scene& scene, const SceneRunOptions& asked) {
 
 int run_scene(const RunArguments& arguments) {
   ::mallopt(M_MMAP_THRESHOLD, kReturnedBlock);
-  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  const Scene scene = read_scene(arguments.scene, arguments.overrides, arguments.prices);
   for (const std::string& warning : scene_warnings(scene))
     fmt::print(stderr, "{}: warning: {}\n", arguments.scene, warning);
   tell_unused_threads(scene, arguments.run);
@@ -95,7 +97,7 @@ int run_scene(const RunArguments& arguments) {
 /// Runs an ensemble: one process per seed, each with the same scene and arguments.
 int run_seeds(const RunArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
-  const Scene scene = read_scene(arguments.scene, arguments.overrides);
+  const Scene scene = read_scene(arguments.scene, arguments.overrides, arguments.prices);
   // Faults of the options that would stop every sample are reported here once, before any sample starts.
   const RunOptions options = checked_options(scene, arguments.run);
   if (!scene.is_random())
@@ -107,6 +109,7 @@ int run_seeds(const RunArguments& arguments) {
   tell_unused_threads(scene, arguments.run);
   std::vector<std::string> args = {arguments.scene};
   for (const std::string& change : arguments.overrides) args.insert(args.end(), {"--set", change});
+  if (!arguments.prices.empty()) args.insert(args.end(), {"--prices", arguments.prices});
   // Each sample gets only as many threads as it can use. Otherwise each sample would repeat the message of
   // tell_unused_threads().
   args.insert(args.end(), {"--threads", std::to_string(options.relaxation.threads)});
@@ -155,6 +158,7 @@ Command add_run(CommandLine program) {
   app.add_option("--set", arguments->overrides,
                  "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
+  add_prices_option(app, arguments->prices);
   const Option track_contacts =
       app.add_option("--track-contacts", arguments->run.track_contacts,
                      "DT: write to DIR/contacts.csv which contacts open and close during each step of the load "

@@ -10,13 +10,17 @@
 #include "floc/assembly/size_classes.h"
 #include "floc/base/error.h"
 #include "floc/io/atomic_file.h"
+#include "floc/planning/duration.h"
+#include "floc/planning/price_model.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
+#include "floc/scene/scene_prices.h"
 #include "floc/scene/scene_warnings.h"
 #include "floc/scene/starting_scene.h"
 #include "floc/tables/size_rows.h"
 #include "process/command.h"
 #include "process/output.h"
+#include "process/prices_option.h"
 #include "process/printing.h"
 
 namespace floc {
@@ -25,14 +29,35 @@ namespace {
 struct SceneArguments {
   std::string path;
   std::vector<std::string> overrides;
+  std::string prices;
   /// Name of the csv file for the sizes of the grains beside those that the scene asks for; if empty, no file is written.
   std::string sizes;
   Printing printing;
   std::string name;
 };
 
+/// Says what a run of the scene costs, if there is a table of prices for the scene. A program whose tables are not
+/// installed says so.
+void tell_price(const Scene& scene, const SceneArguments& arguments) {
+  if (scene.starts_from_state()) return;
+  ScenePrices prices;
+  try {
+    prices = prices_of(scene, arguments.prices);
+  } catch (const InputError& error) {
+    if (!arguments.prices.empty()) throw;
+    return spdlog::info("the processor time and the memory of a run are not predicted: {}", error.what());
+  }
+  if (!prices.table) {
+    if (!arguments.prices.empty()) throw InputError(arguments.prices, prices.problem);
+    return;
+  }
+  const ExpectedPrice price = expected_price(PriceModel(scene, *prices.table), scene);
+  spdlog::info("by the prices of the kind {}, a run takes {} of processor time and {:.0f} MB of memory",
+               prices.table->kind, duration_in_words(price.core_seconds), price.memory_mb);
+}
+
 int check_scene(const SceneArguments& arguments) {
-  const Scene scene = read_scene(arguments.path, arguments.overrides);
+  const Scene scene = read_scene(arguments.path, arguments.overrides, arguments.prices);
   Table table{{"group", "value", "meaning"}, {}};
   for (const DerivedGroup& g : derived_groups(scene)) table.rows.push_back({g.name, g.value, g.meaning});
   print_table(table, arguments.printing);
@@ -41,6 +66,7 @@ int check_scene(const SceneArguments& arguments) {
   if (!scene.start.empty()) spdlog::info("starting state: {}", scene.start);
   if (!scene.accuracy.empty())
     spdlog::info("numerical settings chosen for the accuracy that the scene requires: {}", scene.accuracy);
+  tell_price(scene, arguments);
   const std::vector<std::string> warnings = scene_warnings(scene);
   for (const std::string& warning : warnings) spdlog::warn("{}: warning: {}", arguments.path, warning);
   spdlog::info("{}: the scene has no faults{}", arguments.path,
@@ -91,6 +117,7 @@ Command add_scene(CommandLine program) {
       .add_option("--set", arguments->overrides,
                   "KEY=VALUE: set one key of the scene to another value, e.g. contact.rolling.coefficient=0.5")
       .one_argument_each();
+  add_prices_option(check, arguments->prices);
   check.add_option(
       "--sizes", arguments->sizes,
       "csv file to write, with one row per interval of diameters (between two sieves of a sieve curve, "

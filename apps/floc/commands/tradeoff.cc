@@ -8,8 +8,11 @@
 #include <memory>
 
 #include "floc/base/error.h"
+#include "floc/lattice/cemented_sample.h"
 #include "floc/scene/derived_groups.h"
 #include "floc/scene/read_scene.h"
+#include "floc/tables/column.h"
+#include "floc/tradeoff/lattice_study.h"
 #include "plots/tradeoff_plot.h"
 #include "process/command.h"
 #include "process/output.h"
@@ -25,13 +28,9 @@ struct TradeoffCommand {
   std::string plot;
   Printing printing;
   TradeoffOptions options;
+  std::optional<double> matrix_content;  ///< in a study of cemented grains
+  double stiffness_ratio = LatticeStudyOptions{}.stiffness_ratio;
 };
-
-std::vector<std::string> observable_names() {
-  std::vector<std::string> names(kObservableNames.begin(), kObservableNames.end());
-  names.insert(names.end(), kFittedNames.begin(), kFittedNames.end());
-  return names;
-}
 
 /// Returns the table cell of an error that was found by comparing n values. The cell is undefined if n is 0 or the
 /// error is not finite.
@@ -39,74 +38,80 @@ TableValue of_compared(int n, double value) {
   return n > 0 && std::isfinite(value) ? TableValue{value} : TableValue{};
 }
 
-/// Name and dimensionless contact stiffness of the scene that was run. Each row of the table contains both.
+/// Scene that was run, with what each row of the table says of it.
 struct StudiedScene {
-  std::string name;
+  const Scene& scene;
+  Subject subject;
+  std::string kind;
   /// Dimensionless contact stiffness: a K_N/F0 or, without adhesion, K_N/P (a: diameter, K_N: normal stiffness, F0:
-  /// pull-off force, P: pressure).
-  double kappa;
+  /// pull-off force, P: pressure); undefined for rigid contacts.
+  TableValue kappa;
 };
 
-std::vector<TableValue> row_of(const StudiedScene& run, const MeasuredSetting& m, const std::string& observable,
-                               const ObservableError& e, bool pareto) {
-  const NumericalSettings& s = m.setting.numerical;
-  return {m.setting.parameter,
-          m.setting.value,
-          observable,
-          m.cost_ratio,
-          m.core_seconds,
-          of_compared(e.before.n, e.before.high),
-          of_compared(e.after.n, e.after.high),
-          of_compared(e.mean.n, e.mean.difference),
-          of_compared(e.mean.n, e.mean.standard_error),
-          of_compared(e.mean.n, e.mean.error95),
-          pareto,
-          of_compared(e.before.n, e.before.error),
-          std::int64_t{e.before.n},
-          of_compared(e.after.n, e.after.error),
-          std::int64_t{e.after.n},
-          std::int64_t{e.mean.n},
-          m.moduli_seconds,
-          std::int64_t{m.n_grains},
-          std::int64_t{m.n_samples},
-          s.tolerance,
-          s.time_step,
-          std::string(finish_name(s.finish)),
-          s.patience,
-          run.kappa,
-          run.name};
+TableValue or_undefined_number(double value) {
+  return std::isfinite(value) ? TableValue{value} : TableValue{};
+}
+
+/// One row of the table: the errors of an observable with a setting.
+struct TradeoffRow {
+  const StudiedScene& run;
+  const Tradeoff& tradeoff;
+  const MeasuredSetting& setting;
+  std::size_t observable;
+  bool pareto;
+
+  const ObservableError& error() const { return setting.errors[observable]; }
+  const DeclaredObservable& declared() const { return declared_observables()[observable]; }
+};
+
+const std::vector<Column<TradeoffRow>>& tradeoff_columns() {
+  using Row = TradeoffRow;
+  static const std::vector<Column<Row>> columns = {
+      {"knob", [](const Row& r) { return r.setting.setting.parameter; }},
+      {"value", [](const Row& r) { return r.setting.setting.value; }},
+      {"observable", [](const Row& r) { return std::string(r.declared().name); }},
+      {"cost_ratio", [](const Row& r) { return r.setting.cost_ratio; }},
+      {"core_seconds", [](const Row& r) { return r.setting.core_seconds; }},
+      {"error_before_high",
+       [](const Row& r) { return of_compared(r.error().before.n, r.error().before.high); }},
+      {"error_after_high", [](const Row& r) { return of_compared(r.error().after.n, r.error().after.high); }},
+      {"mean_difference",
+       [](const Row& r) { return of_compared(r.error().mean.n, r.error().mean.difference); }},
+      {"mean_stderr",
+       [](const Row& r) { return of_compared(r.error().mean.n, r.error().mean.standard_error); }},
+      {"mean_error95", [](const Row& r) { return of_compared(r.error().mean.n, r.error().mean.error95); }},
+      {"pareto", [](const Row& r) { return r.pareto; }},
+      {"error_before", [](const Row& r) { return of_compared(r.error().before.n, r.error().before.error); }},
+      {"n_before", [](const Row& r) { return count(r.error().before.n); }},
+      {"error_after", [](const Row& r) { return of_compared(r.error().after.n, r.error().after.error); }},
+      {"n_after", [](const Row& r) { return count(r.error().after.n); }},
+      {"n_mean", [](const Row& r) { return count(r.error().mean.n); }},
+      {"moduli_seconds", [](const Row& r) { return r.setting.moduli_seconds; }},
+      {"n_grains", [](const Row& r) { return count(r.setting.n_grains); }},
+      {"n_samples", [](const Row& r) { return count(r.setting.n_samples); }},
+      {"tolerance", [](const Row& r) { return tolerance_of(r.setting.setting); }},
+      {"time_step",
+       [](const Row& r) { return or_undefined_number(time_step_of(r.run.scene, r.setting.setting)); }},
+      {"finish", [](const Row& r) { return finish_of(r.run.scene, r.setting.setting); }},
+      {"patience", [](const Row& r) { return or_undefined_number(patience_of(r.setting.setting)); }},
+      {"kappa", [](const Row& r) { return r.run.kappa; }},
+      {"scene", [](const Row& r) { return r.run.scene.name; }},
+      {"kind", [](const Row& r) { return r.run.kind; }},
+      {"reference_value", [](const Row& r) { return or_undefined_number(r.tradeoff.reference[r.observable]); }},
+      {"unit", [](const Row& r) { return unit_of(r.declared(), r.run.scene); }},
+      {"sample_scatter", [](const Row& r) { return or_undefined_number(r.tradeoff.scatter[r.observable]); }},
+      {"n_states", [](const Row& r) { return count(r.tradeoff.n_states); }},
+      {"memory_mb", [](const Row& r) { return or_undefined_number(r.setting.memory); }},
+  };
+  return columns;
 }
 
 Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vector<std::string>& wanted) {
-  Table table;
-  table.columns = {"knob",
-                   "value",
-                   "observable",
-                   "cost_ratio",
-                   "core_seconds",
-                   "error_before_high",
-                   "error_after_high",
-                   "mean_difference",
-                   "mean_stderr",
-                   "mean_error95",
-                   "pareto",
-                   "error_before",
-                   "n_before",
-                   "error_after",
-                   "n_after",
-                   "n_mean",
-                   "moduli_seconds",
-                   "n_grains",
-                   "n_samples",
-                   "tolerance",
-                   "time_step",
-                   "finish",
-                   "patience",
-                   "kappa",
-                   "scene"};
+  std::vector<TradeoffRow> rows;
   const std::vector<std::string> names = observable_names();
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), names[k]) == wanted.end()) continue;
+    if (!applies(declared_observables()[k], run.scene, run.subject)) continue;
     // The Pareto front contains the numerical settings for which no other setting is both cheaper and more accurate. It
     // is determined for each observable separately, because a setting may be on the front of one observable and not on
     // that of another.
@@ -115,16 +120,16 @@ Table table_of(const StudiedScene& run, const Tradeoff& tradeoff, const std::vec
       const MeasuredSetting& m = tradeoff.settings[i];
       const ObservableError& e = m.errors[k];
       // A setting has no row if it gave no value of this observable that could be compared.
-      if (e.before.n + e.after.n + e.mean.n > 0) table.rows.push_back(row_of(run, m, names[k], e, front[i]));
+      if (e.before.n + e.after.n + e.mean.n > 0) rows.push_back({run, tradeoff, m, k, front[i]});
     }
   }
-  return table;
+  return to_table(tradeoff_columns(), rows);
 }
 
-double stiffness_of(const Scene& scene) {
+TableValue stiffness_of(const Scene& scene) {
   for (const DerivedGroup& group : derived_groups(scene))
     if (group.name == "kappa") return group.value;
-  return 0.0;
+  return {};
 }
 
 /// Prints the table. In the format "table" only its first columns are printed, unless the user has chosen columns.
@@ -137,18 +142,20 @@ void print_tradeoff(Table table, const Printing& printing) {
   print_table(table, printing);
 }
 
+Tradeoff study(const TradeoffCommand& command, const Scene& scene) {
+  if (!command.matrix_content) return study_tradeoff(scene, command.options);
+  return study_lattice(scene, {*command.matrix_content, command.stiffness_ratio}, command.options);
+}
+
 int run_tradeoff(TradeoffCommand& command) {
   const Scene scene = read_scene(command.scene, command.overrides);
-  if (scene.dimension != 2)
-    throw InputError(
-        command.scene,
-        fmt::format(
-            "scene.dimension = {}: expected 2, because floc tradeoff measures costs and errors only for disks",
-            scene.dimension));
+  const Subject subject = command.matrix_content ? Subject::lattice : Subject::states;
+  require_observables(command.observables, scene, subject);
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
-  const Tradeoff tradeoff = study_tradeoff(scene, command.options);
-  std::cerr << "floc tradeoff does not vary two settings: power control, which equilibrium.finish = dynamic "
-               "switches on, and the precision in which forces are computed, which is always double\n";
+  const Tradeoff tradeoff = study(command, scene);
+  if (subject == Subject::states)
+    std::cerr << "floc tradeoff does not vary two settings: power control, which equilibrium.finish = dynamic "
+                 "switches on, and the precision in which forces are computed, which is always double\n";
   for (const std::string& message : tradeoff.left_out)
     std::cerr << "left out of the study: " << message << '\n';
   if (tradeoff.settings.empty()) {
@@ -157,7 +164,8 @@ int run_tradeoff(TradeoffCommand& command) {
                  "numerical settings; give a larger --budget\n";
     return kNotConverged;
   }
-  print_tradeoff(table_of({scene.name, stiffness_of(scene)}, tradeoff, command.observables), command.printing);
+  const StudiedScene run{scene, subject, kind_of_study(scene, subject), stiffness_of(scene)};
+  print_tradeoff(table_of(run, tradeoff, command.observables), command.printing);
   if (!command.plot.empty()) plot_tradeoff(command.plot, tradeoff);
   return kDone;
 }
@@ -186,6 +194,15 @@ Command add_tradeoff(CommandLine program) {
       .delimiter(',')
       .one_argument_each()
       .one_of(observable_names());
+  app.add_option(
+         "--lattice", command->matrix_content,
+         "study the lattice of cemented grains (floc lattice) in place of the states: volume fraction of "
+         "the matrix between the grains of the last state")
+      .within(CementOptions::kContent);
+  app.add_option("--stiffness-ratio", command->stiffness_ratio,
+                 "with --lattice, stiffness of the grains over that of the matrix")
+      .within(LatticeStudyOptions::kRatio)
+      .show_default();
   app.add_option("--plot", command->plot,
                  "F.svg: plot to write, of the error against the cost; the data and the gnuplot script are "
                  "written to the same directory");

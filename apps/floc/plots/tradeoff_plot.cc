@@ -21,11 +21,20 @@ struct ParameterCurve {
   std::vector<const MeasuredSetting*> settings;
 };
 
-std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff) {
+bool is_compared(const MeasuredSetting& m, Observable observable) {
+  return std::isfinite(single_state_error(m.errors[observable]));
+}
+
+/// Returns the observable of the second panel: the bulk modulus or, for grains without one, the coordination number.
+Observable second_observable(const Tradeoff& tradeoff) {
+  const auto has_modulus = [](const MeasuredSetting& m) { return is_compared(m, kB); };
+  return std::any_of(tradeoff.settings.begin(), tradeoff.settings.end(), has_modulus) ? kB : kZ;
+}
+
+std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff, Observable observable) {
   std::vector<ParameterCurve> curves;
   for (const MeasuredSetting& m : tradeoff.settings) {
-    const bool compared = std::isfinite(single_state_error(m.errors[kB]));
-    if (!compared || m.setting.is_reference() || m.setting.parameter == "scene") continue;
+    if (!is_compared(m, observable) || m.setting.is_reference() || m.setting.parameter == "scene") continue;
     auto curve = std::find_if(curves.begin(), curves.end(),
                               [&](const ParameterCurve& c) { return c.parameter == m.setting.parameter; });
     if (curve == curves.end()) curve = curves.insert(curves.end(), {m.setting.parameter, {}});
@@ -38,16 +47,18 @@ std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff) {
 }
 
 /// Returns a plot with one block of data per curve. Each row of a block has the relative cost, the error of Phi and the
-/// error of B for one value of the parameter.
-Plot blocks_of(const std::vector<ParameterCurve>& curves) {
-  const auto drawn = [](const MeasuredSetting& m, std::size_t k) {
+/// error of the observable of the second panel for one value of the parameter.
+Plot blocks_of(const std::vector<ParameterCurve>& curves, Observable second) {
+  const auto drawn = [](const MeasuredSetting& m, Observable k) {
     return std::max(single_state_error(m.errors[k]), kSmallest);
   };
   Plot plot;
   for (const ParameterCurve& c : curves) {
     std::vector<std::vector<double>> rows;
-    for (const MeasuredSetting* m : c.settings) rows.push_back({m->cost_ratio, drawn(*m, kPhi), drawn(*m, kB)});
-    plot.add(c.parameter + ": cost_ratio error_phi error_B", rows);
+    for (const MeasuredSetting* m : c.settings)
+      rows.push_back({m->cost_ratio, drawn(*m, kPhi), drawn(*m, second)});
+    plot.add(fmt::format("{}: cost_ratio error_phi error_{}", c.parameter, declared_observables()[second].name),
+             rows);
   }
   return plot;
 }
@@ -64,8 +75,9 @@ std::string panel(const std::vector<ParameterCurve>& curves, int column) {
 }  // namespace
 
 void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff) {
-  const std::vector<ParameterCurve> curves = curves_of(tradeoff);
-  Plot plot = blocks_of(curves);
+  const Observable second = second_observable(tradeoff);
+  const std::vector<ParameterCurve> curves = curves_of(tradeoff, second);
+  Plot plot = blocks_of(curves, second);
   plot.width = 960;
   plot.script = fmt::format(R"(set multiplot layout 1,2
 set logscale xy
@@ -76,13 +88,13 @@ set ylabel 'relative error of a state (at least {0})'
 set title 'Phi'
 set key off
 {1}
-set title 'B'
+set title '{3}'
 unset ylabel
 set key bottom right samplen 1.5 font ',10' noenhanced
 {2}
 unset multiplot
 )",
-                            kSmallest, panel(curves, 2), panel(curves, 3));
+                            kSmallest, panel(curves, 2), panel(curves, 3), declared_observables()[second].name);
   write_plot(file, plot);
 }
 

@@ -40,6 +40,7 @@ Command add_draw(CommandLine program);
 Command add_plot(CommandLine program);
 Command add_report(CommandLine program);
 Command add_tradeoff(CommandLine program);
+Command add_plan(CommandLine program);
 Command add_demo(CommandLine program);
 
 }  // namespace floc

@@ -59,7 +59,7 @@ class Run:
 
 
 def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=None, threads=None, until=None,
-        track_contacts=None, track_energy=False, resume=False, overwrite=False, timing=True):
+        track_contacts=None, track_energy=False, resume=False, overwrite=False, timing=True, prices=None):
     """Runs a scene: assembles a packing, brings it to equilibrium and loads it, as ``floc run`` does.
 
     Ctrl-C, or an exception that `on_progress` raises, stops the run at a checkpoint; ``resume=True`` continues from
@@ -89,6 +89,9 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
         Whether to continue the run in the directory, if there is one, or to replace it.
     timing : bool
         Whether path.csv has the duration of each step. Without durations, equal runs write equal files.
+    prices : path-like, optional
+        Table of the errors and costs of numerical settings, written by ``floc tradeoff``, by which ``[accuracy]`` of the
+        scene chooses, as the option ``--prices`` [the table shipped with floc].
 
     Returns
     -------
@@ -108,7 +111,8 @@ def run(scene, directory, *, on_progress=None, interval=0.5, changes=None, seed=
         def told(*values):
             on_progress(Progress(*values))
     _core.run(os.fspath(scene), os.fspath(directory),
-              changes=[f"{key}={_toml(value)}" for key, value in (changes or {}).items()], seed=seed, threads=threads,
+              changes=[f"{key}={_toml(value)}" for key, value in (changes or {}).items()],
+              prices="" if prices is None else os.fspath(prices), seed=seed, threads=threads,
               until=until, track_contacts=track_contacts, track_energy=track_energy, resume=resume,
               overwrite=overwrite, timing=timing, told=told, interval=interval)
     return Run(directory)

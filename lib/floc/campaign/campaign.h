@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,16 @@ struct Reference {
   std::string place;  ///< "FILE:LINE" in the campaign file, for messages
 };
 
+/// Promise of floc plan about a campaign: see floc/planning/plan.h.
+struct PlanPromise {
+  std::string settings;       ///< name of the numerical settings in the table of prices, such as "patience 0.2"
+  std::string prices;         ///< table of prices, or pilot, from which the promise is made
+  double core_seconds = 0.0;  ///< processor time of all runs (s)
+  /// Names of observables with the half width of the 95 % interval of the mean over states and samples, or of the fit,
+  /// over its value.
+  std::vector<std::pair<std::string, double>> errors;
+};
+
 /// A campaign: runs of one scene, one run for each pair of a case and a seed. A case changes the values of some keys of
 /// the scene.
 struct Campaign {
@@ -78,6 +89,7 @@ struct Campaign {
   std::vector<Collection> collections;
   std::vector<CampaignFit> fits;
   std::vector<Reference> references;
+  std::optional<PlanPromise> promise;  ///< absent if floc plan has not written the campaign file
 };
 
 /// Returns the value that a case gives to a key of the scene, in the notation of TOML; empty if the case does not

@@ -129,9 +129,9 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
 }  // namespace
 
 Table table_of(const RunOutcome& outcome) {
-  return {{"exit_code", "command", "words", "seconds"},
+  return {{"exit_code", "command", "words", "seconds", "run_seconds"},
           {{std::int64_t{outcome.exit_code}, or_undefined(outcome.command), or_undefined(outcome.words),
-            outcome.seconds}}};
+            outcome.seconds, or_undefined(outcome.run_seconds)}}};
 }
 
 std::optional<RunOutcome> outcome_of(const std::string& directory) {
@@ -144,7 +144,9 @@ std::optional<RunOutcome> outcome_of(const std::string& directory) {
                                        table.n_rows()));
   return RunOutcome{static_cast<int>(table.integer(0, table.column("exit_code"))),
                     table.text(0, table.column("command")), table.text(0, table.column("words")),
-                    table.number(0, table.column("seconds"))};
+                    table.number(0, table.column("seconds")),
+                    table.has("run_seconds") ? parse_number<double>(table.text(0, table.column("run_seconds")))
+                                             : std::nullopt};
 }
 
 bool is_done(const std::optional<RunOutcome>& outcome) {
@@ -288,8 +290,9 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
 }
 
 Table outcomes_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const std::string& directory) {
-  Table table{with_case_columns(campaign, {"seed", "outcome", "exit_code", "command", "words", "n_states",
-                                           "run_seconds", "analysis_seconds", "expected_seconds", "directory"}),
+  Table table{with_case_columns(campaign,
+                                {"seed", "outcome", "exit_code", "command", "words", "n_states", "run_seconds",
+                                 "analysis_seconds", "expected_seconds", "directory", "processor_seconds"}),
               {}};
   for (const CampaignRun& run : runs_of(campaign)) {
     const std::string place = directory + "/" + run.directory;
@@ -306,6 +309,7 @@ Table outcomes_of(const Campaign& campaign, const std::vector<CasePlan>& plans, 
     row.push_back(outcome ? TableValue(outcome->seconds) : TableValue());
     row.emplace_back(plans[static_cast<std::size_t>(run.case_number)].cost);
     row.emplace_back(run.directory);
+    row.push_back(outcome ? or_undefined(outcome->run_seconds) : TableValue());
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -16,6 +16,8 @@ struct RunOutcome {
   std::string command;   ///< floc command that failed; empty if none failed
   std::string words;     ///< error message of that command
   double seconds = 0.0;  ///< processor time of the commands that made tables after the run (s)
+  /// Processor time of the run in its last attempt (s); absent in directories that older versions of floc wrote.
+  std::optional<double> run_seconds = {};
 };
 
 /// Names of the files in the directory of a run that hold its outcome. kOutcomeFile holds the outcome of the last
@@ -61,7 +63,7 @@ void add_fit(const Campaign& campaign, const CampaignCase& one, const CampaignFi
              Table& table);
 
 /// Returns a table with one row per run: how it ended, the wall time of its states and the processor time of its tables
-/// (s).
+/// and of the run itself (s).
 Table outcomes_of(const Campaign& campaign, const std::vector<CasePlan>& plans, const std::string& directory);
 
 /// Returns the sum of the numbers in a column; cells without a number are left out.

@@ -256,6 +256,24 @@ Reference read_reference(Part& part) {
   return reference;
 }
 
+/// Reads the table [plan], which floc plan writes.
+std::optional<PlanPromise> read_promise(TableReader& root) {
+  TableReader t = root.table("plan", "a table [plan], which floc plan writes", Need::optional);
+  if (!t) return std::nullopt;
+  constexpr NumberRule kSeconds{positive, "a positive number (processor time in s)"};
+  PlanPromise promise;
+  promise.settings = t.text("settings", "the name of numerical settings").value_or("");
+  promise.prices = t.text("prices", "the table of prices of the plan").value_or("");
+  promise.core_seconds = t.number("core_seconds", kSeconds).value_or(0.0);
+  promise.errors = t.flat_numbers("errors");
+  for (const auto& [name, error] : promise.errors)
+    if (!(error > 0.0))
+      t.fault("errors", fmt::format("{}.{} = {}: expected a positive number (relative error)",
+                                    t.path_of("errors"), name, error));
+  t.refuse_other_keys();
+  return promise;
+}
+
 /// Reads an array of tables in the campaign file, such as [[case]], each table by the function `read`.
 template <class Read>
 auto read_all(TableReader& root, SceneSource& source, const std::string& key, const char* expectation,
@@ -342,6 +360,7 @@ Campaign read_campaign(const std::string& path, const std::string& scene) {
   campaign.collections = read_all(root, source, "collect", "tables [[collect]]", read_collection);
   campaign.fits = read_all(root, source, "fit", "tables [[fit]]", read_fit);
   campaign.references = read_all(root, source, "reference", "tables [[reference]]", read_reference);
+  campaign.promise = read_promise(root);
   root.refuse_other_keys();
   if (campaign.collections.empty() && campaign.fits.empty())
     source.fault_at(path, "this campaign collects no results: expected a [[collect]] or a [[fit]]");

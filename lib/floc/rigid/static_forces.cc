@@ -160,9 +160,25 @@ double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g
   return size > 0.0 ? std::sqrt(difference / size) : 0.0;
 }
 
+template <int Dim>
+std::optional<double> force_freedom(const Packing<Dim>& packing, const Vec<Dim>& axis_stress) {
+  ForceBalanceOptions<Dim> options;
+  options.axis_stress = axis_stress;
+  try {
+    StaticForces<Dim> forces("the state", packing, options);
+    return force_distance(forces.present(), forces.canonical());
+  } catch (const NoResult&) {
+    return std::nullopt;
+  } catch (const InputError&) {  // no contact carries a force
+    return std::nullopt;
+  }
+}
+
 template class StaticForces<2>;
 template class StaticForces<3>;
 template double force_distance(const BalancedForces<2>&, const BalancedForces<2>&);
 template double force_distance(const BalancedForces<3>&, const BalancedForces<3>&);
+template std::optional<double> force_freedom(const Packing<2>&, const Vec<2>&);
+template std::optional<double> force_freedom(const Packing<3>&, const Vec<3>&);
 
 }  // namespace floc

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,5 +70,11 @@ class StaticForces {
 /// Relative distance of two sets of forces: sqrt(sum |f - g|^2 / sum |f|^2), 0 if `f` is zero.
 template <int Dim>
 double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g);
+
+/// Returns the relative distance of the forces of a packing from the forces of least elastic energy on its geometry that
+/// transmit the given stress; absent if no forces balance it, or if no contact carries a force.
+/// @param axis_stress  stress on each axis, compression positive (force/length^(Dim-1))
+template <int Dim>
+std::optional<double> force_freedom(const Packing<Dim>& packing, const Vec<Dim>& axis_stress);
 
 }  // namespace floc

@@ -6,9 +6,7 @@
 #include <array>
 #include <sstream>
 
-#include "floc/base/error.h"
 #include "floc/io/table.h"
-#include "floc/packing/contact_order.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/law/contact_energy.h"
 #include "floc/packing/least_mechanisms.h"
@@ -118,44 +116,15 @@ void add_walls(const State<Dim>& state, const Coordination& c, std::vector<Table
     }
 }
 
-/// Returns the number of pairs of grains in contact; the points of two faces count as one pair.
-template <int Dim>
-std::int64_t n_pairs(const Packing<Dim>& packing) {
-  std::int64_t n = 0;
-  const Contact<Dim>* last = nullptr;
-  for (const Contact<Dim>& c : packing.contacts) {
-    if (packing.is_wall(c.j)) continue;
-    n += !last || !same_pair(*last, c);
-    last = &c;
-  }
-  return n;
-}
-
-/// Returns the relative distance of the forces of a state from the forces of least elastic energy on its geometry, as
-/// floc forces prints it; undefined if no forces balance the state.
-template <int Dim>
-TableValue force_freedom(const State<Dim>& state) {
-  ForceBalanceOptions<Dim> options;
-  options.axis_stress = state.stress.diagonal();
-  try {
-    StaticForces<Dim> forces("the state", state.packing, options);
-    return force_distance(forces.present(), forces.canonical());
-  } catch (const NoResult&) {
-    return {};
-  } catch (const InputError&) {  // no contact carries a force
-    return {};
-  }
-}
-
 /// Adds to a row of path.csv the values that describe contact dynamics and the forces of rigid grains.
 template <int Dim>
 void add_rigid(const State<Dim>& state, std::vector<TableValue>& row) {
   const StepCounts& counts = state.path.counts;
-  row.emplace_back(2.0 * static_cast<double>(n_pairs(state.packing)) / state.packing.grains.size());
+  row.emplace_back(2.0 * static_cast<double>(n_touching_pairs(state.packing)) / state.packing.grains.size());
   row.emplace_back(counts.n_sweeps);
   row.emplace_back(counts.n_unfinished);
   row.emplace_back(counts.deepest_overlap);
-  row.push_back(force_freedom(state));
+  row.push_back(or_undefined(force_freedom<Dim>(state.packing, state.stress.diagonal())));
 }
 
 }  // namespace

@@ -5,63 +5,13 @@
 
 #include <algorithm>
 
-#include "floc/scene/accuracy.h"
-#include "floc/scene/cell_defaults.h"
-#include "floc/scene/scene_scales.h"
+#include "floc/prices/accuracy.h"
+#include "floc/scene/scene_prices.h"
 
 namespace floc {
 namespace {
 
 constexpr NumberRule kRelativeError{positive, "a positive number (relative error)"};
-
-/// Returns the stiffness number a K_N/F0 of a scene (largest diameter a, normal stiffness K_N, pull-off force F0), or
-/// std::nullopt without adhesion.
-std::optional<double> stiffness_number(const Scene& scene) {
-  if (!scene.law.adheres()) return std::nullopt;
-  const double a = scene.grains.largest();
-  return a * scene.law.contact_modulus(scene.dimension, a) / pull_off_force(scene);
-}
-
-/// Returns the options of the relaxation, with the mass and the caps of the cell, in each part of a run: first in the
-/// assembly, then in each stage of the load path.
-std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
-  std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
-  for (const LoadStage& stage : scene.load) parts.push_back(stage.cell.applied_to(scene.relaxation));
-  return parts;
-}
-
-std::vector<CellFactors> cells_of(const Scene& scene) {
-  std::vector<CellFactors> cells;
-  for (const RelaxationOptions& part : motions_of_cell(scene))
-    cells.push_back(
-        {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
-  // The mass of the cell during the assembly determines which packing is made. It does not affect the accuracy, so it
-  // counts as the default.
-  cells.front().mass = 1.0;
-  return cells;
-}
-
-/// Records a fault if the mass of the cell, or the cap on its strain rate, is outside the range of the table of
-/// measured errors shipped with floc. The range extends from the default values to those with which errors were
-/// measured.
-void check_table_covers_cell(TableReader& t, const Scene& scene) {
-  for (const RelaxationOptions& part : motions_of_cell(scene))
-    if (part.inertial_number_cap) {
-      t.fault("",
-              "[accuracy] requires strain_rate_cap in place of inertial_number_cap, because the errors in the "
-              "table shipped with floc were measured with a strain_rate_cap");
-      return;
-    }
-  for (const CellFactors& cell : cells_of(scene))
-    if (!covers_cell(shipped_accuracy_table(), cell)) {
-      t.fault("", fmt::format("[accuracy]: the mass of the cell is {:.3g} times the default mass on load "
-                              "paths, and its strain_rate_cap is {:.3g} times the default; this is outside the "
-                              "range of the table of errors shipped with floc. Remove [accuracy] and give the "
-                              "numerical settings themselves ([equilibrium], run.time_step)",
-                              cell.mass, cell.rate_cap));
-      return;
-    }
-}
 
 /// Records a fault for each key that gives a numerical setting which [accuracy] chooses: a scene may have either
 /// [accuracy] or these keys.
@@ -76,32 +26,6 @@ void refuse_settings(TableReader& root) {
   const auto finish = equilibrium.text("finish", "a string", TableReader::Need::optional);
   if (finish && *finish != "auto") refuse(equilibrium, "finish");
   refuse(run, "time_step");
-}
-
-void check_table_covers(TableReader& t, const Scene& scene) {
-  const std::optional<double> kappa = stiffness_number(scene);
-  if (scene.dimension != 2)
-    t.fault("",
-            "[accuracy] requires a scene in two dimensions, like those on which the errors in the table "
-            "shipped with floc were measured. Remove [accuracy] and give the numerical settings themselves "
-            "([equilibrium], run.time_step)");
-  else if (scene.assembly.box)
-    t.fault("",
-            "[accuracy] requires a scene with a periodic [cell], like those on which the errors in the table "
-            "shipped with floc were measured");
-  else if (!kappa)
-    t.fault("",
-            "[accuracy] requires a scene with contact.adhesion, because the errors in the table shipped with "
-            "floc were measured on cohesive grains");
-  else if (!covers_stiffness(shipped_accuracy_table(), *kappa))
-    t.fault("",
-            fmt::format(
-                "[accuracy]: the stiffness number a K_N/F0 = {:g} is outside the range of the table of errors "
-                "shipped with floc, which was measured at {:g} and applies within a factor of ten. Remove "
-                "[accuracy] and give the numerical settings themselves ([equilibrium], run.time_step)",
-                *kappa, shipped_accuracy_table().empty() ? 0.0 : shipped_accuracy_table()[0].kappa));
-  else
-    check_table_covers_cell(t, scene);
 }
 
 /// Writes the chosen numerical settings into the TOML tables of the scene. Its text then gives the settings of the run,
@@ -122,7 +46,7 @@ void write_choice(const AccuracyChoice& choice, toml::table& root) {
 
 }  // namespace
 
-bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
+bool read_accuracy(TableReader& root, SceneSource& source, const std::string& prices, Scene& scene) {
   TableReader t = root.table("accuracy", "a table [accuracy]", TableReader::Need::optional);
   // For rigid contacts, check_rigid() refuses the table.
   if (!t || scene.law.is_rigid()) return false;
@@ -137,7 +61,6 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
     return false;
   }
   refuse_settings(root);
-  check_table_covers(t, scene);
   // If `wanted` is empty although the table has keys, their values are invalid, and faults have been recorded for them.
   const bool asks = std::ranges::any_of(accuracy_keys(), [&t](const std::string& key) { return t.has(key); });
   if (wanted.empty() && asks) return false;
@@ -146,7 +69,16 @@ bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene) {
                             fmt::join(accuracy_keys(), ", ")));
     return false;
   }
-  const AccuracyChoice choice = choose_accuracy(shipped_accuracy_table(), wanted, cells_of(scene));
+  // The kind of a scene is known only if the scene has no faults.
+  if (source.n_faults() > 0) return false;
+  const ScenePrices found = prices_of(scene, prices);
+  if (!found.table) {
+    t.fault("", fmt::format("[accuracy]: {}. Remove [accuracy] and give the numerical settings themselves "
+                            "([equilibrium], run.time_step)",
+                            found.problem));
+    return false;
+  }
+  const AccuracyChoice choice = choose_accuracy(*found.table, wanted, cells_of(scene));
   if (!choice.found()) {
     const auto asked = std::find_if(wanted.begin(), wanted.end(),
                                     [&](const auto& w) { return w.first == choice.refused_key; });

@@ -10,7 +10,8 @@ namespace floc {
 /// into the scene and into its TOML tables. If the scene records that this was done before, nothing is changed. Faults
 /// are recorded for numerical settings that the scene gives besides [accuracy], and for requested errors that no
 /// settings keep.
+/// @param prices  file of a table of prices, see read_scene()
 /// @return whether settings were chosen now
-bool read_accuracy(TableReader& root, SceneSource& source, Scene& scene);
+bool read_accuracy(TableReader& root, SceneSource& source, const std::string& prices, Scene& scene);
 
 }  // namespace floc

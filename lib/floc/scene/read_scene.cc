@@ -15,9 +15,9 @@
 #include "floc/base/error.h"
 #include "floc/base/read_text.h"
 #include "floc/contact/law_description.h"
+#include "floc/prices/numerical_settings.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/check_resolution.h"
-#include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
 #include "floc/scene/read_box.h"
 #include "floc/scene/read_diameters.h"
@@ -354,7 +354,7 @@ std::string as_text(const toml::table& root) {
 }  // namespace
 
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
-                  const std::vector<std::string>& overrides) {
+                  const std::vector<std::string>& overrides, const std::string& prices) {
   SceneSource source(text, place, overrides);
   TableReader root(source);
   Scene scene;
@@ -378,7 +378,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   read_dynamics(root, source, scene);
   check_consistency(root, source, scene);
   check_rigid(root, source, scene);
-  const bool has_chosen = read_accuracy(root, source, scene);
+  const bool has_chosen = read_accuracy(root, source, prices, scene);
   check_resolution(root, scene);
   check_shapes(root, source, scene);
   root.refuse_other_keys();
@@ -392,7 +392,8 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   return scene;
 }
 
-Scene read_scene(const std::string& path, const std::vector<std::string>& overrides) {
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides,
+                 const std::string& prices) {
   const auto refuse = [&path](const char* why) {
     throw InputError(path, fmt::format("{}; expected a scene file (TOML)", why));
   };
@@ -400,7 +401,7 @@ Scene read_scene(const std::string& path, const std::vector<std::string>& overri
   if (path != "-" && !std::filesystem::exists(path)) refuse("there is no such file");
   const std::string text = read_text(path);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) refuse("this file is empty");
-  return parse_scene(text, path, std::filesystem::path(path).parent_path().string(), overrides);
+  return parse_scene(text, path, std::filesystem::path(path).parent_path().string(), overrides, prices);
 }
 
 }  // namespace floc

@@ -14,17 +14,21 @@ namespace floc {
 /// @param overrides  texts "key.path=value", each of which replaces a value of the scene. They are applied in order
 /// before the scene is checked. The value is TOML, but a word without quotation marks is taken as a string. An item of
 /// an array is addressed by its index from 0: "load.0.to=1".
+/// @param prices  file of a table of prices, by which the table [accuracy] chooses numerical settings; empty: the table
+/// shipped with floc
 /// @throws InputError that names every fault of the scene on a line of its own: "file:line: key = value: expectation",
 /// or "--set key=value: ..." for an override
-Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {});
+Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {},
+                 const std::string& prices = "");
 
 /// Reads a scene from a text, for example from the text that a state file contains.
 /// @param text  text of the scene (TOML)
 /// @param place  name of the text, for messages
 /// @param directory  directory to which names of files in the text are relative
 /// @param overrides  texts "key.path=value", each of which replaces a value, see read_scene()
+/// @param prices  file of a table of prices, see read_scene()
 /// @throws InputError that names every fault of the scene, see read_scene()
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
-                  const std::vector<std::string>& overrides = {});
+                  const std::vector<std::string>& overrides = {}, const std::string& prices = "");
 
 }  // namespace floc

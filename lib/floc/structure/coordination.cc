@@ -5,6 +5,7 @@
 
 #include "floc/base/range.h"
 #include "floc/network/rattlers.h"
+#include "floc/packing/contact_order.h"
 
 namespace floc {
 namespace {
@@ -60,7 +61,21 @@ Coordination coordination(const Packing<Dim>& packing, double zero_force) {
   return result;
 }
 
+template <int Dim>
+std::int64_t n_touching_pairs(const Packing<Dim>& packing) {
+  std::int64_t n = 0;
+  const Contact<Dim>* last = nullptr;
+  for (const Contact<Dim>& c : packing.contacts) {
+    if (packing.is_wall(c.j)) continue;
+    n += !last || !same_pair(*last, c);
+    last = &c;
+  }
+  return n;
+}
+
 template Coordination coordination(const Packing<2>&, double);
 template Coordination coordination(const Packing<3>&, double);
+template std::int64_t n_touching_pairs(const Packing<2>&);
+template std::int64_t n_touching_pairs(const Packing<3>&);
 
 }  // namespace floc

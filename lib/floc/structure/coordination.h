@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "floc/packing/packing.h"
 
 namespace floc {
@@ -27,5 +29,9 @@ struct Coordination {
 /// @param zero_force  largest normal force that counts as zero (force), >= 0; otherwise InputError
 template <int Dim>
 Coordination coordination(const Packing<Dim>& packing, double zero_force);
+
+/// Returns the number of pairs of grains in the list of contacts; the points of two faces count as one pair.
+template <int Dim>
+std::int64_t n_touching_pairs(const Packing<Dim>& packing);
 
 }  // namespace floc

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "floc/fitting/student_t.h"
-#include "floc/tradeoff/fitted_path.h"
+#include "floc/tradeoff/path_fits.h"
 
 namespace floc {
 namespace {
@@ -38,7 +38,7 @@ double relative_difference(int k, const Observation& x, const Observation& refer
 /// Whether the solid fraction changes from one state to the next only as much as elasticity explains.
 bool is_elastic(const ObservedState& from, const ObservedState& to) {
   const double change = std::abs(std::log(to.observation[kPhi] / from.observation[kPhi]));
-  const double step = std::abs(to.state.target_stress.mean() - from.state.target_stress.mean());
+  const double step = std::abs(to.mean_stress - from.mean_stress);
   const double modulus = std::min(from.observation[kB], to.observation[kB]);
   return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
 }
@@ -69,11 +69,87 @@ double mean_difference(int k, const SamplePath& reference, const SamplePath& pat
   });
 }
 
-void add_fitted(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
-                const std::optional<PressureWindow>& window, ObservableErrors& out) {
+/// Indices of a state of a path and of the state of its reference path that is under the same load.
+using StatePair = std::pair<std::size_t, std::size_t>;
+
+/// Returns the pairs of states under the same load of the same stage, in order. All states are paired if the paths have
+/// the same steps.
+std::vector<StatePair> under_equal_loads(const SamplePath& reference, const SamplePath& path) {
+  constexpr double kRounding = 1e-6;
+  std::vector<StatePair> pairs;
+  if (path.states.size() == reference.states.size()) {
+    for (std::size_t i = 0; i < path.states.size(); ++i) pairs.emplace_back(i, i);
+    return pairs;
+  }
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < path.states.size(); ++i)
+    for (std::size_t j = next; j < reference.states.size(); ++j) {
+      const ObservedState &a = path.states[i], &b = reference.states[j];
+      if (a.stage != b.stage || std::abs(a.driven_load - b.driven_load) > kRounding * std::abs(b.driven_load))
+        continue;
+      pairs.emplace_back(i, j);
+      next = j + 1;
+      break;
+    }
+  return pairs;
+}
+
+bool is_consolidation(std::size_t k) {
+  return k == kLambda || k == kAlpha || k == kPhiMax;
+}
+
+bool is_of_path(std::size_t k) {
+  return declared_observables()[k].source == ObservableSource::path;
+}
+
+/// Returns the value of an observable that follows from one path alone; of observables of states, the mean over states.
+double value_of_path(std::size_t k, const SamplePath& path) {
+  if (is_of_path(k)) return path_value(static_cast<int>(k), path);
+  return mean_over(
+      path.states.size(), [](std::size_t) { return true; },
+      [&](std::size_t i) { return path.states[i].observation[k]; });
+}
+
+/// Adds the errors of observables of whole paths.
+void add_paths(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
+               const std::optional<PressureWindow>& window, ObservableErrors& out) {
+  for (std::size_t k = 0; k < kObservables; ++k) {
+    if (!is_of_path(k) || is_consolidation(k)) continue;
+    std::vector<double> differences;
+    for (std::size_t s = 0; s < paths.size(); ++s) {
+      const double x = value_of_path(k, *paths[s]), truth = value_of_path(k, *references[s]);
+      differences.push_back(x == truth ? 0.0 : 2.0 * (x - truth) / (std::abs(x) + std::abs(truth)));
+    }
+    out[k].mean = mean_of(differences);
+  }
   if (!window) return;
   const auto fitted = compare_fits(references, paths, *window);
-  for (std::size_t p = 0; p < fitted.size(); ++p) out[kObservables + p].mean = fitted[p];
+  for (std::size_t p = 0; p < fitted.size(); ++p) out[kLambda + p].mean = fitted[p];
+}
+
+/// Returns the relative deviations of samples from their mean, each averaged over states; of observables of whole paths,
+/// those of their values.
+std::vector<double> deviations_of(std::size_t k, const std::vector<const SamplePath*>& paths) {
+  std::vector<double> deviations;
+  if (is_of_path(k)) {
+    std::vector<double> values;
+    for (const SamplePath* path : paths) values.push_back(value_of_path(k, *path));
+    const double mean = mean_of(values).difference;
+    for (const double value : values) deviations.push_back(value / mean - 1.0);
+    return deviations;
+  }
+  // mean[i] is the mean of the observable over all samples, in state i. Each sample is compared with these means.
+  const std::size_t n_states = paths.front()->states.size();
+  std::vector<double> mean(n_states);
+  for (std::size_t i = 0; i < n_states; ++i)
+    mean[i] = mean_over(
+        paths.size(), [](std::size_t) { return true; },
+        [&](std::size_t s) { return paths[s]->states[i].observation[k]; });
+  for (const SamplePath* path : paths)
+    deviations.push_back(mean_over(
+        n_states, [&](std::size_t i) { return mean[i] != 0.0; },
+        [&](std::size_t i) { return path->states[i].observation[k] / mean[i] - 1.0; }));
+  return deviations;
 }
 
 }  // namespace
@@ -123,6 +199,7 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
   std::vector<std::vector<bool>> together;
   for (std::size_t s = 0; s < paths.size(); ++s) together.push_back(before_collapse(*references[s], *paths[s]));
   for (int k = 0; k < kObservables; ++k) {
+    if (is_of_path(static_cast<std::size_t>(k))) continue;
     std::vector<double> before, after, means;
     for (std::size_t s = 0; s < paths.size(); ++s) {
       const SamplePath &reference = *references[s], &path = *paths[s];
@@ -136,7 +213,7 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
     }
     out[static_cast<std::size_t>(k)] = {spread_of(before), spread_of(after), mean_of(means)};
   }
-  add_fitted(references, paths, window, out);
+  add_paths(references, paths, window, out);
   return out;
 }
 
@@ -144,20 +221,30 @@ ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
                                const std::optional<PressureWindow>& window) {
   ObservableErrors out;
+  std::vector<std::vector<StatePair>> pairs;
+  for (std::size_t s = 0; s < paths.size(); ++s) pairs.push_back(under_equal_loads(*references[s], *paths[s]));
   for (int k = 0; k < kObservables; ++k) {
+    if (is_of_path(static_cast<std::size_t>(k))) continue;
     std::vector<double> means;
     for (std::size_t s = 0; s < paths.size(); ++s)
-      means.push_back(mean_difference(k, *references[s], *paths[s], [](std::size_t) { return true; }));
+      means.push_back(mean_over(
+          pairs[s].size(), [](std::size_t) { return true; },
+          [&](std::size_t p) {
+            const auto [i, j] = pairs[s][p];
+            return relative_difference(k, paths[s]->states[i].observation,
+                                       references[s]->states[j].observation);
+          }));
     out[static_cast<std::size_t>(k)].mean = mean_of(means);
   }
-  add_fitted(references, paths, window, out);
+  add_paths(references, paths, window, out);
   return out;
 }
 
 ObservableErrors compare_levels(const std::vector<const SamplePath*>& references,
                                 const std::vector<std::vector<Observation>>& observations) {
   ObservableErrors out;
-  for (const int k : {kB, kG, kBReuss}) {
+  for (int k = 0; k < kObservables; ++k) {
+    if (declared_observables()[static_cast<std::size_t>(k)].source != ObservableSource::moduli) continue;
     std::vector<double> errors;
     for (std::size_t s = 0; s < observations.size(); ++s)
       for (std::size_t i = 0; i < observations[s].size(); ++i)
@@ -168,29 +255,37 @@ ObservableErrors compare_levels(const std::vector<const SamplePath*>& references
   return out;
 }
 
-ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n) {
+ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n,
+                                 const std::optional<PressureWindow>& window) {
   ObservableErrors out;
-  const std::size_t n_states = references.front()->states.size();
-  for (std::size_t k = 0; k < kObservables; ++k) {
-    // mean[i] is the mean of the observable over all samples, in state i. Each sample is compared with these means.
-    std::vector<double> mean(n_states);
-    for (std::size_t i = 0; i < n_states; ++i)
-      mean[i] = mean_over(
-          references.size(), [](std::size_t) { return true; },
-          [&](std::size_t s) { return references[s]->states[i].observation[k]; });
-    std::vector<double> deviations;
-    for (const SamplePath* path : references)
-      deviations.push_back(mean_over(
-          n_states, [&](std::size_t i) { return mean[i] != 0.0; },
-          [&](std::size_t i) { return path->states[i].observation[k] / mean[i] - 1.0; }));
-    out[k].mean = mean_of(deviations);
-    out[k].mean.difference = 0.0;
-    const double fewer = std::sqrt(static_cast<double>(out[k].mean.n) / n);
-    out[k].mean.standard_error *= fewer;
-    out[k].mean.error95 *= fewer;
-    out[k].mean.n = n;
+  for (std::size_t k = 0; k < kObservables; ++k)
+    if (!is_consolidation(k)) out[k].mean = mean_of(deviations_of(k, references));
+  if (window) {
+    const auto fitted = sampling_errors_of_fits(references, *window);
+    for (std::size_t p = 0; p < fitted.size(); ++p) out[kLambda + p].mean = fitted[p];
+  }
+  for (ObservableError& error : out) {
+    if (error.mean.n == 0) continue;
+    error.mean.difference = 0.0;
+    const double fewer = std::sqrt(static_cast<double>(error.mean.n) / n);
+    error.mean.standard_error *= fewer;
+    error.mean.error95 *= fewer;
+    error.mean.n = n;
   }
   return out;
+}
+
+Observation mean_values(const std::vector<const SamplePath*>& paths,
+                        const std::optional<PressureWindow>& window) {
+  Observation mean;
+  for (std::size_t k = 0; k < kObservables; ++k)
+    mean[k] = mean_over(
+        paths.size(), [](std::size_t) { return true; },
+        [&](std::size_t s) { return value_of_path(k, *paths[s]); });
+  if (!window) return mean;
+  const ConsolidationValues fitted = fitted_consolidation(paths, *window);
+  std::copy(fitted.begin(), fitted.end(), mean.begin() + kLambda);
+  return mean;
 }
 
 }  // namespace floc

@@ -48,9 +48,9 @@ struct ObservableError {
   MeanDifference mean;
 };
 
-/// Errors with one numerical setting: first those of the observables of a state, in the order of `Observable`; then
-/// those of the quantities fitted to a whole path (kFittedNames), of which only the member `mean` is known.
-using ObservableErrors = std::array<ObservableError, kObservables + kFittedNames.size()>;
+/// Errors with one numerical setting, in the order of `Observable`. Of observables of whole paths only the member `mean`
+/// is known.
+using ObservableErrors = std::array<ObservableError, kObservables>;
 
 /// Lowest and highest reduced pressure P* (pressure over F0/a, with the pull-off force F0 and the largest diameter a)
 /// of the states to which the consolidation law is fitted.
@@ -74,10 +74,11 @@ ObservableErrors compare(const std::vector<const SamplePath*>& references,
                          const std::vector<const SamplePath*>& paths,
                          const std::optional<PressureWindow>& window);
 
-/// Returns the errors of samples that have another number of grains than the reference paths. Their states cannot be
-/// compared one by one; only means over all states and samples are compared.
+/// Returns the errors of samples that have another number of grains or other steps of the load path than the reference
+/// paths. Their states cannot be compared one by one; only means over samples and over the states under the loads that
+/// both paths have are compared.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
-/// @param paths  samples: as many as `references`, each with as many states as its reference path
+/// @param paths  samples: as many as `references`
 /// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted
 ObservableErrors compare_means(const std::vector<const SamplePath*>& references,
                                const std::vector<const SamplePath*>& paths,
@@ -94,6 +95,13 @@ ObservableErrors compare_levels(const std::vector<const SamplePath*>& references
 /// paths. In each member `mean` the difference is 0, and the standard error is the result.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 /// @param n  number of samples
-ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n);
+/// @param window  range of pressures for the fits of the consolidation law; if absent, nothing is fitted
+ObservableErrors sampling_errors(const std::vector<const SamplePath*>& references, int n,
+                                 const std::optional<PressureWindow>& window);
+
+/// Returns the mean of every observable over all states and samples; of observables of whole paths, the mean over
+/// samples. NaN where there is no value.
+Observation mean_values(const std::vector<const SamplePath*>& paths,
+                        const std::optional<PressureWindow>& window);
 
 }  // namespace floc

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "floc/base/processor_seconds.h"
 
 namespace floc {
@@ -13,6 +15,8 @@ class Deadline {
   /// Returns the processor time until the deadline (s); negative after the deadline.
   double left() const { return end_ - processor_seconds(); }
   bool passed() const { return left() <= 0.0; }
+  /// Returns the deadline after this processor time from now (s), or this deadline if it is earlier.
+  Deadline within(double seconds) const { return Deadline(std::min(seconds, left())); }
 
  private:
   double end_;

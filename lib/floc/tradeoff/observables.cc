@@ -1,53 +1,184 @@
 #include "floc/tradeoff/observables.h"
 
-#include <numeric>
-#include <vector>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "floc/fitting/force_distribution.h"
-#include "floc/structure/coordination.h"
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
+#include "floc/contact/law_parameters.h"
+#include "floc/scene/scene_kind.h"
 
 namespace floc {
 namespace {
 
-constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-
-/// Returns the decay force of the exponential tail that the distribution of contact forces has beyond the mean force
-/// (force); NaN if it cannot be fitted.
-/// @param sign  1 for compressive normal forces, -1 for tensile ones
-double tail_of(const Packing<2>& packing, double sign) {
-  std::vector<double> sizes;
-  for (const Contact<2>& c : packing.contacts)
-    if (sign * c.normal_force > 0.0) sizes.push_back(sign * c.normal_force);
-  if (sizes.empty()) return kNoValue;
-  const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
-  // The p-value of the fit is not used, so one random draw for it is enough.
-  const ForceFit fit = fit_exponential_tail("", sizes, mean, {.n_draws = 1});
-  return fit.found() ? fit.parameters.front().value.value_or(kNoValue) : kNoValue;
+bool in_every_scene(const Scene&) {
+  return true;
 }
+
+bool is_elastic_scene(const Scene& scene) {
+  return !scene.law.is_rigid();
+}
+
+bool is_rigid_scene(const Scene& scene) {
+  return scene.law.is_rigid();
+}
+
+bool has_walls(const Scene& scene) {
+  return scene.assembly.box.has_value();
+}
+
+bool has_liquid(const Scene& scene) {
+  return scene.law.parameters().adhesion.holds<CapillaryAdhesion>();
+}
+
+bool is_cohesive(const Scene& scene) {
+  return scene.law.has_adhesion();
+}
+
+bool has_friction(const Scene& scene) {
+  return scene.law.has_friction();
+}
+
+bool has_control(const Scene& scene, std::initializer_list<const char*> controls) {
+  return std::any_of(scene.load.begin(), scene.load.end(), [&](const LoadStage& stage) {
+    return std::find(controls.begin(), controls.end(), stage.control) != controls.end();
+  });
+}
+
+bool is_oedometer(const Scene& scene) {
+  return has_control(scene, {"oedometric"});
+}
+
+bool is_sheared(const Scene& scene) {
+  return has_control(scene, {"triaxial", "constant_volume", "simple_shear"});
+}
+
+bool is_drained_test(const Scene& scene) {
+  return has_control(scene, {"triaxial"});
+}
+
+bool has_lateral_axes(const Scene& scene) {
+  return has_control(scene, {"oedometric", "triaxial", "constant_volume", "axes"});
+}
+
+bool raises_pressure(const Scene& scene) {
+  if (scene.load.empty()) return false;
+  const LoadStage& first = scene.load.front();
+  return first.is_isotropic() ? first.to > scene.assembly.pressure : first.control == "oedometric";
+}
+
+using Source = ObservableSource;
+using M = StateMeasures;
 
 }  // namespace
 
-Observation observe_moduli(const State<2>& state, ModuliSequence<2>& sequence, const Observation& other) {
-  Observation x = other;
-  const Moduli moduli = sequence.next(state.packing, state.target_stress.isZero(0.0));
-  x[kB] = moduli.failure.empty() ? moduli.B : kNoValue;
-  x[kG] = moduli.failure.empty() ? moduli.G : kNoValue;
-  x[kBReuss] = moduli.bounds.B_reuss;
-  return x;
+const std::array<DeclaredObservable, kObservables>& declared_observables() {
+  static const std::array<DeclaredObservable, kObservables> observables = {{
+      {"phi", "1", "solid fraction", Source::state, in_every_scene,
+       [](const M& m) { return m.solid_fraction; }},
+      {"z_plus", "1", "coordination number of contacts in compression", Source::state, in_every_scene,
+       [](const M& m) { return m.z_plus; }},
+      {"z_minus", "1", "coordination number of contacts in tension", Source::state, in_every_scene,
+       [](const M& m) { return m.z_minus; }},
+      {"B", "stress", "bulk modulus", Source::moduli, is_elastic_scene, [](const M& m) { return m.B; }},
+      {"G", "stress", "shear modulus", Source::moduli, is_elastic_scene, [](const M& m) { return m.G; }},
+      {"B_reuss", "stress", "lower bound of Reuss on the bulk modulus", Source::moduli, is_elastic_scene,
+       [](const M& m) { return m.B_reuss; }},
+      {"tail_plus", "F1", "decay force of the tail of the distribution of compressive forces", Source::state,
+       in_every_scene, [](const M& m) { return m.tail_plus; }},
+      {"tail_minus", "F1", "decay force of the tail of the distribution of tensile forces", Source::state,
+       is_cohesive, [](const M& m) { return m.tail_minus; }},
+      {"lambda", "1", "slope of the consolidation law", Source::path, raises_pressure, nullptr},
+      {"alpha", "1", "exponent with which the consolidation law bends to its end", Source::path,
+       raises_pressure, nullptr},
+      {"Phi_max", "1", "solid fraction at the end of the consolidation law", Source::path, raises_pressure,
+       nullptr},
+      {"z", "1", "coordination number", Source::state, in_every_scene, [](const M& m) { return m.z; }},
+      {"rattlers", "1", "share of grains that carry no force", Source::state, in_every_scene,
+       [](const M& m) { return m.rattlers; }},
+      {"Z2", "1", "mean square of the elastic normal forces over the square of their mean", Source::state,
+       in_every_scene, [](const M& m) { return m.force_moment; }},
+      {"mobilised", "1", "mean ratio of tangential to normal force in contacts with more than the mean force",
+       Source::state, has_friction, [](const M& m) { return m.mobilised; }},
+      {"n_wall_contacts", "1", "contacts with walls per grain", Source::state, has_walls,
+       [](const M& m) { return m.wall_contacts; }},
+      {"lateral_ratio", "1", "stress across the driven axis over that along it", Source::state,
+       has_lateral_axes, [](const M& m) { return m.lateral_ratio; }},
+      {"stress_ratio", "1", "mobilised friction: (s1 - s2)/(s1 + s2), or shear over normal stress",
+       Source::state, is_sheared, [](const M& m) { return m.stress_ratio; }},
+      {"bridges", "1", "liquid bridges per grain", Source::state, has_liquid,
+       [](const M& m) { return m.bridges; }},
+      {"bridge_volume", "1", "mean volume of a liquid bridge over the cube of the largest diameter",
+       Source::state, has_liquid, [](const M& m) { return m.bridge_volume; }},
+      {"z_pairs", "1", "pairs of grains in contact, twice their number per grain", Source::state,
+       is_rigid_scene, [](const M& m) { return m.pairs; }},
+      {"indeterminacy", "1", "degree of indeterminacy of the forces, per grain", Source::state, is_rigid_scene,
+       [](const M& m) { return m.indeterminacy; }},
+      {"force_freedom", "1", "relative distance of the forces from those of least elastic energy",
+       Source::state, is_rigid_scene, [](const M& m) { return m.force_freedom; }},
+      {"K0", "1", "lateral over axial stress in the first loading of an oedometer test", Source::path,
+       is_oedometer, nullptr},
+      {"M_oedometer", "stress", "constrained modulus in the first loading of an oedometer test", Source::path,
+       is_oedometer, nullptr},
+      {"peak_ratio", "1", "largest mobilised friction of a shear test", Source::path, is_sheared, nullptr},
+      {"critical_ratio", "1", "mean mobilised friction over the last quarter of a shear test", Source::path,
+       is_sheared, nullptr},
+      {"dilatancy", "1", "dilatancy angle at the peak of a shear test (degrees)", Source::path, is_drained_test,
+       nullptr},
+      {"E_lattice", "stress", "Young's modulus of cemented grains", Source::lattice, in_every_scene, nullptr},
+      {"spread_nodes", "1", "standard deviation of the stress of all nodes over its mean", Source::lattice,
+       in_every_scene, nullptr},
+      {"beta_grain", "1", "decay rate of the tail of the stresses in grains, in units of their mean",
+       Source::lattice, in_every_scene, nullptr},
+      {"beta_matrix", "1", "decay rate of the tail of the stresses in the matrix", Source::lattice,
+       in_every_scene, nullptr},
+      {"beta_forces", "1", "decay rate of the tail of the forces between cemented grains", Source::lattice,
+       in_every_scene, nullptr},
+  }};
+  return observables;
 }
 
-Observation observe(const State<2>& state, ModuliSequence<2>& moduli) {
-  Observation x;
-  const double force = force_scale(state.packing, state.target_stress).force;
-  // The largest contact force that counts as zero does not depend on the tolerance of the run: otherwise coordination
-  // numbers would differ between settings although the packings are equal.
-  const Coordination c = coordination(state.packing, EquilibriumTolerance{}.force * force);
-  x[kPhi] = solid_fraction(state.packing);
-  x[kZPlus] = c.z_plus;
-  x[kZMinus] = c.z_minus;
-  x[kTailPlus] = tail_of(state.packing, 1.0) / force;
-  x[kTailMinus] = tail_of(state.packing, -1.0) / force;
-  return observe_moduli(state, moduli, x);
+std::vector<std::string> observable_names() {
+  std::vector<std::string> names;
+  for (const DeclaredObservable& o : declared_observables()) names.emplace_back(o.name);
+  return names;
+}
+
+std::string kind_of_study(const Scene& scene, Subject subject) {
+  if (subject == Subject::states) return scene_kind(scene);
+  return scene.dimension == 2 ? "disks-cemented" : "spheres-cemented";
+}
+
+bool applies(const DeclaredObservable& observable, const Scene& scene, Subject subject) {
+  const bool is_of_lattice = observable.source == ObservableSource::lattice;
+  return is_of_lattice == (subject == Subject::lattice) && observable.applies(scene);
+}
+
+std::vector<std::string> observable_names(const Scene& scene, Subject subject) {
+  std::vector<std::string> names;
+  for (const DeclaredObservable& o : declared_observables())
+    if (applies(o, scene, subject)) names.emplace_back(o.name);
+  return names;
+}
+
+std::string unit_of(const DeclaredObservable& observable, const Scene& scene) {
+  if (observable.unit != std::string("stress")) return observable.unit;
+  if (scene.units != "SI") return scene.units;
+  return scene.dimension == 2 ? "N/m" : "Pa";
+}
+
+void require_observables(const std::vector<std::string>& names, const Scene& scene, Subject subject) {
+  const std::vector<std::string> known = observable_names(scene, subject);
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError(
+          "--observables " + name,
+          fmt::format("a study of the kind \"{}\" does not have this observable; the one with the "
+                      "most similar name is {}, and all that it has are {}",
+                      kind_of_study(scene, subject), nearest_name(name, known), fmt::join(known, ", ")));
 }
 
 double size_of(int k, const Observation& x, const Observation& y) {

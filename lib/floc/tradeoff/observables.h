@@ -1,39 +1,139 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "floc/elasticity/moduli.h"
+#include "floc/fitting/shear_test.h"
 #include "floc/packing/state.h"
+#include "floc/scene/scene.h"
 
 namespace floc {
 
-/// Observables of one state that are usually reported: solid fraction; coordination number of contacts in compression,
-/// and of contacts in tension; bulk modulus; shear modulus; Reuss bound on the bulk modulus; decay force of the
-/// exponential tail of the distribution of compressive contact forces, and of that of tensile forces, over the typical
-/// force F1.
-enum Observable { kPhi, kZPlus, kZMinus, kB, kG, kBReuss, kTailPlus, kTailMinus, kObservables };
+/// Observables that a study compares, in the order of declared_observables().
+enum Observable {
+  kPhi,
+  kZPlus,
+  kZMinus,
+  kB,
+  kG,
+  kBReuss,
+  kTailPlus,
+  kTailMinus,
+  kLambda,
+  kAlpha,
+  kPhiMax,
+  kZ,
+  kRattlers,
+  kForceMoment,
+  kMobilised,
+  kWallContacts,
+  kLateralRatio,
+  kStressRatio,
+  kBridges,
+  kBridgeVolume,
+  kPairs,
+  kIndeterminacy,
+  kForceFreedom,
+  kK0,
+  kConstrainedModulus,
+  kPeakRatio,
+  kCriticalRatio,
+  kDilatancy,
+  kLatticeE,
+  kLatticeSpread,
+  kTailGrain,
+  kTailMatrix,
+  kTailForces,
+  kObservables
+};
 
-/// Names of the observables in tables; kFittedNames has the names of the quantities fitted to a whole path.
-inline constexpr std::array<const char*, kObservables> kObservableNames = {
-    "phi", "z_plus", "z_minus", "B", "G", "B_reuss", "tail_plus", "tail_minus"};
-inline constexpr std::array<const char*, 3> kFittedNames = {"lambda", "alpha", "Phi_max"};
-
-/// Values of all observables of a state. A value is NaN if it is undefined, for example the tail of a force
-/// distribution if fewer than 10 forces are beyond the mean.
+/// Values of all observables of a state. A value is NaN if it is undefined, for example the tail of a force distribution
+/// if fewer than 10 forces are beyond the mean, and for observables of other scenes or of whole paths.
 using Observation = std::array<double, kObservables>;
+
+/// Where the value of an observable comes from.
+enum class ObservableSource {
+  state,   ///< one state: its geometry and its forces
+  moduli,  ///< the elastic moduli of one state, which other methods give with other errors
+  path,    ///< a fit to the states of a path
+  lattice  ///< the lattice of cemented grains under a load, see lattice_study.h
+};
+
+/// Quantities of one state from which the values of observables follow. Members that do not apply to the state, such as
+/// those of rigid contacts in a packing of elastic grains, are NaN.
+struct StateMeasures {
+  double solid_fraction = 0.0;
+  double z = 0.0, z_plus = 0.0, z_minus = 0.0, rattlers = 0.0;
+  double tail_plus = 0.0, tail_minus = 0.0;  ///< decay forces of exponential tails, over the force scale F1
+  double force_moment = 0.0, mobilised = 0.0;
+  double wall_contacts = 0.0, lateral_ratio = 0.0, stress_ratio = 0.0;
+  double bridges = 0.0, bridge_volume = 0.0;
+  double pairs = 0.0, indeterminacy = 0.0, force_freedom = 0.0;
+  double B = 0.0, G = 0.0, B_reuss = 0.0;
+};
+
+/// Observable of a study: its name, its unit, its meaning, the scenes that have it, and its value in one state.
+struct DeclaredObservable {
+  const char* name;
+  const char* unit;  ///< "1", "F1" (the force scale) or "stress"
+  const char* meaning;
+  ObservableSource source;
+  bool (*applies)(const Scene&);
+  /// Returns the value in one state; null for observables of whole paths (path_value()) and of lattices.
+  double (*value)(const StateMeasures&);
+};
+
+/// Returns all observables, in the order of `Observable`. The order of the first ones never changes, because tables and
+/// scripts may rely on it; new observables are added at the end.
+const std::array<DeclaredObservable, kObservables>& declared_observables();
+
+/// Returns the names of all observables.
+std::vector<std::string> observable_names();
+
+/// Subject of a study: the states of a scene, or its grains cemented by a matrix, as a lattice.
+enum class Subject { states, lattice };
+
+/// Returns the name of the kind of a study: scene_kind() or, of cemented grains, "disks-cemented" or "spheres-cemented".
+std::string kind_of_study(const Scene& scene, Subject subject);
+
+/// Whether an observable exists in a study of a scene.
+bool applies(const DeclaredObservable& observable, const Scene& scene, Subject subject);
+
+/// Returns the names of the observables that exist in a study of a scene.
+std::vector<std::string> observable_names(const Scene& scene, Subject subject);
+
+/// Returns the unit of an observable in a scene: "1", "F1" (the force scale) or, for stresses, "Pa" ("N/m" in 2D) in SI
+/// units and "reduced" in reduced units.
+std::string unit_of(const DeclaredObservable& observable, const Scene& scene);
+
+/// Requires that the observables with these names exist in a study of a scene.
+/// @throws InputError that names the first one that does not, the kind of the study, and the nearest one that does
+void require_observables(const std::vector<std::string>& names, const Scene& scene, Subject subject);
 
 /// Returns the observables of a state.
 /// @param state  state with forces and residuals in its contact list
-/// @param moduli  computes the elastic moduli; its iteration may start from the solution for the previous state
-Observation observe(const State<2>& state, ModuliSequence<2>& moduli);
+/// @param moduli  computes the elastic moduli; its iteration may start from the solution for the previous state. Moduli
+/// of rigid grains are not computed
+template <int Dim>
+Observation observe(const State<Dim>& state, ModuliSequence<Dim>& moduli);
 
 /// Returns the observables of a state, of which only the elastic moduli are computed.
 /// @param moduli  computes the moduli
 /// @param other  observables of this state; all values except the moduli are copied from it
-Observation observe_moduli(const State<2>& state, ModuliSequence<2>& moduli, const Observation& other);
+template <int Dim>
+Observation observe_moduli(const State<Dim>& state, ModuliSequence<Dim>& moduli, const Observation& other);
+
+/// Returns the stresses and strains of a state in a test that drives one axis; absent for other states.
+template <int Dim>
+std::optional<ShearPoint> test_point(const State<Dim>& state);
+
+/// Returns the state from which the test of a state began, with strains of zero; absent for other states.
+template <int Dim>
+std::optional<ShearPoint> start_of_test(const State<Dim>& state);
 
 /// Returns the size by which a difference between two observations is divided to give a relative difference: the mean
 /// of the two absolute values. The coordination numbers z_plus and z_minus are compared with the mean of their sum,

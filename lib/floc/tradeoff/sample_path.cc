@@ -3,20 +3,48 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "floc/packing/equilibrium.h"
 #include "floc/relaxation/equilibrator.h"
+#include "floc/tradeoff/peak_memory.h"
 
 namespace floc {
 namespace {
 
+/// Returns the load that a step imposes on the axis that it drives: a stress or, where a length is imposed, the strain.
+template <int Dim>
+double driven_load(const State<Dim>& state) {
+  if (state.target_offset) return state.path.turn.shear;
+  const int axis = state.path.turn.axis;
+  if (state.path.turn.empty() || state.target_side[axis] == 0.0)
+    return stress_on_driven_axis<Dim>(state, state.target_stress);
+  return std::log(state.path.turn.sides[static_cast<std::size_t>(axis)] / state.target_side[axis]);
+}
+
+template <int Dim>
+ObservedState reached(int stage, State<Dim> state) {
+  ObservedState s;
+  s.stage = stage;
+  s.control = state.path.turn.control;
+  s.mean_stress = state.target_stress.mean();
+  s.driven_load = driven_load(state);
+  s.driven_stress = stress_on_driven_axis<Dim>(state, state.target_stress);
+  s.reduced_pressure = reduced_pressure<Dim>(state.packing, s.driven_stress);
+  s.test = test_point(state);
+  s.start_of_test = start_of_test(state);
+  s.state = std::move(state);
+  return s;
+}
+
 /// Continues the run until equilibrium number end - 1 is reached, and adds its equilibria to `path`. Stops earlier if
 /// an equilibrium is not reached or the deadline has passed.
-void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path) {
+template <int Dim>
+void run_until(Run<Dim>& run, int end, const Deadline& deadline, SamplePath& path) {
   while (run.point().step < end && path.whole()) {
     switch (run.advance()) {
       case RunEvent::equilibrium:
-        path.states.push_back({run.target().stage, run.state(), {}, {}, {}});
+        path.states.push_back(reached<Dim>(run.target().stage, run.state()));
         run.saved("");
         break;
       case RunEvent::gave_up:
@@ -29,37 +57,12 @@ void run_until(Run<2>& run, int end, const Deadline& deadline, SamplePath& path)
   }
 }
 
-/// Multiplies the caps on the strain rate of the cell by `factor`.
-/// @param capped  a CellResponse or RelaxationOptions, which contains the caps
-template <class Capped>
-void scale_caps(double factor, Capped& capped) {
-  if (capped.strain_rate_cap) *capped.strain_rate_cap *= factor;
-  if (capped.inertial_number_cap) *capped.inertial_number_cap *= factor;
-}
-
-}  // namespace
-
-RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed) {
-  RunOptions options = scene;
-  options.seed = seed;
-  options.text.clear();
-  setting.numerical.apply(options.relaxation);
-  options.relaxation.threads = 1;
-  if (setting.n_grains > 0) options.grains.count = setting.n_grains;
-  for (LoadStage& stage : options.load) {
-    stage.cell.cell_mass = setting.cell_mass_factor * stage.cell.applied_to(options.relaxation).cell_mass;
-    scale_caps(setting.rate_cap_factor, stage.cell);
-  }
-  scale_caps(setting.rate_cap_factor, options.assembly.cell);
-  scale_caps(setting.rate_cap_factor, options.relaxation);
-  return options;
-}
-
-SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
-                       const Deadline& deadline) {
-  SamplePath path;
-  const double start = processor_seconds();
-  Run<2> assembly(options);
+/// Runs the assembly and all stages, and adds their equilibria to `path`.
+/// @param reference  see make_sample()
+template <int Dim>
+void run_path(const RunOptions& options, const SamplePath* reference, const Deadline& deadline,
+              SamplePath& path) {
+  Run<Dim> assembly(options);
   const int n_planned = static_cast<int>(assembly.plan().size());
   std::vector<int> stages;
   for (const PlannedEquilibrium& planned : assembly.plan()) stages.push_back(planned.stage);
@@ -69,46 +72,84 @@ SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, c
     const auto last = static_cast<int>(
         std::upper_bound(stages.begin(), stages.end(), stages[static_cast<std::size_t>(first)]) -
         stages.begin());
-    const State<2>& from = reference->states[static_cast<std::size_t>(first - 1)].state;
-    Run<2> stage(options, point_after(from, ""), from.packing);
+    const auto& from = std::get<State<Dim>>(reference->states[static_cast<std::size_t>(first - 1)].state);
+    Run<Dim> stage(options, point_after(from, ""), from.packing);
     run_until(stage, last, deadline, path);
     first = last;
   }
-  const double relaxed = processor_seconds();
-  ModuliSequence<2> sequence(moduli);
+}
+
+template <int Dim>
+void observe_path(const ModuliOptions& moduli, SamplePath& path) {
+  ModuliSequence<Dim> sequence(moduli);
   for (ObservedState& s : path.states) {
-    s.observation = observe(s.state, sequence);
-    for (const Contact<2>& c : s.state.packing.contacts)
+    const auto& state = std::get<State<Dim>>(s.state);
+    s.observation = observe(state, sequence);
+    for (const Contact<Dim>& c : state.packing.contacts)
       if (!c.distant) s.touching.emplace_back(c.i, c.j);
   }
+}
+
+template <int Dim>
+SamplePath sample_of(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
+                     const Deadline& deadline) {
+  SamplePath path;
+  const PeakMemory memory;
+  const double start = processor_seconds();
+  run_path<Dim>(options, reference, deadline, path);
+  const double relaxed = processor_seconds();
+  observe_path<Dim>(moduli, path);
   path.core_seconds = processor_seconds() - start;
   path.moduli_seconds = processor_seconds() - relaxed;
+  path.memory = memory.megabytes();
   return path;
+}
+
+/// Sets the member `settled` of one state. @return whether the state is in equilibrium with the strictest settings
+template <int Dim>
+bool settle(const RelaxationOptions& strict, const Deadline& deadline, const State<Dim>& state,
+            ObservedState& s, SamplePath& path) {
+  s.settled = s.observation;
+  const bool rigid = state.packing.law.is_rigid();
+  if (!rigid && state.residuals.within(strict.tolerance)) return true;
+  const auto relaxer = make_equilibrator<Dim>(
+      strict, state.packing, LoadTarget<Dim>{state.target_stress, state.target_side, state.target_offset});
+  RelaxationStatus status = RelaxationStatus::running;
+  while (status == RelaxationStatus::running && !deadline.passed()) status = relaxer->advance();
+  if (status != RelaxationStatus::converged) {
+    path.out_of_time = status == RelaxationStatus::running;
+    if (!path.out_of_time)
+      path.failure = fmt::format("state {} did not converge to an equilibrium with the strictest settings: {}",
+                                 state.path.step, relaxer->report().blocking);
+    return false;
+  }
+  State<Dim> settled = state;
+  settled.packing = relaxer->packing();
+  settled.stress = relaxer->stress();
+  ModuliSequence<Dim> moduli{ModuliOptions{}};
+  s.settled = observe(settled, moduli);
+  return true;
+}
+
+}  // namespace
+
+void SamplePath::drop_packings() {
+  for (ObservedState& s : states) s.state = AnyState{};
+}
+
+SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
+                       const Deadline& deadline) {
+  return options.dimension == 2 ? sample_of<2>(options, moduli, reference, deadline)
+                                : sample_of<3>(options, moduli, reference, deadline);
 }
 
 void settle(const RelaxationOptions& strict, const Deadline& deadline, SamplePath& path) {
   RelaxationOptions options = strict;
   // Most states are so close to an equilibrium with the strictest settings that Newton steps reach it without motion.
   options.finish = Finish::statics;
-  for (ObservedState& s : path.states) {
-    s.settled = s.observation;
-    if (s.state.residuals.within(strict.tolerance)) continue;
-    const auto relaxer = make_equilibrator<2>(options, s.state.packing, s.state.target_stress);
-    RelaxationStatus status = RelaxationStatus::running;
-    while (status == RelaxationStatus::running && !deadline.passed()) status = relaxer->advance();
-    if (status != RelaxationStatus::converged) {
-      path.out_of_time = status == RelaxationStatus::running;
-      if (!path.out_of_time)
-        path.failure =
-            fmt::format("state {} did not converge to an equilibrium with the strictest settings: {}",
-                        s.state.path.step, relaxer->report().blocking);
+  for (ObservedState& s : path.states)
+    if (!std::visit([&](const auto& state) { return settle(options, deadline, state, s, path); }, s.state))
       return;
-    }
-    State<2> settled = s.state;
-    settled.packing = relaxer->packing();
-    ModuliSequence<2> moduli{ModuliOptions{}};
-    s.settled = observe(settled, moduli);
-  }
 }
 
 }  // namespace floc

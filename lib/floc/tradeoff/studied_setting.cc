@@ -2,94 +2,351 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+#include <limits>
+
 namespace floc {
 namespace {
 
-/// Builds the list of variants of a scene that a study compares.
-class SettingList {
- public:
-  explicit SettingList(const Scene& scene) { base_.numerical = NumericalSettings::of(scene.relaxation); }
+using Settings = std::vector<StudiedSetting>;
 
-  template <class Change>
-  void add(const std::string& parameter, const std::string& value, const Change& change) {
-    StudiedSetting setting = base_;
-    setting.parameter = parameter;
-    setting.value = value;
-    change(setting);
-    settings_.push_back(setting);
-  }
-
-  void add_numerical(const std::string& parameter, const std::string& value,
-                     const NumericalSettings& numerical) {
-    add(parameter, value, [&](StudiedSetting& s) { s.numerical = numerical; });
-  }
-
-  std::vector<StudiedSetting> take() { return std::move(settings_); }
-
- private:
-  StudiedSetting base_;
-  std::vector<StudiedSetting> settings_;
-};
-
-void add_together(SettingList& list) {
-  const auto add = [&](const char* value, const NumericalSettings& s) {
-    list.add_numerical("together", value, s);
-  };
-  add("coarse", {1e-2, 0.36, Finish::statics, 0.2});
-  add("medium", {1e-4, 0.36, Finish::statics, 0.2});
-  add("fine", {1e-5, 0.36, Finish::statics, 0.2});
-  add("careful", {1e-4, 0.14, Finish::automatic, 1.0});
+void add(const StudiedSetting& base, const std::string& parameter, const std::string& value,
+         const std::function<void(StudiedSetting&)>& change, Settings& list) {
+  StudiedSetting setting = base;
+  setting.parameter = parameter;
+  setting.value = value;
+  change(setting);
+  list.push_back(std::move(setting));
 }
 
-void add_moduli(SettingList& list) {
-  const auto add = [&](const char* value, ModuliMethod method, double tolerance) {
-    list.add("moduli", value, [&](StudiedSetting& s) {
-      s.moduli.method = method;
-      s.moduli.tolerance = tolerance;
-    });
+bool applies_to_elastic(const Scene& scene) {
+  return !scene.law.is_rigid();
+}
+
+bool applies_to_rigid(const Scene& scene) {
+  return scene.law.is_rigid();
+}
+
+bool applies_to_cells(const Scene& scene) {
+  return !scene.assembly.box;
+}
+
+/// The finishes by Newton steps are for elastic grains in periodic cells: a packing between walls finishes by motion.
+bool applies_to_newton(const Scene& scene) {
+  return applies_to_elastic(scene) && applies_to_cells(scene);
+}
+
+bool applies_to_walls(const Scene& scene) {
+  return scene.assembly.box.has_value();
+}
+
+bool applies_to_decades(const Scene& scene) {
+  return std::any_of(scene.load.begin(), scene.load.end(),
+                     [](const LoadStage& stage) { return stage.steps_per_decade.has_value(); });
+}
+
+void add_moduli(const Scene&, const StudiedSetting& base, Settings& list) {
+  const auto method = [&](const char* value, ModuliMethod chosen, double tolerance) {
+    add(
+        base, "moduli", value,
+        [&](StudiedSetting& s) {
+          s.moduli.method = chosen;
+          s.moduli.tolerance = tolerance;
+        },
+        list);
   };
-  add("bounds", ModuliMethod::bounds, 1.0);
-  add("iterative 1e-2", ModuliMethod::iterative, 1e-2);
-  add("iterative 1e-6", ModuliMethod::iterative, 1e-6);
-  add("single-factor 1e-6", ModuliMethod::single_factor, 1e-6);
-  add("factor 1e-10", ModuliMethod::factor, 1e-10);
+  method("bounds", ModuliMethod::bounds, 1.0);
+  method("iterative 1e-2", ModuliMethod::iterative, 1e-2);
+  method("iterative 1e-6", ModuliMethod::iterative, 1e-6);
+  method("single-factor 1e-6", ModuliMethod::single_factor, 1e-6);
+  method("factor 1e-10", ModuliMethod::factor, 1e-10);
+}
+
+void add_together(const Scene&, const StudiedSetting& base, Settings& list) {
+  const auto all = [&](const char* value, const NumericalSettings& n) {
+    add(
+        base, "together", value, [&](StudiedSetting& s) { s.numerical = n; }, list);
+  };
+  all("coarse", {1e-2, 0.36, Finish::statics, 0.2});
+  all("medium", {1e-4, 0.36, Finish::statics, 0.2});
+  all("fine", {1e-5, 0.36, Finish::statics, 0.2});
+  all("careful", {1e-4, 0.14, Finish::automatic, 1.0});
+}
+
+void add_rigid_together(const Scene&, const StudiedSetting& base, Settings& list) {
+  const auto all = [&](const char* value, double step, double sweeps) {
+    add(
+        base, "together", value,
+        [&](StudiedSetting& s) {
+          s.contact_dynamics.time_step = step;
+          s.contact_dynamics.sweep_tolerance = sweeps;
+        },
+        list);
+  };
+  all("coarse", 0.1, 0.1);
+  all("medium", 0.1, 1e-2);
+  all("careful", 0.025, 1e-4);
+}
+
+void add_finish(const Scene&, const StudiedSetting& base, Settings& list) {
+  add(
+      base, "finish", "dynamic", [](StudiedSetting& s) { s.numerical.finish = Finish::dynamic; }, list);
+  add(
+      base, "finish", "static", [](StudiedSetting& s) { s.numerical.finish = Finish::statics; }, list);
+}
+
+void add_forces(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  for (const auto& [value, forces] :
+       {std::pair("closest", RigidForces::closest), std::pair("canonical", RigidForces::canonical)})
+    if (forces != scene.relaxation.contact_dynamics.forces)
+      add(
+          base, "finish", value, [&](StudiedSetting& s) { s.contact_dynamics.forces = forces; }, list);
+}
+
+/// The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. Newton steps
+/// would reach a residual of 1e-8 with every tolerance.
+void add_tolerance(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
+    add(
+        base, "tolerance", fmt::format("{:.0e} dynamic", tolerance),
+        [&](StudiedSetting& s) {
+          s.numerical.tolerance = tolerance;
+          s.numerical.finish = Finish::dynamic;
+        },
+        list);
+}
+
+void add_time_step(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double step : {0.28, 0.2, 0.1})
+    add(
+        base, "time_step", fmt::format("{}", step), [&](StudiedSetting& s) { s.numerical.time_step = step; },
+        list);
+}
+
+void add_rigid_time_step(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double step : {0.2, 0.1, 0.025})
+    add(
+        base, "time_step", fmt::format("{}", step),
+        [&](StudiedSetting& s) { s.contact_dynamics.time_step = step; }, list);
+}
+
+void add_sweep_tolerance(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double tolerance : {1e-1, 1e-2, 1e-4})
+    add(
+        base, "sweep_tolerance", fmt::format("{:.0e}", tolerance),
+        [&](StudiedSetting& s) { s.contact_dynamics.sweep_tolerance = tolerance; }, list);
+}
+
+void add_gap_tolerance(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double tolerance : {1e-2, 1e-3, 1e-4})
+    add(
+        base, "gap_tolerance", fmt::format("{:.0e}", tolerance),
+        [&](StudiedSetting& s) { s.contact_dynamics.gap_tolerance = tolerance; }, list);
+}
+
+void add_patience(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double patience : {0.2, 0.5, 2.0})
+    add(
+        base, "patience", fmt::format("{}", patience),
+        [&](StudiedSetting& s) { s.numerical.patience = patience; }, list);
+}
+
+void add_rate_cap(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double factor : {5.0, 0.2})
+    add(
+        base, "strain_rate_cap", fmt::format("{} times", factor),
+        [&](StudiedSetting& s) { s.rate_cap_factor = factor; }, list);
+}
+
+void add_cell_mass(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double factor : {10.0, 0.1})
+    add(
+        base, "cell_mass", fmt::format("{} times", factor),
+        [&](StudiedSetting& s) { s.cell_mass_factor = factor; }, list);
+}
+
+/// Walls: the criterion that ends a compaction, and the longest time of it where the scene has one.
+void add_end(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  using Criterion = CompactionEnd::Criterion;
+  if (scene.relaxation.compaction.criterion != Criterion::settled)
+    add(
+        base, "end", "settled", [](StudiedSetting& s) { s.compaction.criterion = Criterion::settled; }, list);
+  for (const double ratio : {1e-3, 1e-5, 2e-7})
+    add(
+        base, "end", fmt::format("energy_ratio {:.0e}", ratio),
+        [&](StudiedSetting& s) {
+          s.compaction.criterion = Criterion::energy_ratio;
+          s.compaction.energy_ratio = ratio;
+        },
+        list);
+  if (!scene.relaxation.compaction.longest) return;
+  for (const double factor : {0.5, 2.0})
+    add(
+        base, "stop_time", fmt::format("{} times", factor),
+        [&](StudiedSetting& s) { *s.compaction.longest *= factor; }, list);
+}
+
+bool has_any_number_of_grains(const Scene& scene) {
+  return scene.grains.diameter.kind != DiameterDistribution::Kind::list;
+}
+
+void add_count(const Scene& scene, const StudiedSetting& base, Settings& list) {
+  for (const int share : {4, 2})
+    if (const int n = scene.grains.count / share; n >= 20)
+      add(
+          base, "count", fmt::format("{}", n), [&](StudiedSetting& s) { s.n_grains = n; }, list);
+}
+
+void add_steps(const Scene&, const StudiedSetting& base, Settings& list) {
+  for (const double factor : {0.5, 2.0})
+    add(
+        base, "steps_per_decade", fmt::format("{} times", factor),
+        [&](StudiedSetting& s) { s.steps_factor = factor; }, list);
+}
+
+StudiedSetting as_it_is(const Scene& scene) {
+  StudiedSetting setting;
+  setting.parameter = "scene";
+  setting.value = "as it is";
+  setting.numerical = NumericalSettings::of(scene.relaxation);
+  setting.contact_dynamics = scene.relaxation.contact_dynamics;
+  setting.compaction = scene.relaxation.compaction;
+  return setting;
+}
+
+StudiedSetting strictest(const Scene& scene) {
+  /// Tolerance of the sweeps, and factor on the default tolerance of gaps, of the strictest settings of rigid grains.
+  constexpr double kSweeps = 1e-6, kTimeStep = 0.0125;
+  StudiedSetting setting = as_it_is(scene);
+  setting.parameter = "strict";
+  setting.value = "all";
+  if (scene.law.is_rigid()) {
+    setting.contact_dynamics.time_step = std::min(kTimeStep, setting.contact_dynamics.time_step);
+    setting.contact_dynamics.sweep_tolerance = std::min(kSweeps, setting.contact_dynamics.sweep_tolerance);
+    setting.contact_dynamics.gap_tolerance = 1e-5;
+  } else {
+    setting.numerical = strict_settings();
+  }
+  return setting;
+}
+
+/// Multiplies the caps on the strain rate of the cell by `factor`.
+/// @param capped  a CellResponse or RelaxationOptions, which contains the caps
+template <class Capped>
+void scale_caps(double factor, Capped& capped) {
+  if (capped.strain_rate_cap) *capped.strain_rate_cap *= factor;
+  if (capped.inertial_number_cap) *capped.inertial_number_cap *= factor;
 }
 
 }  // namespace
+
+const std::vector<DeclaredSetting>& declared_settings() {
+  static const std::vector<DeclaredSetting> settings = {
+      {"moduli", applies_to_elastic, add_moduli},
+      {"together", applies_to_elastic, add_together},
+      {"together", applies_to_rigid, add_rigid_together},
+      {"finish", applies_to_newton, add_finish},
+      {"finish", applies_to_rigid, add_forces},
+      {"tolerance", applies_to_elastic, add_tolerance},
+      {"time_step", applies_to_elastic, add_time_step},
+      {"time_step", applies_to_rigid, add_rigid_time_step},
+      {"sweep_tolerance", applies_to_rigid, add_sweep_tolerance},
+      {"gap_tolerance", applies_to_rigid, add_gap_tolerance},
+      {"end", applies_to_walls, add_end},
+      {"patience", applies_to_elastic, add_patience},
+      {"strain_rate_cap", applies_to_cells, add_rate_cap},
+      {"cell_mass", applies_to_cells, add_cell_mass},
+      {"count", has_any_number_of_grains, add_count},
+      {"steps_per_decade", applies_to_decades, add_steps},
+  };
+  return settings;
+}
 
 NumericalSettings strict_settings() {
   return {1e-8, 0.07, Finish::automatic, 2.0};
 }
 
 std::vector<StudiedSetting> studied_settings(const Scene& scene) {
-  SettingList list(scene);
-  list.add_numerical("strict", "all", strict_settings());
-  list.add("scene", "as it is", [](StudiedSetting&) {});
-  add_moduli(list);
-  add_together(list);
-  using Setting = StudiedSetting;
-  list.add("finish", "dynamic", [](Setting& s) { s.numerical.finish = Finish::dynamic; });
-  list.add("finish", "static", [](Setting& s) { s.numerical.finish = Finish::statics; });
-  // The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. Newton steps
-  // would reach a residual of 1e-8 with every tolerance.
-  for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
-    list.add("tolerance", fmt::format("{:.0e} dynamic", tolerance), [&](Setting& s) {
-      s.numerical.tolerance = tolerance;
-      s.numerical.finish = Finish::dynamic;
-    });
-  for (const double step : {0.28, 0.2, 0.1})
-    list.add("time_step", fmt::format("{}", step), [&](Setting& s) { s.numerical.time_step = step; });
-  for (const double patience : {0.2, 0.5, 2.0})
-    list.add("patience", fmt::format("{}", patience), [&](Setting& s) { s.numerical.patience = patience; });
-  for (const double factor : {5.0, 0.2})
-    list.add("strain_rate_cap", fmt::format("{} times", factor),
-             [&](Setting& s) { s.rate_cap_factor = factor; });
-  for (const double factor : {10.0, 0.1})
-    list.add("cell_mass", fmt::format("{} times", factor), [&](Setting& s) { s.cell_mass_factor = factor; });
-  for (const int share : {4, 2})
-    if (const int n = scene.grains.count / share; n >= 20)
-      list.add("count", fmt::format("{}", n), [&](Setting& s) { s.n_grains = n; });
-  return list.take();
+  const StudiedSetting base = as_it_is(scene);
+  Settings list = {strictest(scene), base};
+  for (const DeclaredSetting& declared : declared_settings())
+    if (declared.applies(scene)) declared.add(scene, base, list);
+  return list;
+}
+
+std::vector<StudiedSetting> lattice_settings(const Scene& scene) {
+  const bool flat = scene.dimension == 2;
+  const double nodes = flat ? 15.0 : 6.5, tolerance = flat ? 1e-10 : 1e-9;
+  StudiedSetting base = as_it_is(scene);
+  base.lattice = LatticeSettings{nodes, LatticeMethod::automatic, tolerance};
+  Settings list;
+  add(
+      base, "strict", "all",
+      [&](StudiedSetting& s) {
+        s.lattice = {flat ? 35.0 : 12.0, LatticeMethod::automatic, 1e-3 * tolerance};
+      },
+      list);
+  list.push_back(base);
+  for (const double n : flat ? std::vector{5.0, 8.0, 11.0, 22.0} : std::vector{3.0, 4.5, 9.0})
+    add(
+        base, "nodes_a_diameter", fmt::format("{}", n),
+        [&](StudiedSetting& s) { s.lattice->nodes_a_diameter = n; }, list);
+  for (const double t : {1e-2, 1e-4, 1e-6, 1e-8})
+    add(
+        base, "tolerance", fmt::format("{:.0e}", t), [&](StudiedSetting& s) { s.lattice->tolerance = t; },
+        list);
+  for (const auto& [value, method] :
+       {std::pair("factor", LatticeMethod::factor), std::pair("iterative", LatticeMethod::iterative)})
+    add(
+        base, "method", value, [&](StudiedSetting& s) { s.lattice->method = method; }, list);
+  if (has_any_number_of_grains(scene)) add_count(scene, base, list);
+  return list;
+}
+
+double tolerance_of(const StudiedSetting& setting) {
+  return setting.lattice ? setting.lattice->tolerance : setting.numerical.tolerance;
+}
+
+double time_step_of(const Scene& scene, const StudiedSetting& setting) {
+  if (setting.lattice) return std::numeric_limits<double>::quiet_NaN();
+  return scene.law.is_rigid() ? setting.contact_dynamics.time_step : setting.numerical.time_step;
+}
+
+double patience_of(const StudiedSetting& setting) {
+  return setting.lattice ? std::numeric_limits<double>::quiet_NaN() : setting.numerical.patience;
+}
+
+std::string finish_of(const Scene& scene, const StudiedSetting& setting) {
+  if (setting.lattice)
+    return setting.lattice->method == LatticeMethod::factor      ? "factor"
+           : setting.lattice->method == LatticeMethod::iterative ? "iterative"
+                                                                 : "automatic";
+  if (!scene.law.is_rigid()) return finish_name(setting.numerical.finish);
+  const RigidForces forces = setting.contact_dynamics.forces;
+  return forces == RigidForces::closest ? "closest" : forces == RigidForces::canonical ? "canonical" : "none";
+}
+
+RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed) {
+  RunOptions options = scene;
+  options.seed = seed;
+  options.text.clear();
+  setting.numerical.apply(options.relaxation);
+  // The tolerance of a setting stands for four tolerances, which a scene can give one by one.
+  if (setting.numerical.tolerance == scene.relaxation.tolerance.force)
+    options.relaxation.tolerance = scene.relaxation.tolerance;
+  options.relaxation.contact_dynamics = setting.contact_dynamics;
+  options.relaxation.compaction = setting.compaction;
+  options.relaxation.threads = 1;
+  if (setting.n_grains > 0) options.grains.count = setting.n_grains;
+  for (LoadStage& stage : options.load) {
+    stage.cell.cell_mass = setting.cell_mass_factor * stage.cell.applied_to(options.relaxation).cell_mass;
+    scale_caps(setting.rate_cap_factor, stage.cell);
+    if (stage.steps_per_decade) *stage.steps_per_decade *= setting.steps_factor;
+  }
+  scale_caps(setting.rate_cap_factor, options.assembly.cell);
+  scale_caps(setting.rate_cap_factor, options.relaxation);
+  return options;
 }
 
 }  // namespace floc

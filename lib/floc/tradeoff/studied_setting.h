@@ -1,13 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "floc/elasticity/moduli.h"
-#include "floc/scene/numerical_settings.h"
+#include "floc/lattice/relaxed_springs.h"
+#include "floc/prices/numerical_settings.h"
 #include "floc/scene/scene.h"
 
 namespace floc {
+
+/// Numerical settings of the lattice of cemented grains (`floc lattice`).
+struct LatticeSettings {
+  double nodes_a_diameter = 15.0;  ///< number of lattice nodes per mean diameter of the grains
+  LatticeMethod method = LatticeMethod::automatic;
+  double tolerance = 1e-10;  ///< imbalance of the forces on the nodes over the load
+};
 
 /// One variant of a scene that a study compares: one parameter (rarely several) has another value than in the scene,
 /// all others are as in the scene. In the reference (the strictest settings), every parameter has its strictest value.
@@ -16,28 +25,64 @@ struct StudiedSetting {
   std::string parameter;
   std::string value;  ///< value of the changed parameter, as a user would write it
   NumericalSettings numerical;
+  ContactDynamicsOptions contact_dynamics;  ///< settings of rigid grains
+  CompactionEnd compaction;                 ///< end of a compaction between walls
   double rate_cap_factor = 1.0;   ///< factor by which every cap on the strain rate of the cell is multiplied
   double cell_mass_factor = 1.0;  ///< factor by which the mass of the cell on the load path is multiplied
+  double steps_factor = 1.0;      ///< factor by which the numbers of steps a decade are multiplied
   int n_grains = 0;               ///< number of grains; 0 if it is that of the scene
   ModuliOptions moduli;
+  std::optional<LatticeSettings> lattice;  ///< present in a study of cemented grains
 
   bool is_reference() const { return parameter == "strict"; }
   /// Whether only the computation of the elastic moduli differs from the scene. No run is then made: the moduli are
   /// computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
-  /// Whether the number of grains differs from that of the scene. States cannot be compared one by one then, only their
-  /// means.
-  bool is_other_size() const { return n_grains != 0; }
+  /// Whether the states are those of other packings, or at other steps of the path, than with the strictest settings.
+  /// They cannot be compared one by one then, only in the mean over all states under equal loads.
+  bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0; }
 };
 
-/// Returns the strictest numerical settings: a tolerance of 1e-8 (rounding errors of the positions hide smaller
-/// forces), about a quarter of the default time step, and twice the default patience.
+/// Parameter that a study varies: the scenes to which it applies, and the function that adds one variant of the scene
+/// for each of its values.
+struct DeclaredSetting {
+  const char* parameter;
+  bool (*applies)(const Scene&);
+  void (*add)(const Scene&, const StudiedSetting& base, std::vector<StudiedSetting>& list);
+};
+
+/// Returns all parameters that a study varies, in the order of their importance.
+const std::vector<DeclaredSetting>& declared_settings();
+
+/// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (rounding errors of the positions
+/// hide smaller forces), about a quarter of the default time step, and twice the default patience.
 NumericalSettings strict_settings();
 
-/// Returns all variants of a scene that a study compares: the strictest settings first, then the others in the order of
-/// their importance. Two properties are not varied separately: stopping all grains when the kinetic energy falls (power
-/// control), because the finish "dynamic" includes it; and the precision in which forces are computed, because it is
-/// always double.
+/// Returns all variants of a scene that a study compares: the strictest settings first, then the scene as it is, then
+/// the values of each declared parameter. Two properties are not varied separately: stopping all grains when the kinetic
+/// energy falls (power control), because the finish "dynamic" includes it; and the precision in which forces are
+/// computed, because it is always double.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
+
+/// Returns the variants of a study of the lattice of cemented grains: the finest lattice with the strictest tolerance
+/// first, then that of `floc lattice` as it is, then other numbers of nodes a diameter, tolerances, methods and numbers
+/// of grains.
+std::vector<StudiedSetting> lattice_settings(const Scene& scene);
+
+/// Returns the tolerance of a setting: that of equilibria or, of a lattice, that of its solution.
+double tolerance_of(const StudiedSetting& setting);
+
+/// Returns the time step of a setting in the unit of its dynamics: NumericalSettings::time_step or, for rigid grains,
+/// ContactDynamicsOptions::time_step. NaN for a lattice, and so is the patience.
+double time_step_of(const Scene& scene, const StudiedSetting& setting);
+
+double patience_of(const StudiedSetting& setting);
+
+/// Returns the keyword of how a setting finishes equilibria: equilibrium.finish, for rigid grains dynamics.finish, and of
+/// a lattice the method of its solution.
+std::string finish_of(const Scene& scene, const StudiedSetting& setting);
+
+/// Returns the options for running a scene with a setting of the study, on one thread.
+RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed);
 
 }  // namespace floc

@@ -7,17 +7,20 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <variant>
 
 #include "floc/base/error.h"
 #include "floc/scene/derived_groups.h"
-#include "floc/tradeoff/fitted_path.h"
+#include "floc/tradeoff/path_fits.h"
+#include "floc/tradeoff/peak_memory.h"
 
 namespace floc {
 namespace {
 
-/// Number of grains of the small sample whose run measures the speed of this machine. A study uses at least as many
-/// grains.
-constexpr int kMinGrains = 40;
+/// Number of grains of the small sample whose run measures the speed of this machine, of disks and of spheres. A study
+/// uses at least as many grains.
+constexpr int kMinDisks = 40;
+constexpr int kMinSpheres = 100;
 /// Number of samples that must fit into the budget with every setting; if they do not, the number of grains is reduced.
 /// The error of a mean cannot be estimated from fewer than two samples.
 constexpr double kSamplesWanted = 2.0;
@@ -26,6 +29,9 @@ constexpr double kSamplesWanted = 2.0;
 constexpr double kReferenceCost = 4.0;
 /// Share of the processor time of the study that runs may take; comparing and fitting takes the rest.
 constexpr double kShareOfRuns = 0.97;
+/// Processor time of a run over that with the strictest settings, beyond which the run is stopped and its setting left
+/// out.
+constexpr double kLongestRun = 1.5;
 /// Safety factor on the expected processor time of a run, when it is checked whether the run fits into the budget.
 constexpr double kMargin = 1.3;
 
@@ -61,6 +67,13 @@ class Study {
     double base_seconds = 0.0;
   };
 
+  /// Returns the expected processor time of a sample with a setting over that with the settings of the scene.
+  double relative_cost(const StudiedSetting& s) const {
+    const double steps = time_step_of(scene_, settings_[1]) / time_step_of(scene_, s);
+    const double size = s.n_grains > 0 ? static_cast<double>(s.n_grains) / scene_.grains.count : 1.0;
+    return steps * size * s.steps_factor;
+  }
+
   /// Returns the expected processor time of one sample with every setting together (s).
   /// @param n_grains  number of grains of the sample
   /// @param speed  processor time measured on this machine over the time that expected_cost() predicts
@@ -69,28 +82,45 @@ class Study {
     sized.grains.count = n_grains;
     double units = kReferenceCost;
     for (const StudiedSetting& s : settings_)
-      if (!s.is_reference() && !s.is_moduli_level())
-        units += scene_.relaxation.time_step / s.numerical.time_step *
-                 (s.is_other_size() ? static_cast<double>(s.n_grains) / scene_.grains.count : 1.0);
+      if (!s.is_reference() && !s.is_moduli_level()) units += relative_cost(s);
     return units * expected_cost(sized) * speed;
+  }
+
+  int least_grains() const { return scene_.dimension == 2 ? kMinDisks : kMinSpheres; }
+
+  /// Whether samples may have another number of grains than the scene: the diameters are not those of a list.
+  bool has_any_number_of_grains() const {
+    return scene_.grains.diameter.kind != DiameterDistribution::Kind::list;
+  }
+
+  /// Makes a sample. A sample that cannot be made, such as one of too few grains for its cell, has failed.
+  static SamplePath tried_sample(const RunOptions& options, const ModuliOptions& moduli,
+                                 const SamplePath* reference, const Deadline& deadline) {
+    try {
+      return make_sample(options, moduli, reference, deadline);
+    } catch (const InputError& reason) {
+      SamplePath path;
+      path.failure = reason.what();
+      return path;
+    }
   }
 
   /// Runs a small sample to measure the speed of this machine. Then reduces the number of grains until the study fits
   /// into its budget.
   void fit_size_to_budget() {
     Scene small = scene_;
-    small.grains.count = std::min(scene_.grains.count, kMinGrains);
+    if (has_any_number_of_grains()) small.grains.count = std::min(scene_.grains.count, least_grains());
     const StudiedSetting plain = settings_[1];
     const Deadline start(0.0);
-    const SamplePath pilot = make_sample(run_options(small, plain, scene_.seed), {}, nullptr, deadline_);
+    const SamplePath pilot = tried_sample(run_options(small, plain, scene_.seed), {}, nullptr, deadline_);
     const double speed = -start.left() / expected_cost(small);
     options_.progress(fmt::format("a sample of {} grains with the settings of the scene took {:.1f} s",
                                   small.grains.count, -start.left()));
-    if (!pilot.whole() || scene_.grains.diameter.kind == DiameterDistribution::Kind::list) return;
+    if (!pilot.whole() || !has_any_number_of_grains()) return;
     const int wanted = scene_.grains.count;
-    while (scene_.grains.count > kMinGrains &&
+    while (scene_.grains.count > least_grains() &&
            kSamplesWanted * sample_cost(scene_.grains.count, speed) > deadline_.left())
-      scene_.grains.count = std::max(kMinGrains, static_cast<int>(0.9 * scene_.grains.count));
+      scene_.grains.count = std::max(least_grains(), static_cast<int>(0.9 * scene_.grains.count));
     if (scene_.grains.count < wanted)
       left_out_.push_back(
           fmt::format("some of the grains: the samples have {} grains in place of {}, because more do not fit "
@@ -113,7 +143,7 @@ class Study {
     const Deadline start(0.0);
     last_seed_whole_ = false;
     const std::uint64_t seed = scene_.seed + static_cast<std::uint64_t>(k);
-    SamplePath reference = make_path(0, seed, nullptr);
+    SamplePath reference = make_path(0, seed, nullptr, deadline_);
     if (!reference.whole()) return fail(0, seed, reference);
     SamplePath base;
     for (std::size_t i = 1; i < settings_.size(); ++i) {
@@ -123,26 +153,35 @@ class Study {
         continue;
       }
       if (!affordable(i, reference)) continue;
-      SamplePath path = make_path(i, seed, settings_[i].is_other_size() ? nullptr : &reference);
+      const double longest = kLongestRun * std::max(1.0, settings_[i].steps_factor) * reference.core_seconds;
+      SamplePath path =
+          make_path(i, seed, settings_[i].has_other_states() ? nullptr : &reference, deadline_.within(longest));
       if (!path.whole()) {
         fail(i, seed, path);
         continue;
       }
-      for (ObservedState& s : path.states) s.state.packing.contacts.clear();
+      path.drop_packings();
       if (i == 1) base = path;
       samples_[i].push_back({k, std::move(path), {}, 0.0});
     }
-    for (ObservedState& s : reference.states) s.state.packing.contacts.clear();
+    reference.drop_packings();
     samples_[0].push_back({k, std::move(reference), {}, 0.0});
     last_seed_whole_ = !deadline_.passed();
     last_seed_seconds_ = -start.left();
   }
 
-  SamplePath make_path(std::size_t i, std::uint64_t seed, const SamplePath* reference) {
+  /// Makes a sample with setting number i.
+  /// @param reference  see make_sample()
+  /// @param deadline  deadline of the run, before its states are relaxed with the strictest settings
+  SamplePath make_path(std::size_t i, std::uint64_t seed, const SamplePath* reference,
+                       const Deadline& deadline) {
     const StudiedSetting& setting = settings_[i];
-    SamplePath path = make_sample(run_options(scene_, setting, seed), setting.moduli, reference, deadline_);
-    RelaxationOptions strict = run_options(scene_, settings_[0], seed).relaxation;
-    if (path.whole()) settle(strict, deadline_, path);
+    SamplePath path = tried_sample(run_options(scene_, setting, seed), setting.moduli, reference, deadline);
+    if (setting.is_reference()) {
+      for (ObservedState& s : path.states) s.settled = s.observation;
+    } else if (path.whole() && !setting.has_other_states()) {
+      settle(run_options(scene_, settings_[0], seed).relaxation, deadline_, path);
+    }
     options_.progress(fmt::format("seed {}, setting {} {}: this sample took {:.2f} s", seed, setting.parameter,
                                   setting.value, path.core_seconds));
     return path;
@@ -153,7 +192,7 @@ class Study {
   /// @param i  index of the setting
   /// @param reference  path with the strictest settings from the same seed
   bool affordable(std::size_t i, const SamplePath& reference) {
-    const double share = scene_.relaxation.time_step / settings_[i].numerical.time_step / kReferenceCost;
+    const double share = relative_cost(settings_[i]) / kReferenceCost;
     const double expected =
         samples_[i].empty() ? share * reference.core_seconds : samples_[i].back().path.core_seconds;
     if (kMargin * expected < deadline_.left()) return true;
@@ -167,30 +206,49 @@ class Study {
   }
 
   void fail(std::size_t i, std::uint64_t seed, const SamplePath& path) {
+    const bool budget_is_used_up = path.out_of_time && (i == 0 || deadline_.passed());
+    const std::string reason =
+        budget_is_used_up  ? "the run was stopped because the budget was used up"
+        : path.out_of_time ? "the run was stopped because it took longer than with the strictest settings"
+                           : path.failure;
     left_out_.push_back(
-        fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed,
-                    path.out_of_time ? "the run was stopped because the budget was used up" : path.failure));
-    if (path.out_of_time) return;
+        fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed, reason));
+    if (budget_is_used_up) return;
     skipped_.insert(i);  // later samples leave this setting out, because it may fail in them as well
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,
                       const SamplePath& base) {
     Sample sample{k, {}, {}, base.core_seconds - base.moduli_seconds};
-    ModuliSequence<2> sequence(setting.moduli);
+    const PeakMemory memory;
     const double start = processor_seconds();
-    for (const ObservedState& s : reference.states)
-      sample.levels.push_back(observe_moduli(s.state, sequence, s.observation));
+    if (scene_.dimension == 2)
+      sample.levels = levels_of<2>(setting.moduli, reference);
+    else
+      sample.levels = levels_of<3>(setting.moduli, reference);
+    sample.path.memory = memory.megabytes();
     sample.path.moduli_seconds = processor_seconds() - start;
     sample.path.core_seconds = sample.base_seconds + sample.path.moduli_seconds;
     return sample;
+  }
+
+  /// Returns the observables of the states of a path with moduli by another method.
+  template <int Dim>
+  static std::vector<Observation> levels_of(const ModuliOptions& options, const SamplePath& path) {
+    ModuliSequence<Dim> sequence(options);
+    std::vector<Observation> levels;
+    for (const ObservedState& s : path.states)
+      levels.push_back(observe_moduli(std::get<State<Dim>>(s.state), sequence, s.observation));
+    return levels;
   }
 
   void measure(Tradeoff& out) const {
     std::map<int, const SamplePath*> reference_of;
     std::vector<const SamplePath*> all;
     for (const Sample& s : samples_[0]) all.push_back(reference_of[s.index] = &s.path);
+    if (all.empty()) return;
     const std::optional<PressureWindow> window = fit_window(all);
+    describe_reference(all, window, out);
     for (std::size_t i = 0; i < settings_.size(); ++i) {
       std::vector<const SamplePath*> references, paths;
       std::vector<std::vector<Observation>> levels;
@@ -201,50 +259,13 @@ class Study {
         levels.push_back(s.levels);
       }
       if (references.empty()) continue;
-      MeasuredSetting m = cost_of(settings_[i], references, paths);
-      m.errors = settings_[i].is_moduli_level() ? compare_levels(references, levels)
-                 : settings_[i].is_other_size() ? compare_means(references, paths, window)
-                                                : compare(references, paths, window);
+      MeasuredSetting m = cost_of(scene_, settings_[i], references, paths);
+      m.errors = settings_[i].is_moduli_level()    ? compare_levels(references, levels)
+                 : settings_[i].has_other_states() ? compare_means(references, paths, window)
+                                                   : compare(references, paths, window);
       out.settings.push_back(std::move(m));
     }
-    add_sample_numbers(out);
-  }
-
-  MeasuredSetting cost_of(const StudiedSetting& setting, const std::vector<const SamplePath*>& references,
-                          const std::vector<const SamplePath*>& paths) const {
-    const auto total = [](const std::vector<const SamplePath*>& of, double SamplePath::*seconds) {
-      return std::accumulate(of.begin(), of.end(), 0.0,
-                             [&](double sum, const SamplePath* p) { return sum + p->*seconds; });
-    };
-    const auto n = static_cast<double>(paths.size());
-    const double seconds = total(paths, &SamplePath::core_seconds);
-    return {setting,
-            setting.is_other_size() ? setting.n_grains : scene_.grains.count,
-            static_cast<int>(paths.size()),
-            seconds / n,
-            total(paths, &SamplePath::moduli_seconds) / n,
-            seconds / total(references, &SamplePath::core_seconds),
-            {}};
-  }
-
-  /// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. It is the
-  /// scatter between samples with the strictest settings.
-  void add_sample_numbers(Tradeoff& out) const {
-    std::vector<const SamplePath*> references;
-    for (const Sample& s : samples_[0]) references.push_back(&s.path);
-    if (references.size() < 2) return;
-    for (int n = 1; n <= static_cast<int>(references.size()); n *= 2) {
-      StudiedSetting setting = settings_[0];
-      setting.parameter = "samples";
-      setting.value = std::to_string(n);
-      MeasuredSetting m = cost_of(setting, references, references);
-      m.core_seconds *= n;
-      m.moduli_seconds *= n;
-      m.cost_ratio = n;
-      m.n_samples = n;
-      m.errors = sampling_errors(references, n);
-      out.settings.push_back(std::move(m));
-    }
+    add_sample_numbers(scene_, settings_[0], all, window, out);
   }
 
   Scene scene_;
@@ -260,7 +281,7 @@ class Study {
 
 }  // namespace
 
-Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
+void require_study(const Scene& scene, const TradeoffOptions& options) {
   require_in_range("budget", options.budget, kPositiveNumber);
   require_in_range("samples", options.max_samples, TradeoffOptions::kSamples);
   if (scene.starts_from_state())
@@ -268,11 +289,61 @@ Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
         "assembly.protocol = \"state\"",
         "the study makes samples with different numbers of grains, which requires a gas in place of a saved "
         "state: expected \"direct\" or \"aggregation\"");
-  if (scene.law.is_rigid())
-    throw InputError(
-        "contact.normal.law = \"rigid\"",
-        "the study varies the settings of the dynamics of elastic grains: expected elastic contacts");
+}
+
+Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {
+  require_study(scene, options);
   return Study(std::move(scene), options).run();
+}
+
+void describe_reference(const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out) {
+  out.n_states = static_cast<int>(references.front()->states.size());
+  out.reference = mean_values(references, window);
+  out.scatter.fill(std::numeric_limits<double>::quiet_NaN());
+  if (references.size() < 2) return;
+  const ObservableErrors one = sampling_errors(references, 1, window);
+  for (std::size_t k = 0; k < kObservables; ++k)
+    if (one[k].mean.n > 0) out.scatter[k] = one[k].mean.standard_error;
+}
+
+MeasuredSetting cost_of(const Scene& scene, const StudiedSetting& setting,
+                        const std::vector<const SamplePath*>& references,
+                        const std::vector<const SamplePath*>& paths) {
+  const auto total = [](const std::vector<const SamplePath*>& of, double SamplePath::*seconds) {
+    return std::accumulate(of.begin(), of.end(), 0.0,
+                           [&](double sum, const SamplePath* p) { return sum + p->*seconds; });
+  };
+  const auto n = static_cast<double>(paths.size());
+  const double seconds = total(paths, &SamplePath::core_seconds);
+  double memory = 0.0;
+  for (const SamplePath* path : paths) memory = std::max(memory, path->memory);
+  return {setting,
+          setting.n_grains > 0 ? setting.n_grains : scene.grains.count,
+          static_cast<int>(paths.size()),
+          seconds / n,
+          total(paths, &SamplePath::moduli_seconds) / n,
+          seconds / total(references, &SamplePath::core_seconds),
+          memory,
+          {}};
+}
+
+void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
+                        const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out) {
+  if (references.size() < 2) return;
+  for (int n = 1; n <= static_cast<int>(references.size()); n *= 2) {
+    StudiedSetting setting = strict;
+    setting.parameter = "samples";
+    setting.value = std::to_string(n);
+    MeasuredSetting m = cost_of(scene, setting, references, references);
+    m.core_seconds *= n;
+    m.moduli_seconds *= n;
+    m.cost_ratio = n;
+    m.n_samples = n;
+    m.errors = sampling_errors(references, n, window);
+    out.settings.push_back(std::move(m));
+  }
 }
 
 double single_state_error(const ObservableError& error) {

@@ -29,12 +29,20 @@ struct MeasuredSetting {
   double moduli_seconds = 0.0;
   /// processor time over that of the runs with the strictest settings from the same seeds
   double cost_ratio = 0.0;
+  /// largest memory that a sample took beside the program (MB); NaN if not known
+  double memory = 0.0;
   ObservableErrors errors;
 };
 
 /// Results of a study: the variants of the scene that were measured, and a list of those that were left out.
 struct Tradeoff {
   int n_grains = 0;  ///< number of grains of a sample with the strictest settings
+  int n_states = 0;  ///< number of states (equilibria) of a sample
+  /// Mean of each observable with the strictest settings, over states and samples (in its unit, see unit_of()).
+  Observation reference;
+  /// Standard deviation of that mean over states between samples, relative to the mean over samples; NaN for a single
+  /// sample.
+  Observation scatter;
   std::vector<MeasuredSetting> settings;
   /// Descriptions of variants, samples or grains that did not fit into the budget, and of runs that failed.
   std::vector<std::string> left_out;
@@ -53,10 +61,32 @@ struct Tradeoff {
 /// expected to fit.
 /// 2. Samples are added until the next one would not fit. A setting that is too expensive in the first sample is left
 /// out of the study.
-/// 3. A run that reaches the deadline is stopped.
+/// 3. A run that reaches the deadline is stopped, and so is a run that takes longer than that with the strictest
+/// settings.
 /// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if the scene
 /// starts from a saved state: samples are made from a gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
+
+/// Requires options and a scene from which a study can make samples. @throws InputError as study_tradeoff()
+void require_study(const Scene& scene, const TradeoffOptions& options);
+
+/// Describes the reference paths of a study: its members n_states, reference and scatter.
+/// @param references  paths of the runs with the strictest settings, one for each seed, at least one
+void describe_reference(const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out);
+
+/// Returns a setting with the costs of its samples, without errors.
+/// @param scene  scene of the study
+/// @param references  paths of the runs with the strictest settings from the same seeds as `paths`
+MeasuredSetting cost_of(const Scene& scene, const StudiedSetting& setting,
+                        const std::vector<const SamplePath*>& references,
+                        const std::vector<const SamplePath*>& paths);
+
+/// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. It is the scatter
+/// between samples with the strictest settings.
+void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
+                        const std::vector<const SamplePath*>& references,
+                        const std::optional<PressureWindow>& window, Tradeoff& out);
 
 /// Returns for each setting of a study whether it is Pareto-optimal for an observable: no other setting is at least as
 /// cheap and at least as accurate, and cheaper or more accurate. The error of the observable is that of

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "floc/tradeoff/path_fits.h"
 #include "floc/tradeoff/tradeoff.h"
 
 namespace floc {
@@ -17,7 +18,7 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 ObservedState state(int stage, double pressure, double phi, double B) {
   ObservedState s;
   s.stage = stage;
-  s.state.target_stress.setConstant(pressure);
+  s.mean_stress = s.driven_load = s.driven_stress = pressure;
   s.observation.fill(kNoNumber);
   s.observation[kPhi] = phi;
   s.observation[kB] = B;
@@ -88,11 +89,43 @@ TEST(Comparison, ErrorsAreAgainstTheReferenceBeforeACollapseAndTheSettledStateAf
   EXPECT_NEAR(e.mean.difference, (0.1 / 0.65 + 1e-3) / 3.0, 1e-6);
 }
 
+/// Paths of other steps are compared under the loads that both have.
+TEST(Comparison, MeansOfOtherStepsAreOverEqualLoads) {
+  const SamplePath reference = path(0.0);
+  SamplePath coarse;
+  coarse.states = {state(-1, 0.01, 0.5, 1000.0), state(0, 0.04 * (1.0 + 1e-12), 0.63, 2000.0),
+                   state(0, 0.08, 0.60001, 2000.0)};
+  const MeanDifference mean = compare_means({&reference}, {&coarse}, std::nullopt)[kPhi].mean;
+  EXPECT_EQ(mean.n, 1);
+  EXPECT_NEAR(mean.difference, (0.03 / 0.615) / 3.0, 1e-12);  // of three pairs only the second differs
+  SamplePath fine = reference;
+  fine.states.insert(fine.states.begin() + 2, state(0, 0.03, 0.9, 1.0));
+  EXPECT_EQ(compare_means({&reference}, {&fine}, std::nullopt)[kPhi].mean.difference, 0.0);
+}
+
+/// One test, of which the largest ratio and the mean over the last quarter are known.
+TEST(Comparison, ShearTestsHaveTheirPeakAndTheirCriticalState) {
+  SamplePath test;
+  const std::vector<double> ratios = {0.1, 0.3, 0.5, 0.45, 0.4, 0.4, 0.38, 0.36, 0.34, 0.33, 0.32, 0.31};
+  for (const double ratio : ratios) {
+    ObservedState s = state(0, 1.0, 0.8, 1.0);
+    s.control = "triaxial";
+    s.observation[kStressRatio] = ratio;
+    test.states.push_back(s);
+  }
+  EXPECT_EQ(path_value(kPeakRatio, test), 0.5);
+  EXPECT_NEAR(path_value(kCriticalRatio, test), 0.32, 1e-12);
+  EXPECT_TRUE(std::isnan(path_value(kK0, test)));
+  test.states.resize(8);  // a quarter of which is two states
+  EXPECT_TRUE(std::isnan(path_value(kCriticalRatio, test)));
+}
+
 TEST(Comparison, SamplingErrorFallsWithTheRootOfTheirNumber) {
   const SamplePath a = path(0.0), b = path(0.02);
-  const double one = sampling_errors({&a, &b}, 1)[kPhi].mean.standard_error;
-  EXPECT_GT(one, 0.0);
-  EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4)[kPhi].mean.standard_error, 0.5 * one);
+  const double one = sampling_errors({&a, &b}, 1, std::nullopt)[kPhi].mean.standard_error;
+  // The relative standard deviation of two samples: over states, the mean of 0.02/(Phi_a + Phi_b), times sqrt(2).
+  EXPECT_NEAR(one, std::sqrt(2.0) * 0.25 * (0.02 / 1.02002 + 0.02 / 1.22 + 0.02 / 1.22002), 1e-9);
+  EXPECT_DOUBLE_EQ(sampling_errors({&a, &b}, 4, std::nullopt)[kPhi].mean.standard_error, 0.5 * one);
 }
 
 TEST(Tradeoff, FrontHoldsWhatNoOtherBeatsInBothCostAndError) {

@@ -49,7 +49,7 @@ TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {
     const RunOptions options = run_options(scene, setting, 7);
     EXPECT_EQ(options.law, scene.law) << setting.parameter;
     EXPECT_EQ(options.seed, 7u);
-    EXPECT_EQ(options.grains.count, setting.is_other_size() ? setting.n_grains : 100) << setting.parameter;
+    EXPECT_EQ(options.grains.count, setting.n_grains > 0 ? setting.n_grains : 100) << setting.parameter;
     EXPECT_GE(options.relaxation.time_step, settings.front().numerical.time_step)
         << "nothing is finer than the reference";
     EXPECT_GE(options.relaxation.tolerance.force, settings.front().numerical.tolerance);

@@ -1,46 +1,19 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "floc/scene/numerical_settings.h"
+#include "floc/prices/price_table.h"
 
 namespace floc {
 
-/// Measured error of one observable (such as the solid fraction) with one numerical setting: one row of the table that
-/// `floc tradeoff` writes. All errors are relative.
-struct MeasuredAccuracy {
-  /// name and value of the parameter that was varied, e.g. "time_step" and "0.2"
-  std::string parameter, value;
-  NumericalSettings settings;
-  std::string observable;
-  double cost_ratio;  ///< processor time over that of the run with the strictest settings
-  double error;       ///< upper limit of the errors of 95 % of the states; NaN if no states were compared
-  /// Difference of the observable from the run with the strictest settings, as a mean over samples and over the states
-  /// after a collapse (a sudden rearrangement of grains); NaN if no means were compared.
-  double mean_difference;
-  double mean_error;  ///< half width of the 95 % confidence interval of mean_difference
-  /// stiffness number a K_N/F0 of the scene with which the error was measured (largest diameter a, normal stiffness
-  /// K_N, pull-off force F0)
-  double kappa;
-};
-
 /// Mass of the periodic cell, and cap on its strain rate, during the assembly or one stage of the load path. Both are
-/// divided by their default values for a cohesive scene (cell_defaults.h), with which the table of errors was measured.
+/// divided by the default values for the scene (cell_defaults.h), with which tables of prices are measured.
 struct CellFactors {
   double mass = 1.0, rate_cap = 1.0;
 };
-
-/// Reads a table of measured errors that `floc tradeoff` has written in CSV format. Rows about parameters that a scene
-/// cannot give are left out.
-/// @param csv  text of the table
-/// @param place  name of the table, for messages
-/// @throws InputError if a column is missing or a value is not a number
-std::vector<MeasuredAccuracy> read_accuracy_table(const std::string& csv, const std::string& place);
-
-/// Returns the table of measured errors that is shipped with the program, data/tables/tradeoff/tradeoff.csv.
-const std::vector<MeasuredAccuracy>& shipped_accuracy_table();
 
 /// Requested accuracy: for each key of the table [accuracy] of a scene ("phi", "z", "moduli", "reuss", "forces",
 /// "lambda", "alpha", "Phi_max"), the largest accepted relative error of the observables for which the key stands.
@@ -48,6 +21,36 @@ using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
 /// Returns all keys with which a scene can request an accuracy.
 std::vector<std::string> accuracy_keys();
+
+/// Returns the names of the observables for which a key of [accuracy] stands, as they are in tables of prices.
+/// @param key  one of accuracy_keys()
+const std::vector<std::string>& observables_of(const std::string& key);
+
+/// Numerical settings from a table of prices, with the rows about them: one for each observable.
+struct PricedSettings {
+  std::string parameter, value;
+  NumericalSettings settings;
+  double cost_ratio;                          ///< processor time over that of the strictest settings
+  double core_seconds;                        ///< processor time of a sample (s)
+  std::map<std::string, const PriceRow*> of;  ///< rows of the table, by the names of the observables
+
+  bool is_reference() const { return parameter == "strict"; }
+  std::string name() const { return parameter + " " + value; }
+};
+
+/// Returns the numerical settings in a table of prices that a scene can have, the cheapest first. Rows about other
+/// parameters are left out: they change the physics, the number of grains, the cell, or the analysis of the states.
+std::vector<PricedSettings> settable_prices(const PriceTable& table);
+
+/// Returns the settings in a table of prices that cover the cells of a scene: for the mass and for the cap on the strain
+/// rate, where they differ from the default, the nearest factor that is at least as far from 1 as that of the scene.
+/// Their errors add to those of all numerical settings.
+std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vector<CellFactors>& cells);
+
+/// Returns the bound of the relative error of a mean over states that the choice of settings causes: the error of 95 %
+/// of single states, or the difference of the means from the strictest settings as far as it exceeds the half width of
+/// its 95 % interval, whichever is larger. NaN if neither was measured.
+double settings_error(const PricedSettings& settings, const std::string& observable);
 
 /// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested ones, or the
 /// reason why there are none.
@@ -75,17 +78,16 @@ struct AccuracyChoice {
 /// @param wanted  requested errors, at least one; each key is from accuracy_keys(), each error is positive
 /// @param cells  mass of the cell and cap on its strain rate in the assembly and in each stage of the load path
 /// @pre covers_cell(table, cell) is true for each of `cells`
-[[nodiscard]] AccuracyChoice choose_accuracy(const std::vector<MeasuredAccuracy>& table,
-                                             const WantedAccuracy& wanted,
+[[nodiscard]] AccuracyChoice choose_accuracy(const PriceTable& table, const WantedAccuracy& wanted,
                                              const std::vector<CellFactors>& cells = {});
 
 /// Whether the table of errors was measured on grains whose stiffness number differs from `kappa` by at most a factor
 /// of ten. Errors scale with the stiffness.
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
-bool covers_stiffness(const std::vector<MeasuredAccuracy>& table, double kappa);
+bool covers_stiffness(const PriceTable& table, double kappa);
 
 /// Whether the table contains errors measured with a mass of the cell, and with a cap on its strain rate, that differ
 /// from the defaults in the same direction as those of `cell`, and at least as much.
-bool covers_cell(const std::vector<MeasuredAccuracy>& table, const CellFactors& cell);
+bool covers_cell(const PriceTable& table, const CellFactors& cell);
 
 }  // namespace floc

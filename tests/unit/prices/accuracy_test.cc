@@ -1,16 +1,14 @@
-#include "floc/scene/accuracy.h"
+#include "floc/prices/accuracy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "floc/base/error.h"
-#include "floc/scene/read_scene.h"
 
 namespace floc {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 const std::string kHeader =
     "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"
@@ -38,12 +36,18 @@ const std::string kTableWithCells = kTable +
                                     "cell_mass,0.1 times,phi,1e-6,1e-6,0,0.001,0.05,1e-5,0.28,auto,1,1e5\n"
                                     "strain_rate_cap,5 times,phi,1e-2,1e-3,0,0.001,0.05,1e-5,0.28,auto,1,1e5\n";
 
+PriceTable shipped_like(const std::string& csv) {
+  PriceTable table = read_price_table(csv, "table");
+  table.is_shipped = true;
+  return table;
+}
+
 AccuracyChoice choice(const WantedAccuracy& wanted) {
-  return choose_accuracy(read_accuracy_table(kTable, "table"), wanted);
+  return choose_accuracy(shipped_like(kTable), wanted);
 }
 
 AccuracyChoice choice_with(const std::vector<CellFactors>& cells, double phi) {
-  return choose_accuracy(read_accuracy_table(kTableWithCells, "table"), {{"phi", phi}}, cells);
+  return choose_accuracy(shipped_like(kTableWithCells), {{"phi", phi}}, cells);
 }
 
 TEST(Accuracy, TheCheapestSettingWhoseErrorIsBelowIsTaken) {
@@ -104,7 +108,7 @@ TEST(Accuracy, WhatTheCellAddsIsSaidAndCountsForTheLeastError) {
 }
 
 TEST(Accuracy, TheTableSpeaksForCellsBetweenThoseMeasured) {
-  const auto table = read_accuracy_table(kTableWithCells, "table");
+  const auto table = read_price_table(kTableWithCells, "table");
   EXPECT_TRUE(covers_cell(table, {1.0, 1.0}));
   EXPECT_TRUE(covers_cell(table, {10.0, 5.0}));
   EXPECT_TRUE(covers_cell(table, {0.01 / 0.1, 1.0}));
@@ -129,7 +133,7 @@ TEST(Accuracy, TheReasonNamesSettingsCostAndErrors) {
 }
 
 TEST(Accuracy, TheTableSpeaksForGrainsAboutAsStiff) {
-  const auto table = read_accuracy_table(kTable, "table");
+  const auto table = read_price_table(kTable, "table");
   EXPECT_TRUE(covers_stiffness(table, 1e4));
   EXPECT_TRUE(covers_stiffness(table, 1e6));
   EXPECT_FALSE(covers_stiffness(table, 9e3));
@@ -139,135 +143,56 @@ TEST(Accuracy, TheTableSpeaksForGrainsAboutAsStiff) {
 TEST(Accuracy, ATableThatIsNoneIsRefusedByLine) {
   const auto fails = [](const std::string& csv, const std::string& message) {
     try {
-      (void)read_accuracy_table(csv, "t.csv");
+      (void)read_price_table(csv, "t.csv");
       ADD_FAILURE() << csv;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(message));
     }
   };
-  fails("knob,value\nscene,1\n", "t.csv:2: column finish is missing");
+  fails("knob,value\nscene,1\n", "t.csv: column observable is missing");
   fails(kHeader + "scene,x,phi,much,,,,0.3,1e-5,0.28,auto,1,1e5\n",
         "t.csv:2: the value of column error_before_high is much: expected a number");
 }
 
+TEST(PriceTable, IsOfTheKindThatItsRowsName) {
+  const std::string header = kHeader.substr(0, kHeader.size() - 1) + ",kind,n_grains\n";
+  const std::string row = "scene,x,phi,,,,,0.3,1e-5,0.28,auto,1,1e5,";
+  EXPECT_EQ(read_price_table(kTable, "t.csv").kind, "disks-cohesive") << "older tables do not say it";
+  const PriceTable beads = read_price_table(header + row + "beads-hertz,200\n", "t.csv");
+  EXPECT_EQ(beads.kind, "beads-hertz");
+  EXPECT_EQ(beads.rows[0].n_grains, 200);
+  EXPECT_TRUE(std::isnan(beads.rows[0].core_seconds)) << "a column that is not there";
+  for (const auto& [rows, message] :
+       {std::pair(row + "beads-hertz,200\n" + row + "disks-cohesive,200\n",
+                  "t.csv:3: the value of column kind is disks-cohesive: expected beads-hertz"),
+        std::pair(row + "beads-hertz,2.5\n", "t.csv:2: the value of column n_grains is 2.5: expected a whole")})
+    try {
+      (void)read_price_table(header + rows, "t.csv");
+      ADD_FAILURE() << rows;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(message));
+    }
+}
+
+TEST(PriceTable, IsShippedForEachKindThatIsNamed) {
+  const std::vector<std::string> kinds = priced_kinds();
+  EXPECT_THAT(kinds, testing::Contains("disks-cohesive"));
+  for (const std::string& kind : kinds) {
+    const std::optional<PriceTable> table = shipped_prices(kind);
+    ASSERT_TRUE(table) << kind;
+    EXPECT_EQ(table->kind, kind);
+    EXPECT_FALSE(table->rows.empty()) << kind;
+  }
+  EXPECT_FALSE(shipped_prices("cubes-magnetic"));
+}
+
 TEST(Accuracy, TheShippedTableHasTheReferenceAndTheSceneItself) {
-  const auto& table = shipped_accuracy_table();
+  const std::optional<PriceTable> table = shipped_prices("disks-cohesive");
+  ASSERT_TRUE(table);
   for (const char* parameter : {"strict", "scene", "together"})
-    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const auto& row) {
+    EXPECT_TRUE(std::any_of(table->rows.begin(), table->rows.end(), [&](const auto& row) {
       return row.parameter == parameter;
     })) << parameter;
-}
-
-// In scenes.
-
-const std::string kAskedScene = R"([scene]
-dimension = 2
-units = "reduced"
-[grains]
-count = 40
-diameter = {distribution = "uniform", min = 0.5, max = 1.0}
-[contact]
-normal = {law = "linear", stiffness = 1e5}
-adhesion = {law = "tail", force = 1.0, range = 1e-3}
-[cell]
-solid_fraction = 0.36
-mass = 1
-strain_rate_cap = 0.05
-[assembly]
-protocol = "aggregation"
-agitation = 9.5
-pressure = 0.01
-[equilibrium]
-finish = "auto"
-)";
-
-std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    (void)parse_scene(text, "s.toml", ".", overrides);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-TEST(AccuracyOfAScene, SetsWhatItChoosesAndSaysSoInItsText) {
-  const Scene scene = parse_scene(kAskedScene + "[accuracy]\nphi = 0.01\nmoduli = 0.05\n", "s.toml", ".");
-  const AccuracyChoice expected = choose_accuracy(shipped_accuracy_table(), {{"phi", 0.01}, {"moduli", 0.05}});
-  ASSERT_TRUE(expected.found()) << expected.failure_reason;
-  EXPECT_EQ(NumericalSettings::of(scene.relaxation), expected.settings);
-  EXPECT_EQ(scene.relaxation.tolerance.energy, expected.settings.energy());
-  EXPECT_EQ(scene.accuracy, expected.name + ": " + expected.reason);
-  // A state carries that text: read again it is the same scene, without choosing anew.
-  const Scene again = parse_scene(scene.text, "state", ".");
-  EXPECT_EQ(NumericalSettings::of(again.relaxation), expected.settings);
-  EXPECT_EQ(again.accuracy, scene.accuracy);
-  EXPECT_EQ(again.text, scene.text);
-}
-
-TEST(AccuracyOfAScene, RefusesErrorsBelowThoseOfTheTable) {
-  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nphi = 1e-14\n"),
-              testing::AllOf(
-                  HasSubstr("s.toml:21: accuracy.phi = 1e-14: expected at least"),
-                  HasSubstr("which is the smallest error in the table shipped with floc for this quantity")));
-  EXPECT_THAT(refusal(kAskedScene, {"accuracy.phi=1e-14"}), HasSubstr("--set accuracy.phi=1e-14: "));
-}
-
-TEST(AccuracyOfAScene, AsksForNothingWithoutAKeyNotWithAFaultyOne) {
-  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\n"), HasSubstr("[accuracy] requests no error"));
-  for (const char* value : {"-0.01", "nan", "\"small\""})
-    EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nphi = " + value + "\n"),
-                testing::AllOf(HasSubstr("accuracy.phi = "), Not(HasSubstr("requests no error"))));
-}
-
-TEST(AccuracyOfAScene, RefusesGrainsTheTableSaysNothingOf) {
-  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nphi = 0.01\n", {"contact.normal.stiffness=1e9"}),
-              HasSubstr("a K_N/F0 = 1e+09 is outside the range of the table of errors shipped with floc, which "
-                        "was measured at 100000 and applies within a factor of ten"));
-  std::string cohesionless = kAskedScene;
-  cohesionless.erase(cohesionless.find("adhesion"),
-                     std::string("adhesion = {law = \"tail\", force = 1.0, range = 1e-3}").size());
-  EXPECT_THAT(refusal(cohesionless + "[accuracy]\nphi = 0.01\n"),
-              HasSubstr("requires a scene with contact.adhesion, because the errors in the table shipped with "
-                        "floc were measured on cohesive grains"));
-}
-
-TEST(AccuracyOfAScene, CountsWhatItsCellAdds) {
-  const std::string path = "[[load]]\nto = 1\nsteps_per_decade = 2\n[accuracy]\nphi = 0.05\n";
-  // kAskedScene gives the cell of the path ten times the default mass, and the default cap.
-  EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".").accuracy,
-              HasSubstr("cell_mass at 10 times its default value"));
-  EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".", {"load.0.cell_mass=0.1"}).accuracy,
-              Not(HasSubstr("Added to these")));
-  EXPECT_THAT(parse_scene(kAskedScene + path, "s.toml", ".", {"assembly.strain_rate_cap=0.02"}).accuracy,
-              HasSubstr("strain_rate_cap at 0.2 times its default value"));
-}
-
-TEST(AccuracyOfAScene, RefusesCellsTheTableSaysNothingOf) {
-  const std::string path = "[[load]]\nto = 1\nsteps_per_decade = 2\n[accuracy]\nphi = 0.05\n";
-  EXPECT_THAT(
-      refusal(kAskedScene + path, {"cell.mass=2"}),
-      HasSubstr("the mass of the cell is 20 times the default mass on load paths, and its strain_rate_cap is 1 "
-                "times the default; this is outside the range of the table of errors shipped with floc"));
-  EXPECT_THAT(refusal(kAskedScene + path, {"load.0.inertial_number_cap=1e-3"}),
-              HasSubstr("[accuracy] requires strain_rate_cap in place of inertial_number_cap"));
-}
-
-TEST(AccuracyOfAScene, IsAskedForInsteadOfSettingsNotBesideThem) {
-  const std::string asked = kAskedScene + "[accuracy]\nphi = 0.01\n";
-  EXPECT_THAT(refusal(asked, {"run.time_step=0.2"}),
-              HasSubstr("run.time_step is chosen by [accuracy]: expected either this key or [accuracy]"));
-  EXPECT_THAT(refusal(asked, {"equilibrium.force=1e-4"}),
-              HasSubstr("equilibrium.force is chosen by [accuracy]"));
-  EXPECT_THAT(refusal(asked, {"equilibrium.finish=dynamic"}),
-              HasSubstr("equilibrium.finish is chosen by [accuracy]"));
-}
-
-TEST(AccuracyOfAScene, RefusesOtherKeysAndEmptyWishes) {
-  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\n"),
-              HasSubstr("[accuracy] requests no error: expected at least one of the keys phi, z, moduli"));
-  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nphi = -1\n"),
-              HasSubstr("expected a positive number (relative error)"));
-  EXPECT_THAT(refusal(kAskedScene + "[accuracy]\nfi = 0.1\n"), HasSubstr("nearest valid key"));
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "floc/planning/pilot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/error.h"
+#include "floc/planning/duration.h"
+#include "floc/tradeoff/path_fits.h"
+#include "floc/tradeoff/sample_path.h"
+#include "floc/tradeoff/studied_setting.h"
+#include "floc/tradeoff/tradeoff.h"
+
+namespace floc {
+namespace {
+
+/// Numbers of samples of the larger and of the smaller size. The scatter follows from the larger ones.
+constexpr int kSamples = 6, kSmallSamples = 3;
+/// Number of grains of the larger samples, of disks and of spheres, unless the scene has fewer.
+constexpr int kDisks = 200, kSpheres = 150;
+/// Limits of the exponent of the processor time. A few small samples tell it only roughly.
+constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
+
+std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
+                                double limit) {
+  StudiedSetting setting = studied_settings(scene)[1];
+  if (n_grains != scene.grains.count) setting.n_grains = n_grains;
+  std::vector<SamplePath> paths;
+  for (int k = 0; k < n_samples; ++k) {
+    SamplePath path = make_sample(run_options(scene, setting, scene.seed + static_cast<std::uint64_t>(k)), {},
+                                  nullptr, deadline);
+    if (path.out_of_time)
+      throw InputError("--pilot",
+                       fmt::format("the samples of {} grains are not complete within {} of processor time: "
+                                   "expected a larger budget, or a shorter load path",
+                                   n_grains, duration_in_words(limit)));
+    if (!path.whole())
+      throw NoResult(
+          fmt::format("--pilot: a sample of {} grains has no equilibrium: {}", n_grains, path.failure));
+    path.drop_packings();
+    paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+double mean_seconds(const std::vector<SamplePath>& paths) {
+  double sum = 0.0;
+  for (const SamplePath& path : paths) sum += path.core_seconds;
+  return sum / static_cast<double>(paths.size());
+}
+
+std::vector<ObservablePrice> scatter_between(const Scene& scene, const std::vector<SamplePath>& paths) {
+  std::vector<const SamplePath*> all;
+  for (const SamplePath& path : paths) all.push_back(&path);
+  Tradeoff described;
+  describe_reference(all, fit_window(all), described);
+  std::vector<ObservablePrice> prices;
+  for (std::size_t k = 0; k < kObservables; ++k) {
+    const DeclaredObservable& declared = declared_observables()[k];
+    if (const double scatter = described.scatter[k]; scatter > 0.0 && std::isfinite(scatter))
+      prices.push_back(
+          {declared.name, unit_of(declared, scene), scatter, static_cast<int>(paths.size()) - 1, std::nullopt});
+  }
+  return prices;
+}
+
+}  // namespace
+
+PilotResult run_pilot(const Scene& scene, double limit) {
+  if (scene.starts_from_state())
+    throw InputError(
+        "assembly.protocol = \"state\"",
+        "a plan needs samples with any number of grains, which requires a gas in place of a saved state: "
+        "expected \"direct\" or \"aggregation\"");
+  const bool is_listed = scene.grains.diameter.kind == DiameterDistribution::Kind::list;
+  const int n_large =
+      is_listed ? scene.grains.count : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);
+  const Deadline deadline(limit);
+  const std::vector<SamplePath> large = samples(scene, n_large, kSamples, deadline, limit);
+  PilotResult result{n_large, kSamples, mean_seconds(large), 0.5 * (kLeastExponent + kLargestExponent),
+                     scatter_between(scene, large)};
+  if (!is_listed && n_large >= 4) {
+    const std::vector<SamplePath> small = samples(scene, n_large / 2, kSmallSamples, deadline, limit);
+    const double ratio = static_cast<double>(n_large) / (n_large / 2);
+    result.cost_exponent = std::clamp(std::log(result.core_seconds / mean_seconds(small)) / std::log(ratio),
+                                      kLeastExponent, kLargestExponent);
+  }
+  return result;
+}
+
+}  // namespace floc

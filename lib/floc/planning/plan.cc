@@ -1,0 +1,320 @@
+#include "floc/planning/plan.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
+#include "floc/base/parse_number.h"
+#include "floc/planning/duration.h"
+
+namespace floc {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Factor by which a budget may be exceeded because of rounding errors.
+constexpr double kRounding = 1.0 + 1e-12;
+
+/// Ratio of two successive numbers of grains among which a plan is chosen.
+constexpr double kStepOfGrains = 1.1;
+
+/// Returns a number rounded to two significant digits.
+int rounded(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+  return static_cast<int>(std::lround(std::round(x / unit) * unit));
+}
+
+std::vector<ObservablePrice> chosen_observables(const PriceModel& model, const PlanRequest& request) {
+  std::vector<ObservablePrice> chosen;
+  for (const std::string& name : request.observables) chosen.push_back(model.observable(name, "--observables"));
+  for (const auto& [name, error] : request.wants)
+    if (std::none_of(chosen.begin(), chosen.end(), [&, &key = name](const auto& o) { return o.name == key; }))
+      chosen.push_back(model.observable(name, "--want"));
+  return chosen.empty() ? model.observables() : chosen;
+}
+
+/// Search for the best plans of a request.
+class PlanSearch {
+ public:
+  PlanSearch(const PriceModel& model, const PlanRequest& request)
+      : model_(model),
+        request_(request),
+        observables_(chosen_observables(model, request)),
+        sizes_(numbers_of_grains(model)) {
+    for (const PricedSettings& settings : model.settings())
+      if (!settings.is_reference() || model.settings().size() == 1) settings_.push_back(settings);
+    for (const auto& [name, error] : request.wants) wanted_.emplace_back(index_of(name), error);
+    drop_unpriced();
+  }
+
+  PlanChoice best(int n_plans) const {
+    if (observables_.empty())
+      throw InputError(
+          "floc plan",
+          "the table of prices has fewer than two samples, so that it does not tell the scatter between "
+          "them: expected a table of more samples (--prices FILE), or --pilot, which measures it");
+    if (!wanted_.empty()) require_reachable();
+    std::vector<ScoredPlan> found = plans_of_settings(kLeastSamples);
+    if (found.empty()) found = plans_of_settings(1);
+    if (found.empty()) refuse();
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& x, const auto& y) { return x.first < y.first; });
+    PlanChoice choice{observables_, {}};
+    for (auto& [score, plan] : found)
+      if (static_cast<int>(choice.plans.size()) < n_plans) choice.plans.push_back(std::move(plan));
+    if (!wanted_.empty() && request_.budget && choice.plans.front().wall_seconds > *request_.budget)
+      refuse_budget(choice.plans.front());
+    return choice;
+  }
+
+ private:
+  /// A plan with the number by which plans are compared: the smallest is the best.
+  using ScoredPlan = std::pair<double, Plan>;
+
+  /// Returns the best plan of each settings, where there is one.
+  std::vector<ScoredPlan> plans_of_settings(int least_samples) const {
+    std::vector<ScoredPlan> found;
+    for (const PricedSettings& settings : settings_) {
+      auto plan = wanted_.empty() ? best_in_budget(settings, least_samples) : cheapest(settings, least_samples);
+      if (!plan) continue;
+      const double score = wanted_.empty() ? mean_log_error(*plan) : plan->core_seconds;
+      found.emplace_back(score, std::move(*plan));
+    }
+    return found;
+  }
+
+  std::size_t index_of(const std::string& name) const {
+    return static_cast<std::size_t>(
+        std::find_if(observables_.begin(), observables_.end(), [&](const auto& o) { return o.name == name; }) -
+        observables_.begin());
+  }
+
+  /// Removes observables that no settings have a price of, unless they are wanted.
+  void drop_unpriced() {
+    if (!wanted_.empty() || !request_.observables.empty()) return;
+    std::erase_if(observables_, [&](const ObservablePrice& o) {
+      return std::none_of(settings_.begin(), settings_.end(), [&](const PricedSettings& s) {
+        return std::isfinite(model_.error(o, s, model_.measured_grains(), 1).total());
+      });
+    });
+  }
+
+  Plan plan(const PricedSettings& settings, int n_grains, int n_samples) const {
+    return plan_of(model_, observables_, settings, n_grains, n_samples, request_.cores);
+  }
+
+  static double mean_log_error(const Plan& plan) {
+    double sum = 0.0;
+    for (const ErrorBudget& error : plan.errors) sum += std::log(error.total());
+    return sum / static_cast<double>(plan.errors.size());
+  }
+
+  /// Returns the largest number of samples of a number of grains that fits into the budget; 0 if none does.
+  int samples_in_budget(const PricedSettings& settings, int n_grains) const {
+    if (!request_.budget) return kMostSamples;
+    const double rounds = std::floor(kRounding * *request_.budget / model_.core_seconds(settings, n_grains));
+    return static_cast<int>(std::min(rounds * request_.cores, static_cast<double>(kMostSamples)));
+  }
+
+  std::optional<Plan> best_in_budget(const PricedSettings& settings, int least_samples) const {
+    std::optional<Plan> best;
+    for (const int n_grains : sizes_) {
+      const int n_samples = samples_in_budget(settings, n_grains);
+      if (n_samples < least_samples) continue;
+      Plan here = plan(settings, n_grains, n_samples);
+      if (!std::isfinite(mean_log_error(here))) continue;
+      if (!best || mean_log_error(here) < mean_log_error(*best)) best = std::move(here);
+    }
+    return best;
+  }
+
+  /// Returns the smallest number of samples that keeps all wanted errors; 0 if no number does.
+  int samples_for_wants(const PricedSettings& settings, int n_grains) const {
+    double needed = 1.0;
+    for (const auto& [k, wanted] : wanted_) {
+      const ErrorBudget one = model_.error(observables_[k], settings, n_grains, 1);
+      const double left = wanted - one.settings - one.size;
+      if (!(left > 0.0)) return 0;
+      needed = std::max(needed, std::ceil(std::pow(one.scatter / left, 2) * (1.0 - 1e-12)));
+    }
+    return needed > kMostSamples ? 0 : static_cast<int>(needed);
+  }
+
+  std::optional<Plan> cheapest(const PricedSettings& settings, int least_samples) const {
+    std::optional<Plan> best;
+    for (const int n_grains : sizes_)
+      if (const int n = samples_for_wants(settings, n_grains); n > 0)
+        if (Plan here = plan(settings, n_grains, std::max(n, least_samples));
+            !best || here.core_seconds < best->core_seconds)
+          best = std::move(here);
+    return best;
+  }
+
+  /// Returns the smallest error of an observable that any settings and numbers leave.
+  double least_error(std::size_t k) const {
+    double least = kInfinity;
+    for (const PricedSettings& settings : settings_)
+      for (const int n_grains : sizes_)
+        least = std::min(least, model_.error(observables_[k], settings, n_grains, kMostSamples).total());
+    return least;
+  }
+
+  /// @throws InputError naming each wanted error that is below what can be had by itself
+  void require_reachable() const {
+    std::vector<std::string> problems;
+    for (const auto& [k, wanted] : wanted_)
+      if (const double least = least_error(k); !std::isfinite(least))
+        problems.push_back(
+            fmt::format("{0}={1:g}: the table has no error of {0} that numerical settings cause; "
+                        "leave it out",
+                        observables_[k].name, wanted));
+      else if (wanted < least)
+        problems.push_back(
+            fmt::format("{}={:g}: expected at least {:.2g}, the smallest error that any settings leave "
+                        "with up to {} grains and {} samples",
+                        observables_[k].name, wanted, least * 1.005, sizes_.back(), kMostSamples));
+    if (!problems.empty()) throw InputError("--want", fmt::format("{}", fmt::join(problems, "; ")));
+  }
+
+  [[noreturn]] void refuse() const {
+    if (!wanted_.empty()) refuse_all_wants();
+    const double least = cheapest_sample();
+    throw InputError(
+        "--budget " + duration_in_words(*request_.budget),
+        std::isfinite(least)
+            ? fmt::format("a single sample of the smallest size, {} grains, takes {}: expected at least that",
+                          sizes_.front(), duration_in_words(1.005 * least))
+            : "no settings have a price for all of these quantities: expected fewer of them (--observables)");
+  }
+
+  double cheapest_sample() const {
+    double least = kInfinity;
+    for (const PricedSettings& settings : settings_)
+      if (std::isfinite(mean_log_error(plan(settings, sizes_.front(), 1))))
+        least = std::min(least, model_.core_seconds(settings, sizes_.front()));
+    return least;
+  }
+
+  /// Reports that all wanted errors cannot be had at once, with the nearest that can: the plan whose worst error over
+  /// the wanted one is smallest.
+  [[noreturn]] void refuse_all_wants() const {
+    double nearest = kInfinity;
+    for (const PricedSettings& settings : settings_)
+      for (const int n_grains : sizes_) {
+        double worst = 0.0;
+        for (const auto& [k, wanted] : wanted_)
+          worst =
+              std::max(worst, model_.error(observables_[k], settings, n_grains, kMostSamples).total() / wanted);
+        nearest = std::min(nearest, worst);
+      }
+    throw InputError("--want",
+                     "no settings keep all of these errors at once; the nearest that can be had are " +
+                         scaled_wants(1.005 * nearest));
+  }
+
+  std::string scaled_wants(double factor) const {
+    std::vector<std::string> nearest;
+    for (const auto& [k, wanted] : wanted_)
+      nearest.push_back(fmt::format("{}={:.3g}", observables_[k].name, wanted * factor));
+    return fmt::format("{}", fmt::join(nearest, ","));
+  }
+
+  /// Reports that the wanted errors take more than the budget, with the nearest errors that it allows.
+  [[noreturn]] void refuse_budget(const Plan& least) const {
+    double nearest = kInfinity;
+    for (const PricedSettings& settings : settings_)
+      for (const int n_grains : sizes_) {
+        const int n_samples = samples_in_budget(settings, n_grains);
+        if (n_samples < 1) continue;
+        double worst = 0.0;
+        for (const auto& [k, wanted] : wanted_)
+          worst =
+              std::max(worst, model_.error(observables_[k], settings, n_grains, n_samples).total() / wanted);
+        nearest = std::min(nearest, worst);
+      }
+    throw InputError(
+        "--budget " + duration_in_words(*request_.budget),
+        fmt::format("the wanted errors take {} on {} core{}: expected at least that{}",
+                    duration_in_words(least.wall_seconds), request_.cores, request_.cores == 1 ? "" : "s",
+                    std::isfinite(nearest) ? ", or larger errors; the nearest that the budget allows are " +
+                                                 scaled_wants(1.005 * nearest)
+                                           : ""));
+  }
+
+  const PriceModel& model_;
+  const PlanRequest& request_;
+  std::vector<ObservablePrice> observables_;
+  std::vector<int> sizes_;
+  std::vector<PricedSettings> settings_;
+  std::vector<std::pair<std::size_t, double>> wanted_;  ///< index of an observable, and its wanted error
+};
+
+}  // namespace
+
+Plan plan_of(const PriceModel& model, const std::vector<ObservablePrice>& observables,
+             const PricedSettings& settings, int n_grains, int n_samples, int cores) {
+  const double seconds = model.core_seconds(settings, n_grains);
+  const double rounds = std::ceil(static_cast<double>(n_samples) / cores);
+  Plan plan{settings,
+            n_grains,
+            n_samples,
+            seconds * n_samples,
+            seconds * rounds,
+            model.memory_mb(n_grains) * std::min(cores, n_samples),
+            {}};
+  for (const ObservablePrice& o : observables)
+    plan.errors.push_back(model.error(o, settings, n_grains, n_samples));
+  return plan;
+}
+
+std::vector<int> numbers_of_grains(const PriceModel& model) {
+  std::vector<int> sizes = {model.least_grains(), model.most_grains()};
+  for (double n = model.least_grains(); n < model.most_grains(); n *= kStepOfGrains)
+    sizes.push_back(std::max(model.least_grains(), rounded(n)));
+  std::sort(sizes.begin(), sizes.end());
+  sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+  return sizes;
+}
+
+PlanChoice choose_plans(const PriceModel& model, const PlanRequest& request, int n_plans) {
+  return PlanSearch(model, request).best(n_plans);
+}
+
+std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::string>& texts,
+                                                     const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, double>> wants;
+  const std::vector<std::string> keys = accuracy_keys();
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    const auto error =
+        equals == std::string::npos ? std::nullopt : parse_number<double>(text.substr(equals + 1));
+    if (!error || !(*error > 0.0) || !std::isfinite(*error))
+      throw InputError("--want " + text,
+                       "expected NAME=ERROR with a positive relative error, such as phi=0.003");
+    std::vector<std::string> meant = {name};
+    if (std::find(names.begin(), names.end(), name) == names.end() &&
+        std::find(keys.begin(), keys.end(), name) != keys.end())
+      meant = observables_of(name);
+    std::erase_if(meant,
+                  [&](const auto& m) { return std::find(names.begin(), names.end(), m) == names.end(); });
+    if (meant.empty())
+      throw InputError("--want " + text,
+                       fmt::format("{} is not a quantity of this scene with a price: expected one of "
+                                   "{}; the nearest is {}",
+                                   name, fmt::join(names, ", "), nearest_name(name, names)));
+    for (const std::string& m : meant) {
+      if (std::any_of(wants.begin(), wants.end(), [&](const auto& w) { return w.first == m; }))
+        throw InputError("--want " + text, m + " is wanted twice: expected each quantity once");
+      wants.emplace_back(m, *error);
+    }
+  }
+  return wants;
+}
+
+}  // namespace floc

@@ -1,0 +1,147 @@
+#include "floc/planning/plan_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/scene/read_scene.h"
+#include "floc/tables/column_reference.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns a value of an override in the notation of TOML: a word without quotation marks is a string.
+std::string as_toml(const std::string& value) {
+  const bool is_quoted = !value.empty() && std::string("\"'[{").find(value.front()) != std::string::npos;
+  if (is_quoted || value == "true" || value == "false" || parse_number<double>(value)) return value;
+  return '"' + value + '"';
+}
+
+std::string as_setting(const std::string& change) {
+  const std::size_t equals = change.find('=');
+  return change.substr(0, equals) + " = " + as_toml(change.substr(equals + 1));
+}
+
+/// Returns the observables that are columns of a table, and not yet in `taken`, to which they are added.
+std::vector<std::string> columns_in(const std::string& table, const std::vector<ObservablePrice>& observables,
+                                    std::vector<std::string>& taken) {
+  const auto& tables = described_tables();
+  const DescribedTable& described = *std::ranges::find(tables, table, &DescribedTable::name);
+  std::vector<std::string> columns;
+  for (const ObservablePrice& o : observables) {
+    const bool has = std::ranges::any_of(described.columns, [&](const auto& c) { return c.name == o.name; });
+    if (!has || std::ranges::count(taken, o.name) > 0) continue;
+    columns.push_back(o.name);
+    taken.push_back(o.name);
+  }
+  return columns;
+}
+
+std::string quoted_list(const std::vector<std::string>& names) {
+  return fmt::format("[\"{}\"]", fmt::join(names, "\", \""));
+}
+
+/// Returns the tables [[collect]] and [[fit]] of a campaign file, for the observables that floc can collect.
+std::string collections_of(const std::vector<ObservablePrice>& observables) {
+  std::string text;
+  std::vector<std::string> taken;
+  const bool has_fit = std::ranges::any_of(observables, [](const auto& o) { return is_fitted(o.name); });
+  for (const char* table : {"path.csv", "moduli", "network", "structure"}) {
+    std::vector<std::string> columns = columns_in(table, observables, taken);
+    const std::string name = fs::path(table).stem().string();
+    if (columns.empty() && name == "path" && !has_fit) columns = {"phi"};
+    if (!columns.empty())
+      text += fmt::format("\n[[collect]]\ntable = \"{}\"\ncolumns = {}\n", name, quoted_list(columns));
+  }
+  if (has_fit) text += "\n[[fit]]\nlaw = \"consolidation\"\noptions = [\"--law\", \"full\"]\n";
+  return text;
+}
+
+std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& observables,
+                       const std::string& prices) {
+  std::vector<std::string> errors;
+  for (std::size_t k = 0; k < observables.size(); ++k)
+    if (std::isfinite(plan.errors[k].total()))
+      errors.push_back(fmt::format("{} = {:.4g}", observables[k].name, plan.errors[k].total()));
+  return fmt::format(
+      "\n[plan]                          # what floc plan --check DIR compares the runs with\nsettings = "
+      "\"{}\"\n"
+      "prices = '{}'\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, over the values\nerrors = "
+      "{{{}}}\n",
+      plan.settings.name(), prices, plan.core_seconds, fmt::join(errors, ", "));
+}
+
+}  // namespace
+
+bool is_fitted(const std::string& observable) {
+  return observable == "lambda" || observable == "alpha" || observable == "Phi_max";
+}
+
+std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& scene) {
+  std::vector<std::string> changes;
+  const bool is_of_scene = chosen.parameter == "scene";
+  if (scene.law.is_rigid()) {
+    if (chosen.parameter == "time_step" || chosen.parameter == "sweep_tolerance" ||
+        chosen.parameter == "gap_tolerance" || chosen.parameter == "finish")
+      changes.push_back(fmt::format("dynamics.{}={}", chosen.parameter, chosen.value));
+    else if (!is_of_scene)
+      throw InputError(chosen.name(),
+                       "settings of several parameters of rigid grains cannot be written into a scene");
+    return changes;
+  }
+  const NumericalSettings& s = chosen.settings;
+  if (is_of_scene && s == NumericalSettings::of(scene.relaxation)) return changes;
+  for (const char* key : {"force", "moment", "stress"})
+    changes.push_back(fmt::format("equilibrium.{}={:g}", key, s.tolerance));
+  changes.push_back(fmt::format("equilibrium.energy={:g}", s.energy()));
+  changes.push_back(fmt::format("equilibrium.patience={:g}", s.patience));
+  if (!scene.assembly.box) changes.push_back(fmt::format("equilibrium.finish={}", finish_name(s.finish)));
+  changes.push_back(fmt::format("run.time_step={:g}", s.time_step));
+  return changes;
+}
+
+bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings) {
+  try {
+    std::vector<std::string> changes = source.overrides;
+    for (const std::string& change : changes_of(settings, scene)) changes.push_back(change);
+    (void)read_scene(source.scene_file, changes);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
+                      const PlanSource& source, const std::string& output) {
+  std::vector<std::string> changes = source.overrides;
+  if (plan.n_grains != scene.grains.count) changes.push_back(fmt::format("grains.count={}", plan.n_grains));
+  for (const std::string& change : changes_of(plan.settings, scene)) changes.push_back(change);
+  if (plan.n_samples == 1)
+    return fmt::format(
+        "# One sample, as floc plan chose it for {}: run floc run {} -o DIR. Promised: {:.4g} s of processor "
+        "time.\n"
+        "{}",
+        source.scene_file, output, plan.core_seconds, read_scene(source.scene_file, changes).text);
+  std::vector<std::string> settings;
+  for (const std::string& change : changes) settings.push_back(as_setting(change));
+  const fs::path folder = fs::absolute(output).parent_path();
+  std::string text = fmt::format(
+      "# A plan for {0}, made by floc plan: {1} samples of {2} grains. The commands\n#\n"
+      "#   floc campaign plan {3} -o {4}\n#   cd {4} && snakemake --cores 2\n#   floc plan --check {4}\n#\n"
+      "# make its runs and tables, and compare them with the plan.\n\n[campaign]\nscene = \"{5}\"\nseeds = "
+      "\"{6}..{7}\"\n",
+      scene.name, plan.n_samples, plan.n_grains, output, fs::path(output).stem().string(),
+      fs::absolute(source.scene_file).lexically_proximate(folder).generic_string(), scene.seed,
+      scene.seed + static_cast<std::uint64_t>(plan.n_samples) - 1);
+  text += fmt::format("\n[[case]]\nname = \"plan\"\nset = {{{}}}\n", fmt::join(settings, ", "));
+  return text + collections_of(observables) + promise_of(plan, observables, source.prices);
+}
+
+}  // namespace floc

@@ -1,0 +1,257 @@
+#include "floc/planning/price_model.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "floc/base/error.h"
+#include "floc/base/nearest_name.h"
+#include "floc/base/parse_number.h"
+#include "floc/fitting/student_t.h"
+#include "floc/loading/run_plan.h"
+#include "floc/scene/scene_prices.h"
+
+namespace floc {
+namespace {
+
+/// Exponent p of the processor time, which is proportional to N^p for N grains, where a table has no other size than
+/// one. Larger packings take more time steps to come to rest.
+constexpr double kCostExponent = 1.25;
+/// Share of the processor time of a run that is proportional to the number of its equilibria, where a table does not
+/// tell it. Most of the time goes into the assembly and into rearrangements, whose number depends on the range of the
+/// load. Measured on 200 cohesive disks: 1.6 s with 16 states, 2.3 s with 40 states of the same load path.
+constexpr double kShareOfSteps = 0.3;
+/// Largest number of grains for which the prices of a table, and those of a pilot, are extrapolated, over the number with
+/// which they were measured.
+constexpr int kExtrapolation = 50, kExtrapolationOfPilot = 10;
+/// Memory of the program itself (MB), and of a grain (MB) in two and in three dimensions, of a run that finishes its
+/// equilibria by Newton steps.
+constexpr double kProgramMemory = 36.0;
+constexpr double kMemoryOfDisk = 0.006, kMemoryOfSphere = 0.03;
+
+double number_or_nan(const std::string& text) {
+  return parse_number<double>(text.substr(0, text.find(' ')))
+      .value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Returns the rows of a table about one observable with one parameter.
+std::vector<const PriceRow*> rows_of(const PriceTable& table, const std::string& parameter,
+                                     const std::string& observable) {
+  std::vector<const PriceRow*> found;
+  for (const PriceRow& row : table.rows)
+    if (row.parameter == parameter && row.observable == observable) found.push_back(&row);
+  return found;
+}
+
+/// Returns the standard deviation between samples of `n_grains` grains over the mean; NaN if the table does not tell it.
+double scatter_of(const PriceTable& table, const std::string& observable, int n_grains) {
+  for (const PriceRow& row : table.rows)
+    if (row.observable == observable && row.sample_scatter > 0.0) return row.sample_scatter;
+  // Tables of older versions: the standard error of a mean over n samples.
+  for (const PriceRow* row : rows_of(table, "samples", observable))
+    if (row->mean_stderr > 0.0) return row->mean_stderr * std::sqrt(number_or_nan(row->value));
+  // Fits in tables of older versions: the difference of the fits to two sets of n independent samples, of N and of n0
+  // grains, has the variance s^2 (n0/N + 1)/n, where s is the scatter between samples of n0 grains.
+  double squares = 0.0;
+  int n = 0;
+  for (const PriceRow* row : rows_of(table, "count", observable)) {
+    if (!(row->mean_stderr > 0.0) || row->n_grains <= 0) continue;
+    const double ratio = static_cast<double>(n_grains) / row->n_grains;
+    squares += std::pow(row->mean_stderr, 2) * row->n_samples / (ratio + 1.0);
+    ++n;
+  }
+  return n > 0 ? std::sqrt(squares / n) : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Returns c of the error c/N^q that a finite number N of grains causes; absent if the table has no other sizes. It is
+/// fitted to the differences from the samples of `n_grains` grains by weighted least squares. What the differences do
+/// not tell counts too: c is the root of the sum of the squares of the fitted value and of the half width of its 95 %
+/// interval.
+std::optional<double> size_of_table(const PriceTable& table, const std::string& observable, int n_grains,
+                                    double exponent) {
+  double xx = 0.0, xy = 0.0;
+  int dof = 0;
+  for (const PriceRow* row : rows_of(table, "count", observable)) {
+    if (!(row->mean_stderr > 0.0) || row->n_grains == n_grains || row->n_grains <= 0) continue;
+    const double x = std::pow(row->n_grains, -exponent) - std::pow(n_grains, -exponent);
+    const double weight = 1.0 / (row->mean_stderr * row->mean_stderr);
+    xx += weight * x * x;
+    xy += weight * x * row->mean_difference;
+    dof = std::max(dof, row->n_samples - 1);
+  }
+  if (xx == 0.0 || dof < 1) return std::nullopt;
+  return std::hypot(xy / xx, student_t_95(dof) / std::sqrt(xx));
+}
+
+/// Returns the slope of the least-squares line through points (x, y).
+double slope_of(const std::vector<std::pair<double, double>>& points) {
+  double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
+  for (const auto& [x, y] : points) sx += x, sy += y, sxx += x * x, sxy += x * y;
+  const auto n = static_cast<double>(points.size());
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/// Returns the exponent of the processor time with the number of grains, from the samples of several sizes.
+double exponent_of(const PriceTable& table, const PriceRow& as_it_is) {
+  std::vector<std::pair<double, double>> points;
+  const auto add = [&](const PriceRow& row) {
+    if (row.n_grains > 0 && row.core_seconds > 0.0)
+      points.emplace_back(std::log(row.n_grains), std::log(row.core_seconds));
+  };
+  add(as_it_is);
+  for (const PriceRow* row : rows_of(table, "count", as_it_is.observable)) add(*row);
+  return points.size() < 2 ? kCostExponent : std::clamp(slope_of(points), 1.0, 2.0);
+}
+
+/// Returns the share of the processor time that is proportional to the number of equilibria, from samples with other
+/// numbers of steps a decade.
+double share_of_steps(const PriceTable& table, const PriceRow& as_it_is) {
+  std::vector<std::pair<double, double>> points = {{1.0, 1.0}};
+  for (const PriceRow* row : rows_of(table, "steps_per_decade", as_it_is.observable))
+    if (const double factor = number_or_nan(row->value); factor > 0.0 && row->core_seconds > 0.0)
+      points.emplace_back(factor, row->core_seconds / as_it_is.core_seconds);
+  return points.size() < 2 ? kShareOfSteps : std::clamp(slope_of(points), 0.0, 1.0);
+}
+
+int number_of_states(const Scene& scene) {
+  return static_cast<int>(plan_run(scene.assembly, scene.law, scene.load, scene.dimension).size());
+}
+
+}  // namespace
+
+PriceModel::PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot)
+    : scene_(scene), table_(std::move(table)) {
+  if (scene.assembly.box) size_exponent_ = 1.0 / scene.dimension;
+  if (table_) take_table();
+  if (pilot) take_pilot(*pilot);
+  if (scene.grains.diameter.kind == DiameterDistribution::Kind::list)
+    least_grains_ = most_grains_ = scene.grains.count;
+}
+
+void PriceModel::take_table() {
+  settings_ = settable_prices(*table_);
+  cells_ = cell_prices(*table_, cells_of(scene_));
+  const auto row = std::find_if(table_->rows.begin(), table_->rows.end(),
+                                [](const PriceRow& r) { return r.parameter == "scene"; });
+  if (row == table_->rows.end() || row->n_grains <= 0 || !(row->core_seconds > 0.0))
+    throw InputError(
+        table_->place,
+        "this table lacks a row with the knob scene, or its columns n_grains and core_seconds: expected "
+        "a table that floc tradeoff --format csv of this version of floc has written");
+  n_grains_ = least_grains_ = row->n_grains;
+  for (const PriceRow& other : table_->rows)
+    if (other.parameter == "count" && other.n_grains > 0)
+      least_grains_ = std::min(least_grains_, other.n_grains);
+  most_grains_ = n_grains_ * kExtrapolation;
+  cost_exponent_ = exponent_of(*table_, *row);
+  if (row->n_states > 0) {
+    const double share = share_of_steps(*table_, *row);
+    cost_factor_ = 1.0 - share + share * number_of_states(scene_) / row->n_states;
+  }
+  for (const std::string& name : table_->observables()) {
+    const PriceRow* reference = table_->find("strict", "all", name);
+    const double scatter = scatter_of(*table_, name, n_grains_);
+    if (reference == nullptr || !(scatter > 0.0) || reference->n_samples < 2) continue;
+    observables_.push_back({name, reference->unit, scatter, reference->n_samples - 1,
+                            size_of_table(*table_, name, n_grains_, size_exponent_)});
+  }
+}
+
+void PriceModel::take_pilot(const PilotResult& pilot) {
+  if (!table_) {
+    PricedSettings as_it_is;
+    as_it_is.parameter = "scene";
+    as_it_is.value = "as it is";
+    as_it_is.settings = NumericalSettings::of(scene_.relaxation);
+    as_it_is.cost_ratio = 1.0;
+    as_it_is.core_seconds = pilot.core_seconds;
+    settings_ = {as_it_is};
+    n_grains_ = least_grains_ = pilot.n_grains;
+    most_grains_ = n_grains_ * kExtrapolationOfPilot;
+    cost_exponent_ = pilot.cost_exponent;
+  } else {
+    cost_factor_ *= pilot.core_seconds / core_seconds(settings_of_scene(), pilot.n_grains);
+  }
+  for (const ObservablePrice& measured : pilot.observables) {
+    ObservablePrice scaled = measured;
+    scaled.scatter *= std::sqrt(static_cast<double>(pilot.n_grains) / n_grains_);
+    const auto known = std::find_if(observables_.begin(), observables_.end(),
+                                    [&](const ObservablePrice& o) { return o.name == measured.name; });
+    if (known != observables_.end()) {
+      const double squares =
+          known->dof * std::pow(known->scatter, 2) + scaled.dof * std::pow(scaled.scatter, 2);
+      known->dof += scaled.dof;
+      known->scatter = std::sqrt(squares / known->dof);
+    } else {
+      observables_.push_back(scaled);
+    }
+  }
+}
+
+void PriceModel::remove_settings(const std::function<bool(const PricedSettings&)>& is_wrong) {
+  std::erase_if(settings_, [&](const PricedSettings& s) { return s.parameter != "scene" && is_wrong(s); });
+}
+
+const ObservablePrice& PriceModel::observable(const std::string& name, const std::string& place) const {
+  std::vector<std::string> names;
+  for (const ObservablePrice& o : observables_) {
+    if (o.name == name) return o;
+    names.push_back(o.name);
+  }
+  throw InputError(
+      place, fmt::format("{} is not a quantity of this scene that {} has: expected one of {}; the nearest "
+                         "is {}",
+                         name, table_ ? "the " + table_->name() : "the pilot", fmt::join(names, ", "),
+                         nearest_name(name, names)));
+}
+
+double PriceModel::core_seconds(const PricedSettings& settings, double n_grains) const {
+  return settings.core_seconds * cost_factor_ * std::pow(n_grains / n_grains_, cost_exponent_);
+}
+
+double PriceModel::memory_mb(double n_grains) const {
+  double of_grain = scene_.dimension == 2 ? kMemoryOfDisk : kMemoryOfSphere;
+  if (table_)
+    for (const PriceRow& row : table_->rows)
+      if (row.parameter == "scene" && row.memory_mb > 0.0 && row.n_grains > 0)
+        of_grain = std::max(of_grain, row.memory_mb / row.n_grains);
+  return kProgramMemory + of_grain * n_grains;
+}
+
+double PriceModel::size_error(const ObservablePrice& observable, double n_grains) const {
+  return observable.size ? *observable.size * std::pow(n_grains, -size_exponent_) : 0.0;
+}
+
+ErrorBudget PriceModel::error(const ObservablePrice& observable, const PricedSettings& settings,
+                              double n_grains, double n_samples) const {
+  ErrorBudget error;
+  if (table_) {
+    error.settings = settings_error(settings, observable.name);
+    for (const PricedSettings& cell : cells_) error.settings += settings_error(cell, observable.name);
+    if (std::isnan(error.settings)) error.settings = std::numeric_limits<double>::infinity();
+  }
+  error.size = size_error(observable, n_grains);
+  error.scatter =
+      student_t_95(observable.dof) * observable.scatter * std::sqrt(n_grains_ / (n_grains * n_samples));
+  return error;
+}
+
+PricedSettings PriceModel::settings_of_scene() const {
+  const NumericalSettings own = NumericalSettings::of(scene_.relaxation);
+  for (const PricedSettings& settings : settings_)
+    if (!settings.is_reference() && settings.settings == own) return settings;
+  PricedSettings scaled = *std::find_if(settings_.begin(), settings_.end(),
+                                        [](const PricedSettings& s) { return s.parameter == "scene"; });
+  if (!scene_.law.is_rigid()) scaled.core_seconds *= scaled.settings.time_step / own.time_step;
+  return scaled;
+}
+
+ExpectedPrice expected_price(const PriceModel& model, const Scene& scene) {
+  const double n = scene.grains.count;
+  return {model.core_seconds(model.settings_of_scene(), n), model.memory_mb(n)};
+}
+
+}  // namespace floc

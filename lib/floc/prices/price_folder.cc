@@ -1,0 +1,78 @@
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "floc/base/error.h"
+#include "floc/base/read_file.h"
+#include "floc/prices/price_table.h"
+
+namespace floc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Places of the folder of tables, relative to a folder above the program: as installed, and in the build tree.
+constexpr const char* kPlaces[] = {"share/floc/tables/tradeoff", "apps/share/floc/tables/tradeoff"};
+
+/// Number of folders above the program, or above the library, that are searched. A Python package lies four folders
+/// below the prefix: lib/python3/dist-packages/floc.
+constexpr int kFoldersAbove = 5;
+
+/// Returns the program, and the file that contains this code: the program or, in Python, a module.
+std::vector<fs::path> binaries() {
+  std::vector<fs::path> found;
+  std::error_code failed;
+  Dl_info about{};
+  if (dladdr(reinterpret_cast<const void*>(&price_folder), &about) != 0 && about.dli_fname != nullptr)
+    if (const fs::path file = fs::canonical(about.dli_fname, failed); !failed) found.push_back(file);
+  if (const fs::path file = fs::read_symlink("/proc/self/exe", failed); !failed) found.push_back(file);
+  return found;
+}
+
+/// Whether a file is a table of prices: a csv file whose first column is that of `floc tradeoff`.
+bool is_price_table(const fs::path& file) {
+  if (file.extension() != ".csv") return false;
+  std::ifstream in(file);
+  std::string line;
+  return std::getline(in, line) && line.starts_with("knob,");
+}
+
+}  // namespace
+
+std::string price_folder() {
+  for (const fs::path& file : binaries()) {
+    fs::path folder = file.parent_path();
+    for (int k = 0; k < kFoldersAbove && folder.has_relative_path(); ++k, folder = folder.parent_path())
+      for (const char* place : kPlaces)
+        if (std::error_code failed; fs::is_directory(folder / place, failed)) return (folder / place).string();
+  }
+  throw InputError(
+      "share/floc/tables/tradeoff",
+      "this folder, with the tables of the errors and costs of numerical settings, is in no folder "
+      "above the program: install floc again, or give a table that floc tradeoff has written "
+      "(--prices FILE)");
+}
+
+std::vector<std::string> priced_kinds() {
+  std::vector<std::string> kinds;
+  for (const fs::directory_entry& entry : fs::directory_iterator(price_folder()))
+    if (is_price_table(entry.path())) kinds.push_back(entry.path().stem().string());
+  std::sort(kinds.begin(), kinds.end());
+  return kinds;
+}
+
+std::optional<PriceTable> shipped_prices(const std::string& kind) {
+  const fs::path file = fs::path(price_folder()) / (kind + ".csv");
+  if (!fs::is_regular_file(file)) return std::nullopt;
+  PriceTable table = read_price_table(read_file(file.string()), file.string());
+  table.is_shipped = true;
+  if (table.kind != kind)
+    throw InputError(file.string(),
+                     "this table is about scenes of the kind " + table.kind + ": expected " + kind);
+  return table;
+}
+
+}  // namespace floc

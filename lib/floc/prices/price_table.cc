@@ -1,0 +1,135 @@
+#include "floc/prices/price_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "floc/base/error.h"
+#include "floc/base/parse_number.h"
+#include "floc/io/csv.h"
+
+namespace floc {
+namespace {
+
+/// Columns that the tables of every version of floc have.
+const std::vector<std::string> kColumns = {
+    "knob",   "value",    "observable",        "cost_ratio",       "tolerance",       "time_step",
+    "finish", "patience", "error_before_high", "error_after_high", "mean_difference", "mean_error95",
+    "kappa"};
+
+/// Reads cells of a table of prices. Columns are found by their names.
+class Cells {
+ public:
+  Cells(const CsvTable& table, int row) : table_(table), row_(row) {}
+
+  /// Returns the text in a column; empty if the table does not have the column.
+  std::string text(const std::string& column) const {
+    return table_.has(column) ? table_.text(row_, table_.column(column)) : "";
+  }
+  /// Returns the number in a column; NaN if the cell is empty, or if the table does not have the column.
+  double number(const std::string& column) const {
+    const std::string cell = text(column);
+    if (cell.empty()) return std::numeric_limits<double>::quiet_NaN();
+    const auto value = parse_number<double>(cell);
+    if (!value)
+      throw InputError(table_.place(row_),
+                       fmt::format("the value of column {} is {}: expected a number", column, cell));
+    return *value;
+  }
+  /// Returns the whole number in a column; 0 if there is none.
+  int count(const std::string& column) const {
+    const double value = number(column);
+    if (std::isnan(value)) return 0;
+    if (!(value >= 0.0 && value <= 1e9 && value == std::floor(value)))
+      throw InputError(
+          table_.place(row_),
+          fmt::format("the value of column {} is {}: expected a whole number >= 0", column, text(column)));
+    return static_cast<int>(value);
+  }
+
+ private:
+  const CsvTable& table_;
+  int row_;
+};
+
+NumericalSettings settings_of(const Cells& cells) {
+  const std::string finish = cells.text("finish");
+  return {cells.number("tolerance"), cells.number("time_step"),
+          finish == finish_name(Finish::dynamic)   ? Finish::dynamic
+          : finish == finish_name(Finish::statics) ? Finish::statics
+                                                   : Finish::automatic,
+          cells.number("patience")};
+}
+
+PriceRow row_of(const Cells& cells) {
+  PriceRow row;
+  row.parameter = cells.text("knob");
+  row.value = cells.text("value");
+  row.settings = settings_of(cells);
+  row.observable = cells.text("observable");
+  row.unit = cells.text("unit");
+  row.cost_ratio = cells.number("cost_ratio");
+  row.core_seconds = cells.number("core_seconds");
+  row.memory_mb = cells.number("memory_mb");
+  row.error = std::fmax(cells.number("error_before_high"), cells.number("error_after_high"));
+  row.mean_difference = cells.number("mean_difference");
+  row.mean_stderr = cells.number("mean_stderr");
+  row.mean_error = cells.number("mean_error95");
+  row.sample_scatter = cells.number("sample_scatter");
+  row.n_grains = cells.count("n_grains");
+  row.n_samples = cells.count("n_samples");
+  row.n_states = cells.count("n_states");
+  // Tables of older versions have the numbers of compared states of all samples instead.
+  if (row.n_states == 0 && row.n_samples > 0)
+    row.n_states = (cells.count("n_before") + cells.count("n_after")) / row.n_samples;
+  row.kappa = cells.number("kappa");
+  return row;
+}
+
+}  // namespace
+
+const PriceRow* PriceTable::find(const std::string& parameter, const std::string& value,
+                                 const std::string& observable) const {
+  const auto at = std::find_if(rows.begin(), rows.end(), [&](const PriceRow& row) {
+    return row.parameter == parameter && row.value == value && row.observable == observable;
+  });
+  return at == rows.end() ? nullptr : &*at;
+}
+
+std::vector<std::string> PriceTable::observables() const {
+  std::vector<std::string> names;
+  for (const PriceRow& row : rows)
+    if (std::find(names.begin(), names.end(), row.observable) == names.end()) names.push_back(row.observable);
+  return names;
+}
+
+PriceTable read_price_table(const std::string& csv, const std::string& place) {
+  std::istringstream in(csv);
+  const CsvTable cells = CsvTable::parse(place, in, kColumns);
+  for (const std::string& column : kColumns)
+    if (!cells.has(column))
+      throw InputError(place, "column " + column +
+                                  " is missing: expected a table that floc tradeoff --format csv of this "
+                                  "version of floc has written");
+  PriceTable table;
+  table.place = place;
+  table.kind = kOldestKind;
+  for (int row = 0; row < cells.n_rows(); ++row) {
+    const Cells one(cells, row);
+    const std::string kind = cells.has("kind") ? one.text("kind") : kOldestKind;
+    if (row > 0 && kind != table.kind)
+      throw InputError(
+          cells.place(row),
+          fmt::format("the value of column kind is {}: expected {}, as in the rows before, because a "
+                      "table is about scenes of one kind",
+                      kind, table.kind));
+    table.kind = kind;
+    table.rows.push_back(row_of(one));
+  }
+  return table;
+}
+
+}  // namespace floc

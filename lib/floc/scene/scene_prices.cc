@@ -1,0 +1,118 @@
+#include "floc/scene/scene_prices.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/base/read_text.h"
+#include "floc/scene/cell_defaults.h"
+#include "floc/scene/derived_groups.h"
+#include "floc/scene/scene_kind.h"
+#include "floc/scene/scene_scales.h"
+
+namespace floc {
+namespace {
+
+/// Returns the stiffness number of a scene (largest diameter a, normal stiffness K_N, first pressure P): a K_N/F0 of
+/// cohesive grains with the pull-off force F0, (E~/P)^(2/3) of elastic spheres, otherwise K_N/P. Rigid contacts have
+/// none.
+std::optional<double> stiffness_number(const Scene& scene) {
+  if (scene.law.is_rigid()) return std::nullopt;
+  const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
+  if (scene.law.adheres()) return std::pow(a, scene.dimension - 1) * modulus / pull_off_force(scene);
+  if (scene.law.force_exponent() != 1.0) return hertz_kappa(scene, scene.assembly.pressure);
+  return modulus / scene.assembly.pressure;
+}
+
+const char* stiffness_name(const Scene& scene) {
+  if (scene.law.adheres()) return "a K_N/F0";
+  return scene.law.force_exponent() != 1.0 ? "(E~/P)^(2/3)" : "K_N/P";
+}
+
+/// Returns the options of the relaxation, with the mass and the caps of the cell, in each part of a run: first in the
+/// assembly, then in each stage of the load path.
+std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
+  if (scene.assembly.box) return {};
+  std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
+  for (const LoadStage& stage : scene.load) parts.push_back(stage.cell.applied_to(scene.relaxation));
+  return parts;
+}
+
+std::string errors_in(const PriceTable& table) {
+  return table.is_shipped ? "table of errors shipped with floc" : table.name();
+}
+
+/// Whether tables of the kind of a scene are measured with the default cell, so that the cell of the scene can be
+/// compared with theirs: those of cohesive grains, whose default is a cap on the strain rate. Without adhesion the cap
+/// is on the inertial number, for which each material has its own value.
+bool has_default_cells(const Scene& scene) {
+  return default_cap(scene.law).strain_rate_cap.has_value();
+}
+
+/// Returns why a table of prices does not apply to the cell of a scene; empty if it does.
+std::string problem_of_cell(const PriceTable& table, const Scene& scene) {
+  if (!has_default_cells(scene)) return "";
+  for (const RelaxationOptions& part : motions_of_cell(scene))
+    if (part.inertial_number_cap)
+      return fmt::format(
+          "strain_rate_cap is required in place of inertial_number_cap, because the errors in the {} were "
+          "measured with a strain_rate_cap",
+          table.name());
+  for (const CellFactors& cell : cells_of(scene))
+    if (!covers_cell(table, cell))
+      return fmt::format(
+          "the mass of the cell is {:.3g} times the default mass on load paths, and its strain_rate_cap is "
+          "{:.3g} times the default; this is outside the range of the {}",
+          cell.mass, cell.rate_cap, errors_in(table));
+  return "";
+}
+
+/// Returns why a table of prices of the kind of a scene does not apply to the scene; empty if it does.
+std::string problem_of(const PriceTable& table, const Scene& scene) {
+  const std::optional<double> kappa = stiffness_number(scene);
+  if (kappa && !covers_stiffness(table, *kappa))
+    return fmt::format(
+        "the stiffness number {} = {:g} is outside the range of the {}, which was measured at {:g} and applies "
+        "within a factor of ten",
+        stiffness_name(scene), *kappa, errors_in(table), table.rows.empty() ? 0.0 : table.rows[0].kappa);
+  return problem_of_cell(table, scene);
+}
+
+}  // namespace
+
+std::vector<CellFactors> cells_of(const Scene& scene) {
+  if (!has_default_cells(scene)) return {};
+  std::vector<CellFactors> cells;
+  for (const RelaxationOptions& part : motions_of_cell(scene))
+    cells.push_back(
+        {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
+  // The mass of the cell during the assembly determines which packing is made. It does not affect the accuracy, so it
+  // counts as the default.
+  if (!cells.empty()) cells.front().mass = 1.0;
+  return cells;
+}
+
+ScenePrices prices_of(const Scene& scene, const std::string& file) {
+  const std::string kind = scene_kind(scene);
+  std::optional<PriceTable> table =
+      file.empty() ? shipped_prices(kind) : read_price_table(read_text(file), file);
+  if (!table)
+    return {
+        std::nullopt,
+        fmt::format("the scene is of the kind {}, for which no table of prices is shipped with floc: expected "
+                    "one of the kinds {}, or a table of this kind that floc tradeoff has written (--prices "
+                    "FILE)",
+                    kind, fmt::join(priced_kinds(), ", "))};
+  if (table->kind != kind)
+    return {std::nullopt,
+            fmt::format(
+                "the scene is of the kind {}, but the {} is about scenes of the kind {}; tables are shipped "
+                "for the kinds {}",
+                kind, table->name(), table->kind, fmt::join(priced_kinds(), ", "))};
+  const std::string problem = problem_of(*table, scene);
+  return problem.empty() ? ScenePrices{std::move(table), ""} : ScenePrices{std::nullopt, problem};
+}
+
+}  // namespace floc

@@ -1,0 +1,205 @@
+#include "floc/tradeoff/path_fits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "floc/fitting/consolidation.h"
+#include "floc/fitting/oedometer_test.h"
+#include "floc/fitting/shear_test.h"
+
+namespace floc {
+namespace {
+
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kMinSamples = 3;
+using Fitted = ConsolidationValues;
+
+/// Returns the indices of the states of the first loading: of the last assembled state, then of the states of the first
+/// stage. The result is empty if the pressure does not increase in this stage.
+std::vector<std::size_t> first_loading(const SamplePath& path) {
+  std::vector<std::size_t> at;
+  for (std::size_t k = 0; k < path.states.size() && path.states[k].stage <= 0; ++k) {
+    const double pressure = path.states[k].driven_stress;
+    if (path.states[k].stage < 0) at.clear();
+    if (!at.empty() && pressure <= path.states[at.back()].driven_stress) return {};
+    if (pressure > 0.0) at.push_back(k);
+  }
+  return at;
+}
+
+/// Returns 1/Phi (inverse solid fraction) against reduced pressure in the first loading, with its mean over the
+/// samples.
+/// @param left_out  index of the sample that the curve leaves out; absent if it contains all samples
+ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
+                                 std::optional<std::size_t> left_out) {
+  ConsolidationCurve curve;
+  const std::vector<std::size_t> states = first_loading(*paths.front());
+  const auto n = static_cast<Eigen::Index>(paths.size() - (left_out ? 1 : 0));
+  curve.samples.resize(static_cast<Eigen::Index>(states.size()), n);
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    curve.P_star.push_back(paths.front()->states[states[k]].reduced_pressure);
+    Eigen::Index column = 0;
+    for (std::size_t s = 0; s < paths.size(); ++s)
+      if (s != left_out)
+        curve.samples(static_cast<Eigen::Index>(k), column++) =
+            1.0 / paths[s]->states[states[k]].observation[kPhi];
+    curve.phi.push_back(1.0 / curve.samples.row(static_cast<Eigen::Index>(k)).mean());
+  }
+  return curve;
+}
+
+/// Returns the parameters lambda, alpha and Phi_max of the full consolidation law. It is fitted to the states in a
+/// range of reduced pressures. The values are NaN if the fit is not possible.
+Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
+  std::vector<double> log_P, y;
+  for (std::size_t k = 0; k < curve.P_star.size(); ++k)
+    if (window.first <= curve.P_star[k] && curve.P_star[k] <= window.second)
+      log_P.push_back(std::log(curve.P_star[k])), y.push_back(1.0 / curve.phi[k]);
+  Fitted values;
+  values.fill(kUndefined);
+  const auto n = static_cast<Eigen::Index>(y.size());
+  if (n <= n_parameters(ConsolidationLaw::full)) return values;
+  const auto solution = solve_law(
+      ConsolidationLaw::full,
+      {Eigen::VectorXd::Map(log_P.data(), n), Eigen::VectorXd::Map(y.data(), n), Eigen::VectorXd::Ones(n)});
+  if (solution) values = {std::exp(solution->theta[0]), std::exp(solution->theta[1]), 1.0 / solution->theta[2]};
+  return values;
+}
+
+/// Returns differences with the standard error that the jackknife gives: a mean over n samples changes by 1/(n - 1) of
+/// the deviation of a sample if this sample is left out, so that the scatter of fits with one sample left out is
+/// multiplied by n - 1.
+/// @param value  function that returns the values without the sample of this index, or with all samples
+template <class Value>
+std::array<MeanDifference, 3> jackknife(std::size_t n, const Value& value) {
+  std::array<MeanDifference, 3> out;
+  if (n < kMinSamples) return out;
+  const Fitted all = value(std::nullopt);
+  std::vector<Fitted> without;
+  for (std::size_t s = 0; s < n; ++s) without.push_back(value(s));
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    std::vector<double> values;
+    for (const Fitted& f : without) values.push_back(f[p]);
+    const MeanDifference spread = mean_of(values);
+    if (!std::isfinite(all[p]) || spread.n < static_cast<int>(n)) continue;
+    const auto scale = static_cast<double>(n - 1);
+    out[p] = {all[p], scale * spread.standard_error, scale * spread.error95, spread.n};
+  }
+  return out;
+}
+
+/// Returns the states of the first stage with one of these controls, after the state from which the test began.
+std::vector<ShearPoint> points_of_test(const SamplePath& path, std::initializer_list<const char*> controls) {
+  std::vector<ShearPoint> points;
+  int stage = -1;
+  for (const ObservedState& s : path.states) {
+    const bool is_test = std::find(controls.begin(), controls.end(), s.control) != controls.end();
+    if (!is_test || !s.test || (stage >= 0 && s.stage != stage)) continue;
+    if (points.empty()) points.push_back(*s.start_of_test);
+    points.push_back(*s.test);
+    stage = s.stage;
+  }
+  return points;
+}
+
+double parameter(const std::vector<FittedParameter>& parameters, const std::string& name) {
+  for (const FittedParameter& p : parameters)
+    if (p.name == name) return p.value.value_or(kUndefined);
+  return kUndefined;
+}
+
+double oedometer_value(const SamplePath& path, const char* name) {
+  const std::vector<ShearPoint> points = points_of_test(path, {"oedometric"});
+  if (points.size() < 3) return kUndefined;
+  return parameter(evaluate_oedometer_test(points, std::nullopt).parameters, name);
+}
+
+double dilatancy(const SamplePath& path) {
+  const std::vector<ShearPoint> points = points_of_test(path, {"triaxial"});
+  return parameter(evaluate_shear_test(points, {}).parameters, "dilatancy_angle");
+}
+
+/// Returns the sizes of the stress ratios of the states of the first shear test, in order.
+std::vector<double> stress_ratios(const SamplePath& path) {
+  std::vector<double> ratios;
+  int stage = -1;
+  for (const ObservedState& s : path.states) {
+    if (!std::isfinite(s.observation[kStressRatio]) || s.control == "oedometric") continue;
+    if (stage >= 0 && s.stage != stage) break;
+    ratios.push_back(std::abs(s.observation[kStressRatio]));
+    stage = s.stage;
+  }
+  return ratios;
+}
+
+double peak_ratio(const SamplePath& path) {
+  const std::vector<double> ratios = stress_ratios(path);
+  return ratios.empty() ? kUndefined : *std::max_element(ratios.begin(), ratios.end());
+}
+
+/// Returns the mean over the last quarter of a test, of at least three states.
+double critical_ratio(const SamplePath& path) {
+  const std::vector<double> ratios = stress_ratios(path);
+  const std::size_t n = ratios.size() / 4;
+  if (n < 3) return kUndefined;
+  return std::accumulate(ratios.end() - static_cast<std::ptrdiff_t>(n), ratios.end(), 0.0) /
+         static_cast<double>(n);
+}
+
+}  // namespace
+
+std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references) {
+  if (references.size() < kMinSamples || first_loading(*references.front()).empty()) return std::nullopt;
+  const ConsolidationFit whole = fit_consolidation(curve_without(references, std::nullopt), {});
+  if (!whole.found() || whole.reported_law != ConsolidationLaw::full) return std::nullopt;
+  return PressureWindow(whole.window_low, whole.window_high);
+}
+
+ConsolidationValues fitted_consolidation(const std::vector<const SamplePath*>& paths,
+                                         const PressureWindow& window) {
+  return fit(curve_without(paths, std::nullopt), window);
+}
+
+std::array<MeanDifference, 3> compare_fits(const std::vector<const SamplePath*>& references,
+                                           const std::vector<const SamplePath*>& paths,
+                                           const PressureWindow& window) {
+  return jackknife(references.size(), [&](std::optional<std::size_t> left_out) {
+    const Fitted truth = fit(curve_without(references, left_out), window);
+    Fitted values = fit(curve_without(paths, left_out), window);
+    for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / truth[p] - 1.0;
+    return values;
+  });
+}
+
+std::array<MeanDifference, 3> sampling_errors_of_fits(const std::vector<const SamplePath*>& paths,
+                                                      const PressureWindow& window) {
+  const Fitted whole = fitted_consolidation(paths, window);
+  auto errors = jackknife(paths.size(), [&](std::optional<std::size_t> left_out) {
+    Fitted values = fit(curve_without(paths, left_out), window);
+    for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / whole[p] - 1.0;
+    return values;
+  });
+  return errors;
+}
+
+double path_value(int observable, const SamplePath& path) {
+  switch (observable) {
+    case kK0:
+      return oedometer_value(path, "K0");
+    case kConstrainedModulus:
+      return oedometer_value(path, "constrained_modulus");
+    case kPeakRatio:
+      return peak_ratio(path);
+    case kCriticalRatio:
+      return critical_ratio(path);
+    case kDilatancy:
+      return dilatancy(path);
+    default:
+      return kUndefined;
+  }
+}
+
+}  // namespace floc

@@ -1,0 +1,162 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "support/places.h"
+#include "support/run_program.h"
+
+namespace floc::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::string kDemoScene = source_directory() + "/data/scenes/demo.toml ";
+/// A scene whose small samples take a fraction of a second.
+const std::string kQuick =
+    source_directory() +
+    "/data/scenes/type1_rolling_small.toml --set load.0.to=0.1 --set load.0.steps_per_decade=2 ";
+
+void write_text(const std::string& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
+
+class PlanCommand : public testing::Test {
+ protected:
+  const ScratchDirectory scratch_;
+
+  Outcome plan(const std::string& arguments) const { return run_floc("plan " + arguments, scratch_.path()); }
+  json rows(const std::string& arguments) const {
+    const Outcome o = plan(arguments + " --format json");
+    EXPECT_EQ(o.code, 0) << o.err;
+    return o.code == 0 ? json::parse(o.out) : json::array();
+  }
+};
+
+TEST_F(PlanCommand, KeepsBudgetsAndWants) {
+  for (const char* budget : {"5s", "30min", "2 h", "3d"})
+    for (const auto& row : rows(kDemoScene + "--cores 2 --budget '" + budget + "'")) {
+      const double hours = std::string(budget) == "5s"      ? 5 / 3600.0
+                           : std::string(budget) == "30min" ? 0.5
+                           : std::string(budget) == "2 h"   ? 2.0
+                                                            : 72.0;
+      EXPECT_LE(row["wall_hours"], hours * (1 + 1e-9)) << budget;
+      EXPECT_NEAR(double(row["error"]),
+                  double(row["error_settings"]) + double(row["error_size"]) + double(row["error_scatter"]),
+                  1e-9 * double(row["error"]));
+    }
+  const json wanted = rows(kDemoScene + "--want phi=0.01,B=0.1");
+  ASSERT_GE(wanted.size(), 2u);
+  for (const auto& row : wanted) EXPECT_LE(row["error"], row["observable"] == "phi" ? 0.01 : 0.1);
+}
+
+TEST_F(PlanCommand, ObservablesCanBeChosen) {
+  for (const auto& row : rows(kDemoScene + "--budget 1h --observables phi,lambda"))
+    EXPECT_TRUE(row["observable"] == "phi" || row["observable"] == "lambda");
+}
+
+TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
+  const std::pair<std::string, std::string> refused[] = {
+      {kDemoScene, "expected --budget, the time that may be spent, or --want"},
+      {"", "expected a scene file, or --check DIR"},
+      {kDemoScene + "--budget 2m", "--budget 2m: expected a positive number with one of the units"},
+      {kDemoScene + "--budget 1ms", "--budget 1ms: expected"},
+      {kDemoScene + "--budget 0.01s", "a single sample of the smallest size, 50 grains, takes "},
+      {kDemoScene + "--want K0=0.1", "K0 is not a quantity of this scene"},
+      {kDemoScene + "--want phi=1e-9", "phi=1e-09: expected at least "},
+      {kDemoScene + "--want phi=0.003 --budget 2s", "the nearest that the budget allows are phi="},
+      {kDemoScene + "--budget 1h --set contact.normal.stiffness=1e9", "a K_N/F0 = 1e+09 is outside the range"},
+      {kDemoScene + "--budget 1h --set cell.mass=100", "the mass of the cell is 1e+03 times the default"},
+      {kDemoScene + "--budget 1h --set accuracy.phi=0.01", "remove the table [accuracy]"},
+      {kDemoScene + "--budget 1h --prices none.csv", "none.csv"},
+      {kDemoScene + "--budget 1h --prices beads.csv",
+       "the scene is of the kind disks-cohesive, but the table beads.csv is "
+       "about scenes of the kind beads-hertz; tables are shipped for"},
+      {kDemoScene + "--budget 1h --prices old.csv", "old.csv: column"},
+      {kDemoScene + "--budget 1h --pilot --set grains.count=1", "grains.count"},
+      {kDemoScene + "--budget 1s --pilot", "--pilot: the samples of 200 grains are not complete within 0.2 s"},
+      {"--check .", "this directory holds no campaign"},
+  };
+  write_text(scratch_.file("beads.csv"),
+             "knob,value,observable,error_before_high,error_after_high,mean_difference,mean_error95,cost_ratio,"
+             "tolerance,time_step,finish,patience,kappa,kind\n"
+             "scene,as it is,phi,1e-3,1e-3,0,0,0.3,1e-5,0.28,auto,1,1e5,beads-hertz\n");
+  write_text(scratch_.file("old.csv"), "knob,value,observable\nscene,as it is,phi\n");
+  for (const auto& [arguments, words] : refused) {
+    const Outcome o =
+        plan(arguments + (arguments.starts_with("--check") || arguments.empty() ? "" : " -o p.toml"));
+    EXPECT_EQ(o.code, 4) << arguments << "\n" << o.err;
+    EXPECT_EQ(o.out, "") << arguments;
+    EXPECT_THAT(o.err, HasSubstr(words)) << arguments;
+    EXPECT_FALSE(std::filesystem::exists(scratch_.file("p.toml"))) << arguments;
+  }
+}
+
+TEST_F(PlanCommand, ExtremeBudgetsGiveWordsAndNoHang) {
+  for (const char* budget : {"1000y", "1e9y", "0.55s"}) {
+    const Outcome o = plan(kDemoScene + "--budget " + budget);
+    EXPECT_EQ(o.code, 0) << budget << o.err;
+    EXPECT_THAT(o.err, HasSubstr("the best plan: ")) << budget;
+  }
+  EXPECT_THAT(plan(kDemoScene + "--budget 1000y").err, HasSubstr("this is less than the budget"));
+}
+
+TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
+  ASSERT_EQ(plan(kQuick + "--want phi=0.03,B=0.5 -o p.toml").code, 0);
+  const Outcome made = run_floc("campaign plan p.toml -o p", scratch_.path());
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_THAT(plan("--check p").err, HasSubstr("0 of 4 samples are done: expected at least two"));
+  ASSERT_EQ(std::system(("cd " + scratch_.file("p") + " && snakemake --cores 2 >log 2>&1").c_str()), 0);
+  std::map<std::string, json> checked;
+  for (const auto& row : json::parse(plan("--check p --format json").out)) checked[row["quantity"]] = row;
+  for (const char* quantity : {"phi", "B", "cost"}) {
+    ASSERT_TRUE(checked.contains(quantity)) << quantity;
+    const json& row = checked[quantity];
+    EXPECT_EQ(row["n_samples"], 4);
+    EXPECT_NEAR(row["ratio"], double(row["achieved"]) / double(row["promised"]), 1e-9);
+  }
+  EXPECT_LE(checked["phi"]["promised"], 0.03);
+  // A campaign that floc plan has not written promises nothing.
+  const std::string text = content_of(scratch_.file("p.toml"));
+  write_text(scratch_.file("q.toml"), text.substr(0, text.find("[plan]")));
+  ASSERT_EQ(run_floc("campaign plan q.toml -o q", scratch_.path()).code, 0);
+  EXPECT_THAT(plan("--check q").err, HasSubstr("the campaign has no table [plan]"));
+}
+
+TEST_F(PlanCommand, LeavesOutSettingsThatTheSceneRefuses) {
+  // A tolerance of 1e-2 is not smaller than the first pressure of the scene.
+  for (const auto& row : rows(kDemoScene + "--want phi=0.2")) EXPECT_LT(row["tolerance"], 1e-2);
+}
+
+TEST_F(PlanCommand, WritesASceneForASingleSample) {
+  const Outcome o = plan(kDemoScene + "--budget 0.55s -o one.toml");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, AllOf(HasSubstr("1 sample of "), HasSubstr("you may run next: floc run one.toml")));
+  EXPECT_EQ(run_floc("scene check one.toml", scratch_.path()).code, 0);
+}
+
+TEST_F(PlanCommand, APilotMeasuresScenesWithoutATable) {
+  const std::string scene = kQuick + "--set grains.count=40 --set contact.normal.stiffness=2e6 ";
+  EXPECT_THAT(plan(scene + "--budget 10min").err,
+              HasSubstr("--pilot measures the costs and the scatter of this scene"));
+  const Outcome o = plan(scene + "--budget 10min --pilot --format json");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_THAT(o.err, AllOf(HasSubstr("pilot: a sample of 40 grains takes "),
+                           HasSubstr("are not known without a table of prices")));
+  for (const auto& row : json::parse(o.out)) EXPECT_EQ(row["error"], row["error_scatter"]);
+}
+
+TEST_F(PlanCommand, SceneCheckPredictsByTheSamePrices) {
+  const Outcome check = run_floc("scene check " + kDemoScene);
+  EXPECT_THAT(check.err, HasSubstr("by the prices of the kind disks-cohesive, a run takes "));
+  EXPECT_EQ(run_floc("scene check " + kDemoScene + "--prices none.csv").code, 4);
+}
+
+}  // namespace
+}  // namespace floc::test

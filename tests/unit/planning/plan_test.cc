@@ -1,0 +1,237 @@
+#include "floc/planning/plan.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "floc/base/error.h"
+#include "floc/fitting/student_t.h"
+#include "floc/scene/read_scene.h"
+#include "support/places.h"
+
+namespace floc {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Prices with round numbers: samples of 100 grains, of 10 states, that take 2 s with the settings of the scene.
+/// "fast" is four times cheaper, and wrong by 1e-3 in phi. phi scatters by 0.02 and B by 0.1 between samples, and both
+/// depend on the size: by 0.02 and 0.4 at 25 grains.
+PriceTable prices() {
+  std::string csv =
+      "knob,value,observable,cost_ratio,core_seconds,error_before_high,error_after_high,mean_difference,mean_"
+      "stderr,"
+      "mean_error95,n_grains,n_samples,tolerance,time_step,finish,patience,kappa,sample_scatter,n_states,"
+      "unit\n";
+  const auto add = [&](const char* knob, const char* value, double seconds, int n, double step, double phi,
+                       double b, double phi_mean, double b_mean, double stderr_phi, double stderr_b) {
+    const auto row = [&](const char* name, double error, double mean, double stderr_of, double scatter) {
+      csv += fmt::format("{},{},{},{},{},{},,{},{},{},{},9,1e-5,{},auto,1,1e5,{},10,1\n", knob, value, name,
+                         seconds / 8.0, seconds, error, mean, stderr_of, 2.0 * stderr_of, n, step, scatter);
+    };
+    row("phi", phi, phi_mean, stderr_phi, 0.02);
+    row("B", b, b_mean, stderr_b, 0.1);
+  };
+  add("strict", "all", 8.0, 100, 0.07, 0, 0, 0, 0, 0, 0);
+  add("scene", "as it is", 2.0, 100, 0.36, 1e-5, 1e-4, 1e-4, 1e-3, 1e-3, 1e-2);
+  add("patience", "fast", 0.5, 100, 0.3, 1e-3, 2e-4, 0, 0, 1e-3, 1e-2);
+  add("count", "25", 0.5, 25, 0.36, 0, 0, 0.02, 0.4, 1e-6, 1e-6);
+  return read_price_table(csv, "prices.csv");
+}
+
+Scene scene(const std::vector<std::string>& changes = {}) {
+  return read_scene(test::source_directory() + "/data/scenes/demo.toml", changes);
+}
+
+/// A scene with as many equilibria as the table has: 2 of the assembly and 8 of loading.
+Scene scene_of_ten_states() {
+  return scene({"assembly.pressure=0.01", "load.0.to=1", "load.0.steps_per_decade=3", "load.1.to=0.01",
+                "load.1.steps_per_decade=1"});
+}
+
+class Plans : public testing::Test {
+ protected:
+  const Scene scene_ = scene_of_ten_states();
+  const PriceModel model_{scene_, prices()};
+
+  const PricedSettings& settings(const std::string& name) const {
+    return *std::find_if(model_.settings().begin(), model_.settings().end(),
+                         [&](const PricedSettings& s) { return s.name() == name; });
+  }
+  std::string refusal(const PlanRequest& request) const {
+    try {
+      (void)choose_plans(model_, request, 3);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(Plans, PricesFollowTheLawsOfTheModel) {
+  const ObservablePrice& phi = model_.observable("phi", "");
+  const PricedSettings& plain = settings("scene as it is");
+  // 0.5 s at 25 grains and 2 s at 100: the power is one.
+  EXPECT_NEAR(model_.core_seconds(plain, 100), 2.0, 1e-12);
+  EXPECT_NEAR(model_.core_seconds(plain, 400), 8.0, 1e-12);
+  const ErrorBudget one = model_.error(phi, plain, 100, 1), many = model_.error(phi, plain, 400, 16);
+  EXPECT_NEAR(one.scatter, student_t_95(8) * 0.02, 1e-12);
+  EXPECT_NEAR(many.scatter, one.scatter / 8.0, 1e-12) << "sqrt(4 x 16) as small";
+  // 0.02 = c (1/25 - 1/100), so that c/100 = 0.02/3.
+  EXPECT_NEAR(one.size, 0.02 / 3.0, 1e-6);
+  EXPECT_NEAR(many.size, one.size / 4.0, 1e-12);
+  // The means agree within their error, so that the error of single states is left.
+  EXPECT_DOUBLE_EQ(one.settings, 1e-5);
+}
+
+TEST_F(Plans, MoreStatesAndOtherRangesOfStepsCostAccordingly) {
+  const PricedSettings& plain = settings("scene as it is");
+  const PriceModel longer(
+      scene({"load.0.to=1", "load.0.steps_per_decade=8", "load.1.to=0.01", "load.1.steps_per_decade=2"}),
+      prices());
+  // Twice the states at 0.3 of the time each.
+  EXPECT_NEAR(longer.core_seconds(plain, 100) / model_.core_seconds(plain, 100),
+              1.0 + 0.3 * (22.0 / 10.0 - 1.0), 1e-9);
+}
+
+/// Errors and cost by the formulas of the documentation, from the numbers of the table.
+struct ByHand {
+  double seconds, phi, b;
+};
+ByHand by_hand(bool fast, int n_grains, int n_samples) {
+  const double t = student_t_95(8), root = std::sqrt(100.0 / n_grains / n_samples);
+  return {(fast ? 0.5 : 2.0) * n_grains / 100.0,
+          (fast ? 1e-3 : 1e-5) + 0.02 / 0.03 / n_grains + t * 0.02 * root,
+          (fast ? 2e-4 : 1e-4) + 0.4 / 0.03 / n_grains + t * 0.1 * root};
+}
+
+TEST_F(Plans, TheBestInABudgetIsThatOfAllCombinations) {
+  for (const double budget : {10.0, 60.0, 1800.0})
+    for (const int cores : {1, 3}) {
+      double best = std::numeric_limits<double>::infinity();
+      for (const bool fast : {false, true})
+        for (const int n_grains : numbers_of_grains(model_))
+          for (int n = kLeastSamples; n <= kMostSamples; ++n) {
+            const ByHand one = by_hand(fast, n_grains, n);
+            if (std::ceil(static_cast<double>(n) / cores) * one.seconds > budget * (1 + 1e-12)) break;
+            best = std::min(best, 0.5 * (std::log(one.phi) + std::log(one.b)));
+          }
+      PlanRequest request;
+      request.budget = budget;
+      request.cores = cores;
+      const Plan plan = choose_plans(model_, request, 1).plans.front();
+      EXPECT_LE(plan.wall_seconds, budget * (1 + 1e-11));
+      EXPECT_NEAR(0.5 * (std::log(plan.errors[0].total()) + std::log(plan.errors[1].total())), best, 1e-5)
+          << budget << " s on " << cores;
+    }
+}
+
+TEST_F(Plans, TheCheapestThatKeepsWantsIsThatOfAllCombinations) {
+  for (const auto& [phi, b] : {std::pair(0.02, 0.3), std::pair(0.004, 0.05), std::pair(1.5e-3, 1.0)}) {
+    double best = std::numeric_limits<double>::infinity();
+    for (const bool fast : {false, true})
+      for (const int n_grains : numbers_of_grains(model_))
+        for (int n = kLeastSamples; n <= kMostSamples; ++n) {
+          const ByHand one = by_hand(fast, n_grains, n);
+          if (one.phi > phi || one.b > b) continue;
+          best = std::min(best, n * one.seconds);
+          break;
+        }
+    PlanRequest request;
+    request.wants = {{"phi", phi}, {"B", b}};
+    const Plan plan = choose_plans(model_, request, 1).plans.front();
+    EXPECT_LE(plan.errors[0].total(), phi);
+    EXPECT_LE(plan.errors[1].total(), b);
+    EXPECT_NEAR(plan.core_seconds / best, 1.0, 1e-3) << phi << ", " << b;
+  }
+}
+
+TEST_F(Plans, AreSortedAndEachHasOtherSettings) {
+  PlanRequest request;
+  request.budget = 100.0;
+  const PlanChoice choice = choose_plans(model_, request, 3);
+  ASSERT_EQ(choice.plans.size(), 2u) << "the reference is no choice";
+  EXPECT_NE(choice.plans[0].settings.name(), choice.plans[1].settings.name());
+}
+
+TEST_F(Plans, MoreBudgetNeverGivesLargerErrors) {
+  double before = std::numeric_limits<double>::infinity();
+  for (double budget = 1.0; budget < 1e12; budget *= 10.0) {
+    PlanRequest request;
+    request.budget = budget;
+    request.observables = {"phi"};
+    const double error = choose_plans(model_, request, 1).plans.front().errors.front().total();
+    EXPECT_LE(error, before * (1 + 1e-12)) << budget;
+    before = error;
+  }
+}
+
+TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
+  PlanRequest tiny;
+  tiny.budget = 0.05;
+  EXPECT_THAT(refusal(tiny),
+              AllOf(HasSubstr("--budget 0.05 s"),
+                    HasSubstr("a single sample of the smallest size, 25 grains, takes 0.126 s")));
+  PlanRequest below;
+  below.wants = {{"phi", 1e-6}};
+  EXPECT_THAT(refusal(below), HasSubstr("phi=1e-06: expected at least "));
+  PlanRequest none;
+  none.wants = {{"K0", 0.1}};
+  EXPECT_THAT(refusal(none),
+              HasSubstr("K0 is not a quantity of this scene that the table prices.csv has: expected one "
+                        "of phi, B; the nearest is "));
+  PlanRequest dear;
+  dear.wants = {{"phi", 2e-3}};
+  dear.budget = 5.0;
+  EXPECT_THAT(refusal(dear),
+              AllOf(HasSubstr("the wanted errors take "), HasSubstr("; the nearest that the budget "
+                                                                    "allows are phi=0.0")));
+  // The nearest that is named can be had.
+  const std::string words = refusal(below);
+  const std::size_t at = words.find("at least ") + 9;
+  below.wants = {{"phi", std::stod(words.substr(at))}};
+  EXPECT_EQ(refusal(below), "");
+}
+
+TEST_F(Plans, WantsAreNamesOfObservablesOrKeysOfAccuracy) {
+  const std::vector<std::string> names = {"phi", "B", "G", "z_plus"};
+  const auto wants = wants_of({"phi=0.01", "moduli=0.1", "z=0.2"}, names);
+  EXPECT_THAT(wants, testing::ElementsAre(std::pair("phi", 0.01), std::pair("B", 0.1), std::pair("G", 0.1),
+                                          std::pair("z_plus", 0.2)));
+  for (const char* bad : {"phi", "phi=", "phi=-1", "phi=0", "phi=nan", "phi=inf", "=1", "psi=1", "lambda=0.1"})
+    EXPECT_THROW((void)wants_of({bad}, names), InputError) << bad;
+  EXPECT_THROW((void)wants_of({"phi=1", "phi=2"}, names), InputError);
+}
+
+TEST(PriceModelOfAScene, KeepsTheNumberOfListedGrains) {
+  const Scene listed =
+      scene({"grains.count=3", "grains.diameter={distribution=\"list\", values=[0.5, 0.7, 1.0]}"});
+  const PriceModel model(listed, prices());
+  EXPECT_EQ(model.least_grains(), 3);
+  EXPECT_EQ(model.most_grains(), 3);
+}
+
+TEST(PriceModelOfAScene, TakesCostAndScatterFromAPilotAndSettingsFromTheTable) {
+  const Scene here = scene_of_ten_states();
+  const PilotResult pilot{50, 20, 3.0, 1.5, {{"phi", "", 0.04, 19, std::nullopt}}};
+  const PriceModel both(here, prices(), pilot), alone(here, std::nullopt, pilot);
+  for (const PriceModel* model : {&both, &alone})
+    EXPECT_NEAR(model->core_seconds(model->settings_of_scene(), 50), 3.0, 1e-9);
+  EXPECT_NEAR(both.core_seconds(both.settings_of_scene(), 200), 12.0, 1e-9) << "the power one of the table";
+  EXPECT_NEAR(alone.core_seconds(alone.settings_of_scene(), 200), 24.0, 1e-9);
+  EXPECT_NEAR(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).scatter,
+              student_t_95(19) * 0.04, 1e-12);
+  // 19 degrees of freedom with 0.04 at 50 grains, 8 with 0.02 at 100.
+  EXPECT_NEAR(both.error(both.observable("phi", ""), both.settings_of_scene(), 100, 1).scatter,
+              student_t_95(27) * std::sqrt((19 * 0.04 * 0.04 / 2.0 + 8 * 0.02 * 0.02) / 27.0), 1e-12);
+  EXPECT_GT(both.error(both.observable("phi", ""), both.settings_of_scene(), 50, 1).settings, 0.0);
+  EXPECT_EQ(alone.error(alone.observable("phi", ""), alone.settings_of_scene(), 50, 1).settings, 0.0);
+}
+
+}  // namespace
+}  // namespace floc

@@ -13,8 +13,6 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/require_periodic.h"
-#include "floc/relaxation/box_relaxer.h"
-#include "floc/relaxation/contact_dynamics_relaxer.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/elastic_step.h"
 #include "floc/relaxation/static_solver.h"
@@ -164,11 +162,7 @@ RelaxationStatus Relaxer<Dim>::advance() {
     ending_ = "closed";
     return RelaxationStatus::gave_up;
   }
-  // Newton steps ignore velocities, so they are tried only at rest.
-  const bool at_rest = residuals_.energy < options_.tolerance.energy;
-  if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !load_.unloaded() &&
-      solve_without_motion())
-    return RelaxationStatus::converged;
+  if (progress_.n_steps == 0 && solve_at_rest()) return RelaxationStatus::converged;
   if (carries_no_stress() && (progress_.n_steps == 0 || strain_ramp().over(0.0))) {
     ending_ = "unloaded";
     return RelaxationStatus::gave_up;
@@ -209,6 +203,13 @@ RelaxationStatus Relaxer<Dim>::advance() {
       progress_.time - progress_.ramp_duration > options_.max_time * time_unit_)
     return RelaxationStatus::gave_up;
   return status;
+}
+
+template <int Dim>
+bool Relaxer<Dim>::solve_at_rest() {
+  // Newton steps ignore velocities, so they are tried only at rest.
+  const bool at_rest = residuals_.energy < options_.tolerance.energy;
+  return options_.finish != Finish::dynamic && at_rest && !load_.unloaded() && solve_without_motion();
 }
 
 /// Whether the difference between the stress and its target has changed sign on each axis since the start, or is within
@@ -523,23 +524,9 @@ RelaxationReport Relaxer<Dim>::report() const {
   return report;
 }
 
-template <int Dim>
-std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
-                                                     const LoadTarget<Dim>& load, const std::string& progress) {
-  if (packing.law.is_rigid())
-    return std::make_unique<ContactDynamicsRelaxer<Dim>>(options, std::move(packing), load, progress);
-  if (!packing.walls.empty())
-    return std::make_unique<BoxRelaxer<Dim>>(options, std::move(packing), load, progress);
-  return std::make_unique<Relaxer<Dim>>(
-      options, std::move(packing), load,
-      progress.empty() ? RelaxationProgress{} : relaxation_progress(progress));
-}
-
-#define FLOC_INSTANTIATE(Dim)                                                                                \
-  template std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions&, Packing<Dim>,      \
-                                                                const LoadTarget<Dim>&, const std::string&); \
-  template double inertial_time(const Packing<Dim>&, const Vec<Dim>&);                                       \
-  template double strain_rate_cap(const RelaxationOptions&, const Packing<Dim>&, const Vec<Dim>&);           \
+#define FLOC_INSTANTIATE(Dim)                                                                      \
+  template double inertial_time(const Packing<Dim>&, const Vec<Dim>&);                             \
+  template double strain_rate_cap(const RelaxationOptions&, const Packing<Dim>&, const Vec<Dim>&); \
   template class Relaxer<Dim>;
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

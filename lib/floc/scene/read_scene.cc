@@ -17,6 +17,7 @@
 #include "floc/contact/law_description.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/check_resolution.h"
+#include "floc/scene/check_softening.h"
 #include "floc/scene/numerical_settings.h"
 #include "floc/scene/read_accuracy.h"
 #include "floc/scene/read_box.h"
@@ -247,6 +248,7 @@ void read_equilibrium(TableReader& root, Scene& scene) {
                Need::optional)
           .value_or(relaxation.patience);
   relaxation.finish = kFinishes[finish.value_or(0)];
+  relaxation.softening = t.number("softening", kSoftening, Need::optional).value_or(relaxation.softening);
   t.refuse_other_keys();
 }
 
@@ -380,6 +382,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   check_rigid(root, source, scene);
   const bool has_chosen = read_accuracy(root, source, scene);
   check_resolution(root, scene);
+  check_softening(root, source, scene);
   check_shapes(root, source, scene);
   root.refuse_other_keys();
   source.throw_faults();

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "floc/base/error.h"
+#include "floc/contact/softened_law.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/dynamics.h"

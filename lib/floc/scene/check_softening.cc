@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "floc/contact/softened_law.h"
 #include "floc/loading/run_plan.h"
-#include "floc/relaxation/softening.h"
 
 namespace floc {
 namespace {

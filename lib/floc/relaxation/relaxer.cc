@@ -162,7 +162,11 @@ RelaxationStatus Relaxer<Dim>::advance() {
     ending_ = "closed";
     return RelaxationStatus::gave_up;
   }
-  if (progress_.n_steps == 0 && solve_at_rest()) return RelaxationStatus::converged;
+  // Newton steps ignore velocities, so they are tried only at rest.
+  const bool at_rest = residuals_.energy < options_.tolerance.energy;
+  if (options_.finish != Finish::dynamic && progress_.n_steps == 0 && at_rest && !load_.unloaded() &&
+      solve_without_motion())
+    return RelaxationStatus::converged;
   if (carries_no_stress() && (progress_.n_steps == 0 || strain_ramp().over(0.0))) {
     ending_ = "unloaded";
     return RelaxationStatus::gave_up;
@@ -203,13 +207,6 @@ RelaxationStatus Relaxer<Dim>::advance() {
       progress_.time - progress_.ramp_duration > options_.max_time * time_unit_)
     return RelaxationStatus::gave_up;
   return status;
-}
-
-template <int Dim>
-bool Relaxer<Dim>::solve_at_rest() {
-  // Newton steps ignore velocities, so they are tried only at rest.
-  const bool at_rest = residuals_.energy < options_.tolerance.energy;
-  return options_.finish != Finish::dynamic && at_rest && !load_.unloaded() && solve_without_motion();
 }
 
 /// Whether the difference between the stress and its target has changed sign on each axis since the start, or is within

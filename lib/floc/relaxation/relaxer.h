@@ -37,10 +37,6 @@ class Relaxer final : public Equilibrator<Dim> {
   /// Advances the relaxation by one chunk of time steps. If the motion diverges, the packing is reset to its state at
   /// the beginning of the chunk, with unloaded springs.
   RelaxationStatus advance() override;
-  /// Finds the equilibrium by Newton steps alone, if the packing is at rest and does not rearrange under the load. The
-  /// packing is changed only if it was found.
-  /// @return whether the equilibrium was found
-  bool solve_at_rest();
   /// Whether motion has stopped, so that the final phase of the relaxation (power control and Newton steps) has begun.
   bool has_stopped() const { return progress_.phase == RelaxationProgress::finishing; }
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }

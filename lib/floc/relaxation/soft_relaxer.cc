@@ -17,22 +17,25 @@
 namespace floc {
 namespace {
 
-/// Largest ratio of two stiffnesses between which the springs change in one step, and the numbers of time steps under
-/// power control after each step of softening and of restoring.
+/// Largest ratio of two stiffnesses between which springs change in one step of the stage `restoring`, and the number of
+/// time steps under power control after each step.
 constexpr double kLevelRatio = 4.0;
-constexpr int kStepsOfSoftening = 100;
-constexpr int kStepsOfRestoring = 500;
+constexpr int kStepsOfLevel = 500;
 /// Skin of the neighbour lists during these time steps, in largest diameters (smallest ones of very unequal grains).
 constexpr double kSkin = 0.02;
-
-/// Largest number of times that a packing that rearranges after its springs have been restored moves on soft springs
-/// once more. After that it moves on the springs of its contact law.
-constexpr int kReturns = 8;
+/// Change of the solid fraction, relative, from which on a packing collapses: kCollapse plus kElasticStrains times the
+/// mean overlap of its contacts over their diameters, which elastic strains are proportional to.
+constexpr double kCollapse = 1e-3;
+constexpr double kElasticStrains = 10.0;
+/// Largest number of collapses on soft springs in one relaxation. After that, the packing moves on the springs of its
+/// contact law.
+constexpr int kMostCollapses = 8;
 
 constexpr auto kSoftMembers = [](auto& p, const auto& visit) {
   visit("soft_stage", p.stage);
   visit("level", p.level);
-  visit("returns", p.returns);
+  visit("n_collapses", p.n_collapses);
+  visit("begun_phi", p.begun_phi);
   visit("n_steps", p.n_steps);
   visit("time", p.time);
   visit("relaxation", p.relaxation);
@@ -46,11 +49,23 @@ SoftProgress soft_progress(const std::string& text) {
                                          kSoftMembers);
 }
 
+/// Returns the mean overlap of the contacts of a packing, over the mean distance of their grains.
+template <int Dim>
+double mean_overlap(const Packing<Dim>& packing) {
+  double overlap = 0.0, distance = 0.0;
+  for (const Contact<Dim>& c : packing.contacts) {
+    overlap += std::max(-c.gap, 0.0);
+    distance += packing.grains.radius[c.i] + packing.grains.radius[c.j];
+  }
+  return distance > 0.0 ? overlap / distance : 0.0;
+}
+
 }  // namespace
 
 std::string progress_on_soft_springs() {
   SoftProgress progress;
   progress.stage = SoftProgress::moving;
+  progress.n_collapses = 1;
   return members_as_json(progress, kSoftMembers);
 }
 
@@ -69,36 +84,25 @@ SoftRelaxer<Dim>::SoftRelaxer(const RelaxationOptions& options, Packing<Dim> pac
       softening_limit(law_, Dim, largest_diameter(packing_.grains), load.stress.maxCoeff())
           .fault(options.softening);
   if (!fault.empty()) throw InputError("softening", fault);
+  if (progress.empty() && packing_.contacts.empty())
+    soften();
+  else if (progress.empty())
+    enter(SoftProgress::stiff);
   keep(relaxer());
 }
 
-/// Returns the number of steps in which the springs change between soft and stiff.
+/// Returns the number of steps in which springs become stiff again.
 template <int Dim>
 int SoftRelaxer<Dim>::n_levels() const {
   return std::max(1, static_cast<int>(std::ceil(std::log(options_.softening) / std::log(kLevelRatio))));
 }
 
-/// Returns the factor by which springs are softer after a number of steps of the stage `softening`.
-template <int Dim>
-double SoftRelaxer<Dim>::softening_at(int level) const {
-  if (level == 0) return 1.0;
-  if (level == n_levels()) return options_.softening;
-  return std::pow(options_.softening, static_cast<double>(level) / n_levels());
-}
-
 /// Returns the factor by which springs are softer at present than those of the contact law.
 template <int Dim>
 double SoftRelaxer<Dim>::softening() const {
-  switch (progress_.stage) {
-    case SoftProgress::softening:
-      return softening_at(progress_.level);
-    case SoftProgress::moving:
-      return options_.softening;
-    case SoftProgress::restoring:
-      return softening_at(n_levels() - progress_.level);
-    default:
-      return 1.0;
-  }
+  if (progress_.stage == SoftProgress::stiff || progress_.level == n_levels()) return 1.0;
+  if (progress_.level == 0) return options_.softening;
+  return std::pow(options_.softening, 1.0 - static_cast<double>(progress_.level) / n_levels());
 }
 
 /// Makes the relaxer of the packing with its present springs; the packing is moved out of this object.
@@ -112,12 +116,12 @@ Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
     progress.time = progress_.time;
   }
   RelaxationOptions options = options_;
-  if (progress_.stage != SoftProgress::untried && progress_.stage != SoftProgress::stiff) {
+  if (progress_.stage != SoftProgress::stiff) {
     options.finish = Finish::dynamic;  // Newton steps would solve for an equilibrium of the soft springs
-  } else if (progress_.stage == SoftProgress::stiff && progress_.relaxation.empty()) {
+  } else if (progress_.n_collapses > 0 && progress_.relaxation.empty()) {
     // What remains of the motion after the springs have been restored is removed at once.
     progress.phase = RelaxationProgress::finishing;
-    progress.finishing_since_phi = solid_fraction(packing_);
+    progress.finishing_since_phi = progress_.begun_phi;
     progress.next_refinement = 1;
     progress.imbalance_sign.assign(Dim, 0.0);
   }
@@ -141,55 +145,43 @@ template <int Dim>
 void SoftRelaxer<Dim>::enter(SoftProgress::Stage stage) {
   progress_.stage = stage;
   progress_.level = 0;
+  progress_.begun_phi = solid_fraction(packing_);
   progress_.relaxation.clear();
 }
 
 template <int Dim>
 RelaxationStatus SoftRelaxer<Dim>::advance() {
-  switch (progress_.stage) {
-    case SoftProgress::untried:
-      return try_without_motion();
-    case SoftProgress::softening:
-    case SoftProgress::restoring:
-      return change_level();
-    default:
-      return move();
-  }
+  return progress_.stage == SoftProgress::restoring ? restore() : move();
 }
 
+/// Whether a packing with the springs of its contact law has changed its density by more than elastic strains do.
 template <int Dim>
-RelaxationStatus SoftRelaxer<Dim>::try_without_motion() {
-  Relaxer<Dim> stiff = relaxer();
-  const bool solved = stiff.solve_at_rest();
-  const bool at_rest = stiff.report().residuals.energy < options_.tolerance.energy;
-  keep(std::move(stiff));
-  if (solved) return RelaxationStatus::converged;
-  if (at_rest && !packing_.contacts.empty()) {
-    enter(SoftProgress::softening);
-    return RelaxationStatus::running;
-  }
-  // A packing in motion, or without contacts, has no balance of forces that a gradual change would keep.
+bool SoftRelaxer<Dim>::collapses() const {
+  const double change = std::abs(solid_fraction(packing_) / progress_.begun_phi - 1.0);
+  return change > kCollapse + kElasticStrains * mean_overlap(packing_);
+}
+
+/// Gives a packing with the springs of its contact law soft springs with the same forces.
+template <int Dim>
+void SoftRelaxer<Dim>::soften() {
   change_softening(packing_, law_, 1.0, options_.softening);
   soften_in_place(packing_, law_, options_.softening, 1.0);
+  ++progress_.n_collapses;
   enter(SoftProgress::moving);
-  return RelaxationStatus::running;
 }
 
-/// Softens or restores the springs by one step, under the stress that the packing bears or under the new load, and lets
-/// the packing come to rest under power control.
+/// Makes the springs stiffer by one step, and lets the packing come to rest.
 template <int Dim>
-RelaxationStatus SoftRelaxer<Dim>::change_level() {
-  const bool restores = progress_.stage == SoftProgress::restoring;
+RelaxationStatus SoftRelaxer<Dim>::restore() {
   const double from = softening();
   ++progress_.level;
   const double to = softening();
   soften_in_place(packing_, law_, 1.0, from);
-  const Vec<Dim> stress = restores ? load_.stress : Vec<Dim>(static_stress(packing_).diagonal());
   change_softening(packing_, law_, from, to);
-  const bool finite = come_to_rest(stress, restores ? kStepsOfRestoring : kStepsOfSoftening);
+  const bool finite = come_to_rest();
   soften_in_place(packing_, law_, to, 1.0);
   if (!finite) return RelaxationStatus::gave_up;
-  if (progress_.level == n_levels()) enter(restores ? SoftProgress::stiff : SoftProgress::moving);
+  if (progress_.level == n_levels()) enter(SoftProgress::stiff);
   keep(relaxer());
   return RelaxationStatus::running;
 }
@@ -197,7 +189,8 @@ RelaxationStatus SoftRelaxer<Dim>::change_level() {
 /// Moves the packing with its present springs under power control.
 /// @return whether it is still a packing; false if the motion diverged
 template <int Dim>
-bool SoftRelaxer<Dim>::come_to_rest(const Vec<Dim>& stress, int n_steps) {
+bool SoftRelaxer<Dim>::come_to_rest() {
+  const Vec<Dim>& stress = load_.stress;
   const double mass = std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
   const auto control = BoundaryControl<Dim>::normal_stress(stress, options_.cell_mass * mass,
                                                            strain_rate_cap(options_, packing_, stress));
@@ -207,7 +200,7 @@ bool SoftRelaxer<Dim>::come_to_rest(const Vec<Dim>& stress, int n_steps) {
   const double skin = options_.skin ? *options_.skin * largest_diameter(packing_.grains)
                                     : kSkin * skin_length_unit(packing_.grains.radius);
   auto dynamics = make_dynamics(packing_, control, {time_step, skin, options_.threads});
-  advance_observed(*dynamics, n_steps, Motion::power_control, observer_, progress_.time, time_step);
+  advance_observed(*dynamics, kStepsOfLevel, Motion::power_control, observer_, progress_.time, time_step);
   if (!dynamics->finite()) {
     report_.ending = "diverged";
     report_.blocking = "the motion diverged because run.time_step is too large";
@@ -215,8 +208,8 @@ bool SoftRelaxer<Dim>::come_to_rest(const Vec<Dim>& stress, int n_steps) {
   }
   packing_ = {};
   packing_ = dynamics->release_packing();
-  progress_.n_steps += n_steps;
-  progress_.time += n_steps * time_step;
+  progress_.n_steps += kStepsOfLevel;
+  progress_.time += kStepsOfLevel * time_step;
   return true;
 }
 
@@ -232,11 +225,10 @@ RelaxationStatus SoftRelaxer<Dim>::move() {
   const bool stopped = moving.has_stopped();
   keep(std::move(moving));
   if (status != RelaxationStatus::running) return status;
-  if (progress_.stage == SoftProgress::moving && stopped) {
-    enter(SoftProgress::restoring);
-  } else if (progress_.stage == SoftProgress::stiff && !stopped && progress_.returns < kReturns) {
-    ++progress_.returns;  // the packing has rearranged once more
-    enter(SoftProgress::softening);
+  if (progress_.stage == SoftProgress::moving) {
+    if (stopped) enter(SoftProgress::restoring);
+  } else if (!stopped && progress_.n_collapses < kMostCollapses && collapses()) {
+    soften();
   }
   return status;
 }

@@ -13,26 +13,25 @@ namespace floc {
 /// Progress of a relaxation with soft springs. Together with the packing it determines how the relaxation continues.
 struct SoftProgress {
   enum Stage {
-    untried,    ///< Newton steps without motion have not been tried yet
-    softening,  ///< springs become softer in a few steps, with their forces
+    stiff,      ///< the packing has the springs of its contact law
     moving,     ///< the grains rearrange on soft springs
     restoring,  ///< springs become stiff again in a few steps, with their forces
-    stiff,      ///< the packing comes to rest with the springs of its contact law
   };
-  int stage = untried;
-  int level = 0;  ///< number of steps of `softening` or `restoring` so far
-  int returns =
-      0;  ///< number of times that the packing has left the stage `stiff` because it rearranged once more
+  int stage = stiff;
+  int level = 0;             ///< number of steps of the stage `restoring` so far
+  int n_collapses = 0;       ///< number of times that the grains have begun to rearrange on soft springs
+  double begun_phi = 0.0;    ///< solid fraction at the beginning of the stage `stiff`
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
   std::string
-      relaxation;  ///< progress of the Relaxer of stage `moving` or `stiff`; empty before its first chunk
+      relaxation;  ///< progress of the Relaxer of stage `stiff` or `moving`; empty before its first chunk
 };
 
-/// Relaxer of a periodic packing whose grains rearrange on springs that are softer by RelaxationOptions::softening, so
-/// that time steps are longer by its square root (docs/numerics.md, "Soft collapse"). If the step is not solved at once
-/// by Newton steps, the springs of the packing at rest become softer; the grains move under the new load until they
-/// stop; the springs become stiff again; and a Relaxer finishes the equilibrium with the springs of the contact law.
+/// Relaxer of a periodic packing whose collapses happen on springs that are softer by RelaxationOptions::softening, so
+/// that time steps are longer by its square root (docs/numerics.md, "Soft collapse"). A Relaxer takes the packing
+/// towards its equilibrium. If the solid fraction changes by more than elastic strains do, the springs become soft,
+/// and the grains move on them until they stop. The springs then become stiff again, and a Relaxer finishes the
+/// equilibrium. A packing without contacts moves on soft springs from the start.
 ///
 /// Between two chunks of time steps the packing has its own contact law, with the overlaps and elongations of the soft
 /// springs. Its forces are then larger than those of the soft springs by the softening.
@@ -56,12 +55,12 @@ class SoftRelaxer final : public Equilibrator<Dim> {
  private:
   int n_levels() const;
   double softening() const;
-  double softening_at(int level) const;
   Relaxer<Dim> relaxer();
   void keep(Relaxer<Dim> relaxer);
-  RelaxationStatus try_without_motion();
-  RelaxationStatus change_level();
-  bool come_to_rest(const Vec<Dim>& stress, int n_steps);
+  bool collapses() const;
+  void soften();
+  RelaxationStatus restore();
+  bool come_to_rest();
   RelaxationStatus move();
   void enter(SoftProgress::Stage stage);
 

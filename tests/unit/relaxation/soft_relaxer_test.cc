@@ -170,7 +170,7 @@ void expect_strict(const Packing<Dim>& packing, const Law& law, double pressure,
 }
 
 TEST(SoftRelaxer, EndsInAStrictEquilibriumOfTheLaw) {
-  for (const double pressure : {0.3, 3.0})
+  for (const double pressure : {0.3, 3.0, 20.0})
     expect_strict(equilibrium_of(soft_options(10.0), disks(), pressure), disks().law, pressure, {});
   RelaxationOptions by_motion = soft_options(10.0);
   by_motion.finish = Finish::dynamic;
@@ -197,25 +197,31 @@ TEST(SoftRelaxer, AnElasticStepIsTheOneOfTheLaw) {
   EXPECT_EQ(p.grains.position, q.grains.position);
 }
 
-/// An equilibrator made anew from packing and progress before every chunk gives the bits of one that goes on.
+/// An equilibrator made anew from packing and progress before every chunk gives the bits of one that goes on, through all
+/// stages: of grains that start as a gas, and of a packing that collapses under a load.
 TEST(SoftRelaxer, ContinuedFromItsProgressGivesTheSameBits) {
-  const Vec<2> target(0.5, 0.5);
-  SoftRelaxer<2> unbroken(soft_options(10.0), disks(), LoadTarget<2>::normal_stress(target));
-  Packing<2> packing = disks();
-  std::string progress;
-  RelaxationStatus status = RelaxationStatus::running, again = status;
-  for (int k = 0; k < 2000 && status == RelaxationStatus::running; ++k) {
-    status = unbroken.advance();
-    SoftRelaxer<2> broken(soft_options(10.0), packing, LoadTarget<2>::normal_stress(target), progress);
-    again = broken.advance();
-    progress = broken.progress();
-    packing = broken.release_packing();
-    ASSERT_EQ(progress, unbroken.progress());
-    ASSERT_EQ(packing.law, disks().law);
-    ASSERT_EQ(packing.grains.position, unbroken.packing().grains.position);
+  for (const Packing<2>& start : {test::gas_of(60, test::cohesive_law(), 0.5), disks()}) {
+    const auto target = LoadTarget<2>::normal_stress(Vec<2>(20.0, 20.0));
+    SoftRelaxer<2> unbroken(soft_options(10.0), start, target);
+    Packing<2> packing = start;
+    std::string progress;
+    RelaxationStatus status = RelaxationStatus::running;
+    bool moved = false, restored = false;
+    for (int k = 0; k < 2000 && status == RelaxationStatus::running; ++k) {
+      status = unbroken.advance();
+      SoftRelaxer<2> broken(soft_options(10.0), packing, target, progress);
+      EXPECT_EQ(broken.advance(), status);
+      progress = broken.progress();
+      packing = broken.release_packing();
+      ASSERT_EQ(progress, unbroken.progress());
+      ASSERT_EQ(packing.law, start.law);
+      ASSERT_EQ(packing.grains.position, unbroken.packing().grains.position);
+      moved = moved || progress.find("\"soft_stage\":1") != std::string::npos;
+      restored = restored || progress.find("\"soft_stage\":2") != std::string::npos;
+    }
+    EXPECT_EQ(status, RelaxationStatus::converged);
+    EXPECT_TRUE(moved && restored);
   }
-  EXPECT_EQ(status, RelaxationStatus::converged);
-  EXPECT_EQ(again, status);
 }
 
 TEST(SoftRelaxer, RefusesWhatCannotBeSoftened) {

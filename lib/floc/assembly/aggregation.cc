@@ -7,6 +7,7 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/relaxer.h"
+#include "floc/relaxation/softening.h"
 
 namespace floc {
 namespace {
@@ -49,12 +50,15 @@ Aggregation<Dim>::Aggregation(const RelaxationOptions& options, Packing<Dim> pac
 template <int Dim>
 bool Aggregation<Dim>::advance() {
   flight_time_ = fly();
+  const Law law = packing_.law;
+  soften_in_place(packing_, law, 1.0, options_.softening);
   time_step_ = step_across_tail(options_, packing_);
   const auto dynamics =
       make_dynamics(packing_, BoundaryControl<Dim>::fixed(), {time_step_, skin_, options_.threads});
   advance_observed(*dynamics, kStepsPerChunk, Motion::free, observer_, flight_time_, time_step_);
   packing_ = {};
   packing_ = dynamics->release_packing();
+  soften_in_place(packing_, law, options_.softening, 1.0);
   if (!options_.skin) skin_ = dynamics->skin();
   n_clusters_ = count_clusters(packing_);
   return n_clusters_ == 1;

@@ -16,7 +16,8 @@ int count_clusters(const Packing<Dim>& packing);
 
 /// Aggregation of a gas of grains: in a fixed cell the moving grains collide and stick together until they form one
 /// cluster. It is the second stage of an assembly of type 2 (docs/physics.md, "Assembly and loading"). Like Relaxer,
-/// this class advances in chunks of time steps.
+/// this class advances in chunks of time steps. If the options soften the springs, they are soft within each chunk;
+/// between chunks the packing has its own contact law, with the overlaps and elongations of the soft springs.
 template <int Dim>
 class Aggregation {
  public:

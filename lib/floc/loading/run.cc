@@ -17,6 +17,7 @@
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/reduce_tilt.h"
 #include "floc/relaxation/relaxer.h"
+#include "floc/relaxation/soft_relaxer.h"
 
 namespace floc {
 namespace {
@@ -224,8 +225,8 @@ std::string Run<Dim>::pressure_text() const {
 template <int Dim>
 void Run<Dim>::start_step() {
   if (point_.aggregating) {
-    aggregation_ =
-        std::make_unique<Aggregation<Dim>>(options_.relaxation, std::move(packing_), point_.aggregation_skin);
+    aggregation_ = std::make_unique<Aggregation<Dim>>(target().cell.applied_to(options_.relaxation),
+                                                      std::move(packing_), point_.aggregation_skin);
     pass_observer();
     return;
   }
@@ -274,6 +275,8 @@ RunEvent Run<Dim>::advance() {
     point_.n_steps += kStepsPerChunk;
     if (!point_.aggregating) {
       take_packing_back();
+      if (target().cell.applied_to(options_.relaxation).softening > 1.0)
+        point_.equilibration = progress_on_soft_springs();
       start_step();
       return RunEvent::chunk;
     }

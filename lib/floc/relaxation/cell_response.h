@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Options that change, for one stage of a run (such as the assembly or a stage of the load path), how the cell or the
-/// walls respond to their load. Members that are set replace the members of RelaxationOptions during that stage.
+/// Options that change, for one stage of a run (such as the assembly or a stage of the load path), how the packing
+/// responds to its load. Members that are set replace the members of RelaxationOptions during that stage.
 struct CellResponse {
   std::optional<double> inertial_number_cap;
   std::optional<double> cell_mass;
@@ -15,6 +15,8 @@ struct CellResponse {
   /// Cap on the strain rate |L'/L| of the cell, in 1/T0 (RelaxationOptions::strain_rate_cap); at most one of
   /// inertial_number_cap and this cap is set.
   std::optional<double> strain_rate_cap = {};
+  /// RelaxationOptions::softening during that stage.
+  std::optional<double> softening = {};
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
@@ -28,6 +30,7 @@ struct CellResponse {
     }
     if (!cell_mass) out.cell_mass = other.cell_mass;
     if (!wall_speed) out.wall_speed = other.wall_speed;
+    if (!softening) out.softening = other.softening;
     return out;
   }
 
@@ -38,6 +41,7 @@ struct CellResponse {
     }
     if (cell_mass) options.cell_mass = *cell_mass;
     if (wall_speed) options.compaction.wall_speed = wall_speed;
+    if (softening) options.softening = *softening;
     return options;
   }
 };

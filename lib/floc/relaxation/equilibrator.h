@@ -70,7 +70,7 @@ class Equilibrator {
 };
 
 /// Makes the equilibrator of a packing: a ContactDynamicsRelaxer if its contacts are rigid, otherwise a BoxRelaxer if
-/// the packing has walls, otherwise a Relaxer.
+/// the packing has walls, otherwise a SoftRelaxer if the options soften its springs, otherwise a Relaxer.
 /// @param load  stress or length imposed on each axis
 /// @param progress  text from progress() of an equilibrator that was stopped; if empty, the relaxation starts from the
 /// beginning

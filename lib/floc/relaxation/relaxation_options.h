@@ -58,6 +58,9 @@ struct RelaxationOptions {
   /// Factor by which the durations are multiplied for which a packing has to be steady before its motion counts as
   /// stopped. A smaller factor saves time, but a collapse that only pauses may then count as ended.
   double patience = 1.0;
+  /// Factor by which the springs of the contacts are softer while the grains rearrange, >= 1 (SoftRelaxer). Every
+  /// equilibrium is found with the springs of the contact law itself.
+  double softening = 1.0;
   ContactDynamicsOptions contact_dynamics;  ///< settings for rigid contacts
   CompactionEnd compaction;                 ///< criterion that ends the compaction of a packing between walls
 };

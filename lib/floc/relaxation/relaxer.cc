@@ -13,8 +13,6 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/require_periodic.h"
-#include "floc/relaxation/box_relaxer.h"
-#include "floc/relaxation/contact_dynamics_relaxer.h"
 #include "floc/relaxation/dynamics.h"
 #include "floc/relaxation/elastic_step.h"
 #include "floc/relaxation/static_solver.h"
@@ -523,23 +521,9 @@ RelaxationReport Relaxer<Dim>::report() const {
   return report;
 }
 
-template <int Dim>
-std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions& options, Packing<Dim> packing,
-                                                     const LoadTarget<Dim>& load, const std::string& progress) {
-  if (packing.law.is_rigid())
-    return std::make_unique<ContactDynamicsRelaxer<Dim>>(options, std::move(packing), load, progress);
-  if (!packing.walls.empty())
-    return std::make_unique<BoxRelaxer<Dim>>(options, std::move(packing), load, progress);
-  return std::make_unique<Relaxer<Dim>>(
-      options, std::move(packing), load,
-      progress.empty() ? RelaxationProgress{} : relaxation_progress(progress));
-}
-
-#define FLOC_INSTANTIATE(Dim)                                                                                \
-  template std::unique_ptr<Equilibrator<Dim>> make_equilibrator(const RelaxationOptions&, Packing<Dim>,      \
-                                                                const LoadTarget<Dim>&, const std::string&); \
-  template double inertial_time(const Packing<Dim>&, const Vec<Dim>&);                                       \
-  template double strain_rate_cap(const RelaxationOptions&, const Packing<Dim>&, const Vec<Dim>&);           \
+#define FLOC_INSTANTIATE(Dim)                                                                      \
+  template double inertial_time(const Packing<Dim>&, const Vec<Dim>&);                             \
+  template double strain_rate_cap(const RelaxationOptions&, const Packing<Dim>&, const Vec<Dim>&); \
   template class Relaxer<Dim>;
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -37,6 +37,8 @@ class Relaxer final : public Equilibrator<Dim> {
   /// Advances the relaxation by one chunk of time steps. If the motion diverges, the packing is reset to its state at
   /// the beginning of the chunk, with unloaded springs.
   RelaxationStatus advance() override;
+  /// Whether motion has stopped, so that the final phase of the relaxation (power control and Newton steps) has begun.
+  bool has_stopped() const { return progress_.phase == RelaxationProgress::finishing; }
   void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
 
   const Packing<Dim>& packing() const override { return packing_; }

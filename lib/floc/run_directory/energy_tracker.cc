@@ -86,6 +86,14 @@ void require_energy_account(const RunOptions& options) {
         "--track-energy",
         "Newton steps may find the equilibria of this scene without any motion whose energy could be "
         "recorded; expected equilibrium.finish = \"dynamic\"");
+  for (const PlannedEquilibrium& step :
+       plan_run(options.assembly, options.law, options.load, options.dimension))
+    if (step.cell.applied_to(options.relaxation).softening > 1.0)
+      throw InputError(
+          "--track-energy",
+          fmt::format("the grains rearrange on softer springs in the stage \"{}\", so the energy balance "
+                      "of the contact law cannot be recorded; expected a scene without softening",
+                      step.branch));
   for (const LoadStage& stage : options.load)
     if (stage.shear != 0.0)
       throw InputError(

@@ -397,7 +397,7 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
 
 CellResponse read_cell_response(TableReader& t, bool boxed) {
   if (boxed) {
-    for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass"})
+    for (const char* key : {"inertial_number_cap", "strain_rate_cap", "cell_mass", "softening"})
       t.refuse(key,
                fmt::format("{} is not allowed here: a scene with a table [box] has walls and no periodic cell",
                            t.path_of(key)));
@@ -414,6 +414,7 @@ CellResponse read_cell_response(TableReader& t, bool boxed) {
                        t.path_of("speed")));
   CellResponse response = read_rate_caps(t);
   response.cell_mass = t.number("cell_mass", kCellMass, Need::optional);
+  response.softening = t.number("softening", kSoftening, Need::optional);
   return response;
 }
 

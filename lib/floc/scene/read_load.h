@@ -7,6 +7,11 @@ namespace floc {
 
 inline constexpr NumberRule kCellMass{
     positive, "a positive number (mass of the cell's sides over the mass of all grains)"};
+
+/// Condition for the factor by which springs are softer while grains rearrange.
+inline constexpr NumberRule kSoftening{
+    [](double x) { return x >= 1; },
+    "a number >= 1 (factor by which the springs of contacts are softer while grains rearrange)"};
 inline constexpr NumberRule kInertialNumberCap{
     positive,
     "a positive number (inertial number |L'/L| sqrt(m/P) of a side L of the cell; largest mass m, pressure P)"};

@@ -18,6 +18,7 @@
 #include "floc/prices/numerical_settings.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/check_resolution.h"
+#include "floc/scene/check_softening.h"
 #include "floc/scene/read_accuracy.h"
 #include "floc/scene/read_box.h"
 #include "floc/scene/read_diameters.h"
@@ -247,6 +248,7 @@ void read_equilibrium(TableReader& root, Scene& scene) {
                Need::optional)
           .value_or(relaxation.patience);
   relaxation.finish = kFinishes[finish.value_or(0)];
+  relaxation.softening = t.number("softening", kSoftening, Need::optional).value_or(relaxation.softening);
   t.refuse_other_keys();
 }
 
@@ -380,6 +382,7 @@ Scene parse_scene(const std::string& text, const std::string& place, const std::
   check_rigid(root, source, scene);
   const bool has_chosen = read_accuracy(root, source, prices, scene);
   check_resolution(root, scene);
+  check_softening(root, source, scene);
   check_shapes(root, source, scene);
   root.refuse_other_keys();
   source.throw_faults();

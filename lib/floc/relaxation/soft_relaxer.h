@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "floc/relaxation/equilibrator.h"
+#include "floc/relaxation/relaxation_progress.h"
+#include "floc/relaxation/relaxer.h"
+
+namespace floc {
+
+/// Progress of a relaxation with soft springs. Together with the packing it determines how the relaxation continues.
+struct SoftProgress {
+  enum Stage {
+    stiff,      ///< the packing has the springs of its contact law
+    moving,     ///< the grains rearrange on soft springs
+    restoring,  ///< springs become stiff again in a few steps, with their forces
+  };
+  int stage = stiff;
+  int level = 0;             ///< number of steps of the stage `restoring` so far
+  int n_collapses = 0;       ///< number of times that the grains have begun to rearrange on soft springs
+  double begun_phi = 0.0;    ///< solid fraction at the beginning of the stage `stiff`
+  std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
+  double time = 0.0;         ///< simulated time of this relaxation so far (time)
+  std::string
+      relaxation;  ///< progress of the Relaxer of stage `stiff` or `moving`; empty before its first chunk
+};
+
+/// Relaxer of a periodic packing whose collapses happen on springs that are softer by RelaxationOptions::softening, so
+/// that time steps are longer by its square root (docs/numerics.md, "Soft collapse"). A Relaxer takes the packing
+/// towards its equilibrium. If the solid fraction changes by more than elastic strains do, the springs become soft,
+/// and the grains move on them until they stop. The springs then become stiff again, and a Relaxer finishes the
+/// equilibrium. A packing without contacts moves on soft springs from the start.
+///
+/// Between two chunks of time steps the packing has its own contact law, with the overlaps and elongations of the soft
+/// springs. Its forces are then larger than those of the soft springs by the softening.
+template <int Dim>
+class SoftRelaxer final : public Equilibrator<Dim> {
+ public:
+  /// @throws InputError if the contact law, the pressure or an imposed length forbids the softening
+  SoftRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
+              const std::string& progress = "");
+
+  RelaxationStatus advance() override;
+  void set_observer(MotionObserver<Dim> observer) override { observer_ = std::move(observer); }
+
+  const Packing<Dim>& packing() const override { return packing_; }
+  Packing<Dim> release_packing() override { return std::move(packing_); }
+  const Mat<Dim>& stress() const override { return stress_; }
+  const Vec<Dim>& target_stress() const override { return target_; }
+  RelaxationReport report() const override { return report_; }
+  std::string progress() const override;
+
+ private:
+  int n_levels() const;
+  double softening() const;
+  Relaxer<Dim> relaxer();
+  void keep(Relaxer<Dim> relaxer);
+  bool collapses() const;
+  void soften();
+  RelaxationStatus restore();
+  bool come_to_rest();
+  RelaxationStatus move();
+  void enter(SoftProgress::Stage stage);
+
+  RelaxationOptions options_;
+  Packing<Dim> packing_;
+  LoadTarget<Dim> load_;
+  SoftProgress progress_;
+  Law law_;
+  Mat<Dim> stress_;  ///< static stress of the packing with its present springs (force/length^(Dim-1))
+  Vec<Dim> target_;
+  RelaxationReport report_;
+  MotionObserver<Dim> observer_;
+};
+
+/// Returns the progress, as text, of a relaxation whose packing moves on soft springs already, at its beginning.
+std::string progress_on_soft_springs();
+
+}  // namespace floc

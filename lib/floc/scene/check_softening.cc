@@ -1,0 +1,83 @@
+#include "floc/scene/check_softening.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "floc/contact/softened_law.h"
+#include "floc/loading/run_plan.h"
+
+namespace floc {
+namespace {
+
+using Need = TableReader::Need;
+
+/// Returns the largest stress that a step of a run imposes on an axis (stress unit of the scene).
+double largest_stress(const PlannedEquilibrium& step) {
+  if (step.is_isotropic()) return step.pressure;
+  double largest = 0.0;
+  for (const AxisStep& axis : step.axes)
+    if (axis.load.kind == AxisLoad::stress) largest = std::max(largest, axis.load.end);
+  return largest;
+}
+
+bool imposes_length(const PlannedEquilibrium& step) {
+  return step.shears() || std::any_of(step.axes.begin(), step.axes.end(),
+                                      [](const AxisStep& axis) { return axis.load.kind == AxisLoad::strain; });
+}
+
+/// Returns the largest factor by which springs may be softer in a step of a run.
+/// @param pressure  largest pressure on the packing in this step, also at its start (stress unit of the scene)
+SofteningLimit limit_of(const PlannedEquilibrium& step, const Scene& scene, double pressure) {
+  if (imposes_length(step))
+    return {1.0,
+            fmt::format("springs can be softened only where a stress is imposed on every axis, but the stage "
+                        "\"{}\" imposes a strain",
+                        step.branch)};
+  return softening_limit(step.law, scene.dimension, scene.grains.largest(), pressure);
+}
+
+/// Records a fault if the softening of a table of the scene is larger than one of the limits of its steps.
+void check_limit(TableReader& table, double s, const SofteningLimit& limit) {
+  const std::string fault = limit.fault(s);
+  if (!fault.empty())
+    table.fault("softening", fmt::format("{} = {}: {}", table.path_of("softening"), s, fault));
+}
+
+}  // namespace
+
+void check_softening(TableReader& root, const SceneSource& source, const Scene& scene) {
+  TableReader equilibrium = root.table("equilibrium", "", Need::optional);
+  if (scene.assembly.box)
+    return equilibrium.refuse("softening",
+                              "equilibrium.softening is not allowed here: springs can be softened only in a "
+                              "periodic cell, but the scene has walls");
+  if (source.n_faults() > 0 || !(scene.grains.largest() > 0)) return;
+  // The tightest limit of each table that gives a softening: -2 is [equilibrium], -1 [assembly], others are [[load]].
+  std::map<int, SofteningLimit> limits;
+  double before = 0.0;
+  for (const PlannedEquilibrium& step : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
+    const double stress = largest_stress(step);
+    const SofteningLimit limit = limit_of(step, scene, std::max(before, stress));
+    before = stress;
+    SofteningLimit& tightest = limits.try_emplace(step.cell.softening ? step.stage : -2, limit).first->second;
+    if (limit.largest < tightest.largest) tightest = limit;
+  }
+  TableReader assembly = root.table("assembly", "", Need::optional);
+  std::vector<TableReader> stages;
+  if (root.has("load")) stages = root.tables("load", "tables [[load]]");
+  for (const auto& [stage, limit] : limits) {
+    if (stage == -2)
+      check_limit(equilibrium, scene.relaxation.softening, limit);
+    else if (stage == -1)
+      check_limit(assembly, *scene.assembly.cell.softening, limit);
+    else
+      check_limit(stages[static_cast<std::size_t>(stage)],
+                  *scene.load[static_cast<std::size_t>(stage)].cell.softening, limit);
+  }
+}
+
+}  // namespace floc

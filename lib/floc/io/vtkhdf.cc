@@ -25,6 +25,7 @@ namespace floc {
 namespace {
 
 const std::string kRoot = "VTKHDF";
+constexpr int kVertex = 1, kLine = 3;  // types of cells
 
 template <int Dim>
 Eigen::Vector3d three_components(const Vec<Dim>& v) {
@@ -52,10 +53,10 @@ struct Column {
 };
 
 /// Points, cells and arrays of the file of a packing.
-class PolyData {
+class Grid {
  public:
   template <int Dim>
-  explicit PolyData(const Packing<Dim>& packing) {
+  explicit Grid(const Packing<Dim>& packing) {
     const Grains<Dim>& g = packing.grains;
     n_grains_ = g.size();
     for (int i = 0; i < g.size(); ++i)
@@ -66,14 +67,25 @@ class PolyData {
 
   void write(Hdf5Writer& file) const {
     const auto n_points = static_cast<std::uint64_t>(radius_.values.size());
-    counts(file, "NumberOfPoints", {static_cast<std::int64_t>(n_points)});
     file.array(kRoot + "/Points", {n_points, 3}, points_);
-    std::vector<std::int64_t> vertices;
-    for (int i = 0; i < n_grains_; ++i) vertices.push_back(i);
-    write_cells(file, "Vertices", vertices, 1);
-    write_cells(file, "Lines", lines_, 2);
-    write_cells(file, "Polygons", {}, 1);
-    write_cells(file, "Strips", {}, 1);
+    std::vector<std::int64_t> connectivity, offsets = {0};
+    std::vector<std::uint8_t> types;
+    const auto end_cell = [&](int type) {
+      offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+      types.push_back(static_cast<std::uint8_t>(type));
+    };
+    for (int i = 0; i < n_grains_; ++i) connectivity.push_back(i), end_cell(kVertex);
+    for (std::size_t k = 0; k < lines_.size(); k += 2) {
+      connectivity.insert(connectivity.end(), {lines_[k], lines_[k + 1]});
+      end_cell(kLine);
+    }
+    // The counts are those of the only part of the file.
+    integers(file, kRoot + "/NumberOfPoints", {static_cast<std::int64_t>(n_points)});
+    integers(file, kRoot + "/NumberOfCells", {static_cast<std::int64_t>(types.size())});
+    integers(file, kRoot + "/NumberOfConnectivityIds", {static_cast<std::int64_t>(connectivity.size())});
+    integers(file, kRoot + "/Connectivity", connectivity);
+    integers(file, kRoot + "/Offsets", offsets);
+    file.array(kRoot + "/Types", {types.size()}, types);
     file.group(kRoot + "/PointData");
     for (const Column* column : {&radius_, &mass_}) write_column(file, "PointData", *column);
     integers(file, kRoot + "/PointData/id", id_);
@@ -100,23 +112,6 @@ class PolyData {
       std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(first), block.size(), block.begin());
     });
   }
-  static void counts(Hdf5Writer& file, const std::string& name, const std::vector<std::int64_t>& values) {
-    integers(file, kRoot + "/" + name, values);
-  }
-
-  /// Writes cells that have `size` points each.
-  static void write_cells(Hdf5Writer& file, const std::string& name, const std::vector<std::int64_t>& points,
-                          std::size_t size) {
-    const std::size_t n = points.size() / size;
-    std::vector<std::int64_t> offsets;
-    for (std::size_t k = 0; k <= n; ++k) offsets.push_back(static_cast<std::int64_t>(k * size));
-    file.group(kRoot + "/" + name);
-    counts(file, name + "/NumberOfCells", {static_cast<std::int64_t>(n)});
-    counts(file, name + "/NumberOfConnectivityIds", {static_cast<std::int64_t>(points.size())});
-    counts(file, name + "/Connectivity", points);
-    counts(file, name + "/Offsets", offsets);
-  }
-
   std::int64_t add_point(const Eigen::Vector3d& x, double radius, double mass, std::int64_t id) {
     points_.insert(points_.end(), x.begin(), x.end());
     radius_.add(radius);
@@ -166,9 +161,9 @@ void encode_vtkhdf(const State<Dim>& state, const std::string& path) {
   const Packing<Dim>& packing = state.packing;
   Hdf5Writer file(path);
   file.group(kRoot);
-  file.attribute(kRoot, "Version", std::vector<std::int64_t>{2, 0});
-  file.fixed_text_attribute(kRoot, "Type", "PolyData");
-  PolyData(packing).write(file);
+  file.attribute(kRoot, "Version", std::vector<std::int64_t>{1, 0});
+  file.fixed_text_attribute(kRoot, "Type", "UnstructuredGrid");
+  Grid(packing).write(file);
   file.group(kRoot + "/FieldData");
   Column cell{"cell", 3, {}}, dimension{"dimension", 1, {Dim}}, walls{"walls", 3, {}},
       periodic{"periodic", 1, {}}, gravity{"gravity", 3, {}};
@@ -182,10 +177,21 @@ void encode_vtkhdf(const State<Dim>& state, const std::string& path) {
     if (!wall.open) walls.add({static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position});
   gravity.add(three_components<Dim>(packing.gravity));
   for (const Column* column : {&cell, &dimension, &periodic, &gravity})
-    PolyData::write_column(file, "FieldData", *column);
-  if (!walls.values.empty()) PolyData::write_column(file, "FieldData", walls);
+    Grid::write_column(file, "FieldData", *column);
+  if (!walls.values.empty()) Grid::write_column(file, "FieldData", walls);
   file.close();
 }
+
+/// Cells of a file that are vertices or lines.
+struct VtkCells {
+  struct Line {
+    std::size_t cell;  ///< number of the cell, and row in the arrays of cell data
+    std::size_t from, to;
+  };
+  std::size_t n = 0;  ///< number of all cells
+  std::vector<std::size_t> vertices;
+  std::vector<Line> lines;
+};
 
 /// Reads the arrays of a file.
 class VtkHdf {
@@ -194,9 +200,10 @@ class VtkHdf {
     if (!file_.has(kRoot)) throw InputError(path, "the HDF5 file has no group VTKHDF");
     std::string type;
     file_.attribute(kRoot, "Type", type);
-    if (type != "PolyData")
+    is_grid_ = type == "UnstructuredGrid";
+    if (!is_grid_ && type != "PolyData")
       throw InputError(file_.place(kRoot),
-                       fmt::format("the type is \"{}\", expected PolyData: points, vertices and lines", type));
+                       fmt::format("the type is \"{}\", expected UnstructuredGrid or PolyData", type));
     if (file_.has(kRoot + "/Steps"))
       throw InputError(file_.place(kRoot + "/Steps"), "the file holds several time steps, expected one");
   }
@@ -210,100 +217,123 @@ class VtkHdf {
     return file_.has(kRoot + "/" + group) ? file_.names(kRoot + "/" + group) : std::vector<std::string>{};
   }
 
-  /// Returns the points of each cell of a kind: "Vertices" or "Lines".
-  /// @param size  number of points of a cell
-  std::vector<std::size_t> cells(const std::string& kind, std::size_t size, std::size_t n_points) const {
-    if (!has(kind, "Connectivity")) return {};
-    const std::vector<double> points = numbers(kind + "/Connectivity"), offsets = numbers(kind + "/Offsets");
-    std::vector<std::size_t> out;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (!(points[k] >= 0.0 && points[k] < static_cast<double>(n_points)))
+  /// Returns vertices and lines, in the order of the rows of cell data.
+  VtkCells cells(std::size_t n_points) const {
+    VtkCells out;
+    if (is_grid_) {
+      const std::vector<double> types = numbers("Types");
+      add_cells(
+          "", [&](std::size_t k) { return k < types.size() ? static_cast<int>(types[k]) : 0; }, n_points, out);
+      if (types.size() != out.n)
         throw InputError(
-            place(kind + "/Connectivity"),
-            fmt::format("entry {} is {}, expected a point from 0 to {}", k, points[k], n_points - 1));
-      out.push_back(static_cast<std::size_t>(points[k]));
+            place("Types"),
+            fmt::format("the array has {} numbers, expected one for each of {} cells", types.size(), out.n));
+    } else {
+      for (const auto& [kind, type] :
+           {std::pair{"Vertices/", kVertex}, {"Lines/", kLine}, {"Polygons/", 0}, {"Strips/", 0}})
+        if (file_.has(kRoot + "/" + kind + "Connectivity"))
+          add_cells(
+              kind, [type = type](std::size_t) { return type; }, n_points, out);
     }
-    for (std::size_t k = 0; k < offsets.size(); ++k)
-      if (offsets[k] != static_cast<double>(k * size))
-        throw InputError(
-            place(kind + "/Offsets"),
-            fmt::format("entry {} is {}, expected {}: cells of {} points each", k, offsets[k], k * size, size));
-    if (out.size() % size != 0 || (!out.empty() && offsets.size() != out.size() / size + 1))
-      throw InputError(place(kind),
-                       fmt::format("there are {} points and {} offsets, expected cells of {} points each",
-                                   out.size(), offsets.size(), size));
     return out;
   }
 
  private:
+  /// Adds the cells of one group of arrays. @param type_of  function that returns the type of a cell
+  template <class TypeOf>
+  void add_cells(const std::string& group, const TypeOf& type_of, std::size_t n_points, VtkCells& out) const {
+    const std::vector<double> points = numbers(group + "Connectivity"), offsets = numbers(group + "Offsets");
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (!(points[k] >= 0.0 && points[k] < static_cast<double>(n_points)))
+        throw InputError(
+            place(group + "Connectivity"),
+            fmt::format("entry {} is {}, expected a point from 0 to {}", k, points[k], n_points - 1));
+    for (std::size_t k = 0; k + 1 < offsets.size(); ++k, ++out.n) {
+      const double from = offsets[k], to = offsets[k + 1];
+      if (!(from >= 0.0 && from <= to && to <= static_cast<double>(points.size())))
+        throw InputError(place(group + "Offsets"),
+                         fmt::format("entries {} and {} are {} and {}, expected ascending numbers "
+                                     "from 0 to {}, the number of points of all cells",
+                                     k, k + 1, from, to, points.size()));
+      const auto first = static_cast<std::size_t>(from), size = static_cast<std::size_t>(to) - first;
+      const auto point = [&](std::size_t i) { return static_cast<std::size_t>(points[first + i]); };
+      const int type = type_of(k);
+      if (type == kVertex && size == 1) out.vertices.push_back(point(0));
+      if (type == kLine && size == 2) out.lines.push_back({out.n, point(0), point(1)});
+      if ((type == kVertex && size != 1) || (type == kLine && size != 2))
+        throw InputError(place(group + "Offsets"), fmt::format("cell {} has {} points, expected {}", k, size,
+                                                               type == kVertex ? "1: a vertex" : "2: a line"));
+    }
+  }
+
   Hdf5Reader file_;
+  bool is_grid_ = true;
 };
 
-/// One array of cell data with the rows of the lines, which follow those of the vertices.
-class LineArray {
+/// One array of cell data, empty if the file does not have it.
+class CellArray {
  public:
-  LineArray(const VtkHdf& file, const std::string& name, std::size_t components, std::size_t n_before,
-            std::size_t n_lines)
-      : components_(components), n_before_(n_before) {
+  CellArray(const VtkHdf& file, const std::string& name, std::size_t components, std::size_t n_cells)
+      : components_(components) {
     if (!file.has("CellData", name)) return;
     values_ = file.numbers("CellData/" + name);
-    if (values_.size() != components * (n_before + n_lines))
+    if (values_.size() != components * n_cells)
       throw InputError(file.place("CellData/" + name),
                        fmt::format("the array has {} numbers, expected {} for each of {} cells", values_.size(),
-                                   components, n_before + n_lines));
+                                   components, n_cells));
   }
   bool empty() const { return values_.empty(); }
-  double number(std::size_t line) const { return values_[n_before_ + line]; }
-  std::optional<double> number_if(std::size_t line) const {
-    return empty() ? std::nullopt : std::optional<double>(number(line));
+  double number(std::size_t cell) const { return values_[cell]; }
+  std::optional<double> number_if(std::size_t cell) const {
+    return empty() ? std::nullopt : std::optional<double>(number(cell));
   }
-  Eigen::Vector3d vector(std::size_t line) const {
-    return Eigen::Map<const Eigen::Vector3d>(values_.data() + components_ * (n_before_ + line));
+  Eigen::Vector3d vector(std::size_t cell) const {
+    return Eigen::Map<const Eigen::Vector3d>(values_.data() + components_ * cell);
   }
 
  private:
-  std::size_t components_, n_before_;
+  std::size_t components_;
   std::vector<double> values_;
 };
 
-std::int64_t whole_of(const std::string& place, std::size_t line, double value) {
+std::int64_t whole_of(const std::string& place, std::size_t entry, double value) {
   if (const auto whole = whole_number(value)) return *whole;
-  throw InputError(place, fmt::format("entry of line {} is {}, expected a whole number", line, value));
+  throw InputError(place, fmt::format("entry {} is {}, expected a whole number", entry, value));
 }
 
 /// Reads the contacts from the lines. @param id  identifier of the grain at each point
-std::vector<ListedContact> contacts_of(const VtkHdf& file, const std::vector<std::size_t>& lines,
-                                       std::size_t n_before, const std::vector<std::int64_t>& id) {
-  const std::size_t n = lines.size() / 2;
+std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells,
+                                       const std::vector<std::int64_t>& id) {
   const auto array = [&](const char* name, std::size_t components = 1) {
-    return LineArray(file, name, components, n_before, n);
+    return CellArray(file, name, components, cells.n);
   };
-  const LineArray normal_force = array("normal_force"), shear_force = array("shear_force", 3),
+  const CellArray normal_force = array("normal_force"), shear_force = array("shear_force", 3),
                   rolling = array("rolling_moment", 3), twisting = array("twisting_moment"), kn = array("kn"),
                   kt = array("kt"), kr = array("kr"), ktw = array("ktw"), image = array("image", 3),
                   wall = array("wall"), bonded = array("bonded"), id2 = array("id2");
-  const auto place = std::make_shared<const std::string>(file.place("Lines") + ", line ");
+  const auto place = std::make_shared<const std::string>(file.place("CellData") + ", cell ");
   std::vector<ListedContact> contacts;
-  for (std::size_t k = 0; k < n; ++k) {
+  for (const VtkCells::Line& line : cells.lines) {
+    const std::size_t k = line.cell;
     ListedContact c;
     c.place = {place, static_cast<int>(k)};
-    c.id1 = id[lines[2 * k]];
-    c.id2 = id2.empty() ? id[lines[2 * k + 1]] : whole_of(file.place("CellData/id2"), k, id2.number(k));
+    c.id1 = id[line.from];
+    c.id2 = id2.empty() ? id[line.to] : whole_of(file.place("CellData/id2"), k, id2.number(k));
     if (!wall.empty() && wall.number(k) != -1.0) {
       const std::int64_t number = whole_of(file.place("CellData/wall"), k, wall.number(k));
       if (number < 0 || number > 5)
         throw InputError(c.place.text(), fmt::format("wall = {}, expected -1 or a number from 0 to 5", number));
       c.wall = WallSide{static_cast<int>(number / 2), number % 2 == 0 ? -1 : 1};
     } else if (!image.empty()) {
-      Eigen::Vector3i cells;
+      Eigen::Vector3i whole;
       for (int a = 0; a < 3; ++a) {
         constexpr double kFarthest = 1e9;
         if (!(std::abs(image.vector(k)[a]) <= kFarthest))
           throw InputError(c.place.text(),
                            fmt::format("image = {}, expected a number of cells up to 1e9", image.vector(k)[a]));
-        cells[a] = static_cast<int>(whole_of(file.place("CellData/image"), k, image.vector(k)[a]));
+        whole[a] = static_cast<int>(whole_of(file.place("CellData/image"), k, image.vector(k)[a]));
       }
-      c.image = cells;
+      c.image = whole;
     }
     if (!normal_force.empty()) c.normal_force = -normal_force.number(k);  // positive in tension in the file
     if (!shear_force.empty()) c.shear_force = shear_force.vector(k);
@@ -350,7 +380,8 @@ Imported read_vtkhdf(const std::string& path, const ImportOptions& options) {
       throw InputError(file.place("Points"),
                        fmt::format("the array has {} numbers, expected three for each point", cloud.x.size()));
     const std::size_t n_points = cloud.x.size() / 3;
-    cloud.grains = file.cells("Vertices", 1, n_points);
+    const VtkCells cells = file.cells(n_points);
+    cloud.grains = cells.vertices;
     cloud.arrays = file.names("PointData");
     cloud.place = [&](const std::string& name) { return file.place("PointData/" + name); };
     cloud.read = [&](const std::string& name) { return file.numbers("PointData/" + name); };
@@ -358,9 +389,7 @@ Imported read_vtkhdf(const std::string& path, const ImportOptions& options) {
       cloud.space = space_of_fields({[&](const std::string& name) { return file.has("FieldData", name); },
                                      [&](const std::string& name) { return file.numbers("FieldData/" + name); },
                                      [&](const std::string& name) { return file.place("FieldData/" + name); }});
-    const std::vector<std::size_t> lines = file.cells("Lines", 2, n_points);
-    if (!lines.empty())
-      cloud.contacts = contacts_of(file, lines, cloud.grains.size(), identifiers_of(file, n_points));
+    if (!cells.lines.empty()) cloud.contacts = contacts_of(file, cells, identifiers_of(file, n_points));
     return read_points(cloud, options);
   } catch (const Hdf5Failure& failure) {
     throw InputError(path, fmt::format("the file is damaged: {}", failure.what()));

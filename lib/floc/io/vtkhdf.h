@@ -7,7 +7,8 @@
 
 namespace floc {
 
-/// Files in VTK's HDF format (VTKHDF, type PolyData), which ParaView opens.
+/// Files in VTK's HDF format (VTKHDF), which ParaView opens. The type UnstructuredGrid of version 1.0 is written, which VTK reads from
+/// version 9.1 on; PolyData is read, too.
 ///
 /// Grains are points with the arrays radius, mass and id, and each of them is a vertex. Contacts are lines, with arrays of cell
 /// data: normal_force (positive in tension, as the draft of a format for discrete elements by the network ON-DEM has it, so minus

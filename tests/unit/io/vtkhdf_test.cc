@@ -57,7 +57,7 @@ TEST(VtkHdf, KeepsRigidContactsAndBonds) {
   EXPECT_NEAR(read.normal_force, -2.0, 1e-14);
 }
 
-TEST(VtkHdf, HasTheLayoutOfPolyDataAndTensionPositive) {
+TEST(VtkHdf, HasVtksLayoutAndTensionPositive) {
   const State<3> state = test::packing_with_forces<3>({"p", "p", "ww"});
   const Packing<3>& p = state.packing;
   const test::ScratchDirectory scratch;
@@ -65,24 +65,21 @@ TEST(VtkHdf, HasTheLayoutOfPolyDataAndTensionPositive) {
   const Hdf5Reader file("p", scratch.file("p.vtkhdf"));
   std::string type;
   file.attribute("VTKHDF", "Type", type);
-  EXPECT_EQ(type, "PolyData");
+  EXPECT_EQ(type, "UnstructuredGrid");
   const auto numbers = [&](const std::string& path) { return file.numbers("VTKHDF/" + path); };
   const double n = p.grains.size(), n_lines = static_cast<double>(p.contacts.size());
-  EXPECT_EQ(numbers("Vertices/NumberOfCells"), std::vector{n});
-  EXPECT_EQ(numbers("Lines/NumberOfCells"), std::vector{n_lines});
-  EXPECT_EQ(numbers("Lines/NumberOfConnectivityIds"), std::vector{2.0 * n_lines});
-  for (const char* kind : {"Polygons", "Strips"}) {
-    EXPECT_EQ(numbers(std::string(kind) + "/NumberOfCells"), std::vector{0.0});
-    EXPECT_EQ(numbers(std::string(kind) + "/Offsets"), std::vector{0.0});
-  }
-  const std::vector<double> x = numbers("Points"), line = numbers("Lines/Connectivity"),
+  EXPECT_EQ(numbers("NumberOfCells"), std::vector{n + n_lines});
+  EXPECT_EQ(numbers("NumberOfConnectivityIds"), std::vector{n + 2.0 * n_lines});
+  const std::vector<double> x = numbers("Points"), line = numbers("Connectivity"),
                             force = numbers("CellData/normal_force"), radius = numbers("PointData/radius");
   EXPECT_EQ(numbers("NumberOfPoints"), std::vector{static_cast<double>(radius.size())});
   EXPECT_EQ(x.size(), 3 * radius.size());
   EXPECT_EQ(file.shape("VTKHDF/CellData/shear_force"), (ArrayShape{force.size(), 3}));
+  const auto n_grains = static_cast<std::size_t>(p.grains.size());
   for (std::size_t k = 0; k < p.contacts.size(); ++k) {
-    const auto from = static_cast<std::size_t>(line[2 * k]), to = static_cast<std::size_t>(line[2 * k + 1]);
-    EXPECT_EQ(force[static_cast<std::size_t>(n) + k], -p.contacts[k].normal_force);
+    const auto from = static_cast<std::size_t>(line[n_grains + 2 * k]),
+               to = static_cast<std::size_t>(line[n_grains + 2 * k + 1]);
+    EXPECT_EQ(force[n_grains + k], -p.contacts[k].normal_force);
     const Vec<3> along = Eigen::Map<const Vec<3>>(&x[3 * to]) - Eigen::Map<const Vec<3>>(&x[3 * from]);
     EXPECT_NEAR((along - branch(p, p.contacts[k])).norm(), 0.0, 1e-14);
   }
@@ -129,10 +126,10 @@ TEST(VtkHdf, ReadsFilesOfOtherProgramsAndNamesWhatIsWrong) {
   };
   write_foreign(path, {0, 2});
   refusal("Lines/Connectivity: entry 1 is 2, expected a point from 0 to 1");
-  write_foreign(path, {0, 1, 0});
-  refusal("expected cells of 2 points each");
+  write_foreign(path, {0});
+  refusal("Lines/Offsets: entries 0 and 1 are 0 and 2, expected ascending numbers");
   write_foreign(path, {0, 1}, "ImageData");
-  refusal("the type is \"ImageData\", expected PolyData");
+  refusal("the type is \"ImageData\", expected UnstructuredGrid or PolyData");
   {
     Hdf5Writer file(path);
     file.group("other");

@@ -8,6 +8,7 @@
 #include "floc/imports/conversion_summary.h"
 #include "floc/io/law_text.h"
 #include "floc/io/listed_packing.h"
+#include "floc/io/settle_space.h"
 
 namespace floc::python {
 namespace {
@@ -91,14 +92,16 @@ std::vector<ListedGrain> listed_grains(const Numbers& position, const Numbers& r
 /// Arrays that describe contacts. They have the names of the columns that `floc convert --contacts` reads.
 class ContactArrays {
  public:
-  ContactArrays(const py::dict& arrays, int dimension) : arrays_(arrays), dimension_(dimension) {}
+  /// @param name  name of the arrays in messages: contacts or bonds
+  ContactArrays(const py::dict& arrays, int dimension, std::string name)
+      : arrays_(arrays), dimension_(dimension), name_(std::move(name)) {}
 
   std::vector<ListedContact> listed() const {
     const auto id1 = required("id1"), id2 = required("id2");
-    if (id1.ndim() != 1) throw InputError("contacts", "id1 has shape " + shape_of(id1) + ", expected (n,)");
+    if (id1.ndim() != 1) throw InputError(name_, "id1 has shape " + shape_of(id1) + ", expected (n,)");
     const py::ssize_t n = id1.shape(0);
-    require_shape("contacts: id2", id2, n, -1);
-    const auto before = std::make_shared<const std::string>("contact ");
+    require_shape(name_ + ": id2", id2, n, -1);
+    const auto before = std::make_shared<const std::string>(name_ == "bonds" ? "bond " : "contact ");
     std::vector<ListedContact> contacts(static_cast<std::size_t>(n));
     for (py::ssize_t c = 0; c < n; ++c) {
       ListedContact& contact = contacts[static_cast<std::size_t>(c)];
@@ -107,6 +110,7 @@ class ContactArrays {
       contact.id2 = id2.data()[c];
     }
     set_images(contacts);
+    set_walls(contacts);
     vectors("force", &ListedContact::force, contacts);
     vectors("shear_force", &ListedContact::shear_force, contacts);
     rolling(contacts);
@@ -123,18 +127,37 @@ class ContactArrays {
  private:
   Integers required(const char* name) const {
     if (!arrays_.contains(name))
-      throw InputError("contacts", fmt::format("the array {} is missing, which is required", name));
+      throw InputError(name_, fmt::format("the array {} is missing, which is required", name));
     return arrays_[name].cast<Integers>();
   }
 
   void set_images(std::vector<ListedContact>& contacts) const {
     if (!arrays_.contains("image")) return;
     const auto image = arrays_["image"].cast<Integers>();
-    require_shape("contacts: image", image, static_cast<py::ssize_t>(contacts.size()), dimension_);
+    require_shape(name_ + ": image", image, static_cast<py::ssize_t>(contacts.size()), dimension_);
     const std::int64_t* next = image.data();
     for (ListedContact& contact : contacts) {
       contact.image = Eigen::Vector3i::Zero();
       for (int a = 0; a < dimension_; ++a) (*contact.image)[a] = static_cast<int>(*next++);
+    }
+  }
+
+  /// Reads the array `wall`: names of walls such as "y-", or empty texts for contacts between grains.
+  void set_walls(std::vector<ListedContact>& contacts) const {
+    if (!arrays_.contains("wall")) return;
+    const auto walls = arrays_["wall"].cast<std::vector<std::string>>();
+    if (walls.size() != contacts.size())
+      throw InputError(name_ + ": wall",
+                       fmt::format("there are {} names of walls, expected one for each of {} contacts",
+                                   walls.size(), contacts.size()));
+    for (std::size_t c = 0; c < walls.size(); ++c) {
+      if (walls[c].empty()) continue;
+      contacts[c].wall = wall_side(walls[c]);
+      if (!contacts[c].wall)
+        throw InputError(
+            fmt::format("{}: wall[{}]", name_, c),
+            fmt::format("\"{}\" is no wall, expected a name such as x-, y+ or an empty text", walls[c]));
+      contacts[c].image.reset();
     }
   }
 
@@ -143,7 +166,7 @@ class ContactArrays {
   std::optional<Numbers> array(const std::string& name, std::size_t n, int columns) const {
     if (!arrays_.contains(name.c_str())) return std::nullopt;
     auto found = arrays_[name.c_str()].cast<Numbers>();
-    require_shape("contacts: " + name, found, static_cast<py::ssize_t>(n), columns);
+    require_shape(name_ + ": " + name, found, static_cast<py::ssize_t>(n), columns);
     return found;
   }
 
@@ -151,7 +174,7 @@ class ContactArrays {
                std::vector<ListedContact>& contacts) const {
     const auto given = array(name, contacts.size(), -1);
     if (!given) return;
-    const std::string words = std::string("contacts: ") + name;
+    const std::string words = name_ + ": " + name;
     for (std::size_t c = 0; c < contacts.size(); ++c)
       contacts[c].*member = finite(words, static_cast<py::ssize_t>(c), given->data()[c]);
   }
@@ -160,7 +183,7 @@ class ContactArrays {
                std::vector<ListedContact>& contacts) const {
     const auto given = array(name, contacts.size(), dimension_);
     if (!given) return;
-    const std::string words = std::string("contacts: ") + name;
+    const std::string words = name_ + ": " + name;
     for (std::size_t c = 0; c < contacts.size(); ++c)
       contacts[c].*member = row_of(words, *given, static_cast<py::ssize_t>(c), dimension_);
   }
@@ -172,11 +195,12 @@ class ContactArrays {
     if (!given) return;
     for (std::size_t c = 0; c < contacts.size(); ++c)
       contacts[c].rolling_moment = Eigen::Vector3d(
-          0.0, 0.0, finite("contacts: rolling_moment", static_cast<py::ssize_t>(c), given->data()[c]));
+          0.0, 0.0, finite(name_ + ": rolling_moment", static_cast<py::ssize_t>(c), given->data()[c]));
   }
 
   const py::dict& arrays_;
   int dimension_;
+  std::string name_;
 };
 
 /// Makes a packing of the arrays and completes it, as `floc convert` completes a packing from files.
@@ -199,6 +223,8 @@ NamedState assembled(const ListedPacking& listed, const ImportCompletion& comple
 
 NamedState from_arrays(const Numbers& position, const Numbers& radius, const Numbers& cell,
                        const std::string& law, const std::optional<py::dict>& contacts,
+                       const std::optional<py::dict>& bonds, const std::string& walls,
+                       const std::optional<std::string>& wall_law, const py::object& gravity,
                        const std::optional<Numbers>& mass, const std::optional<Integers>& ids,
                        const py::object& stress, const py::object& tolerance, const py::object& units,
                        bool drop_tensile) {
@@ -213,10 +239,21 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
   listed.drop_tensile = drop_tensile;
   for (int a = 0; a < dimension; ++a) {
     const Eigen::Vector3d vector = row_of("cell", cell, a, dimension);
-    listed.cell.emplace_back(vector.data(), vector.data() + dimension);
+    listed.space.cell.emplace_back(vector.data(), vector.data() + 3);
   }
+  listed.space.cell.resize(3, {0.0, 0.0, 1.0});
+  listed.space.place = "cell";
+  listed.space.dimension = dimension;
+  listed.space.periodic = {true, true, true};
+  if (wall_law) listed.wall_law = parse_law("wall_law", *wall_law);
   listed.grains = listed_grains(position, radius, mass, ids, dimension);
-  if (contacts) listed.contacts = ContactArrays(*contacts, dimension).listed();
+  ImportOptions options;
+  options.walls = walls;
+  options.gravity = numbers_of("gravity", gravity);
+  settle_space(options, listed);
+  if (contacts) listed.contacts = ContactArrays(*contacts, dimension, "contacts").listed();
+  if (bonds) listed.bonds = ContactArrays(*bonds, dimension, "bonds").listed();
+  for (ListedContact& bond : listed.bonds) bond.bond = true;
   return assembled(listed, {.law_place = "law",
                             .stress = numbers_of("stress", stress),
                             .stress_place = "stress",
@@ -227,8 +264,9 @@ NamedState from_arrays(const Numbers& position, const Numbers& radius, const Num
 
 void bind_packings(py::module_& module) {
   module.def("from_arrays", &from_arrays, py::kw_only(), py::arg("position"), py::arg("radius"),
-             py::arg("cell"), py::arg("law"), py::arg("contacts"), py::arg("mass"), py::arg("ids"),
-             py::arg("stress"), py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
+             py::arg("cell"), py::arg("law"), py::arg("contacts"), py::arg("bonds"), py::arg("walls"),
+             py::arg("wall_law"), py::arg("gravity"), py::arg("mass"), py::arg("ids"), py::arg("stress"),
+             py::arg("tolerance"), py::arg("units"), py::arg("drop_tensile"));
 }
 
 }  // namespace floc::python

@@ -50,6 +50,15 @@ TEST(StateFromPython, ThatContradictsItselfIsFoundOut) {
   EXPECT_THAT(result.err, HasSubstr("normal_force: recomputed and stated differ"));
 }
 
+TEST(VtkHdfFromPython, HasVtksLayoutAndBalancedForces) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(floc_arguments({"convert", jambashbulk_file(), scratch.file("s.vtkhdf")}).code, 0);
+  const Outcome result =
+      run_arguments(kPython, {kScripts + "read_vtkhdf.py", scratch.file("s.vtkhdf"), "1e-11"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("28 points, 49 cells"));
+}
+
 TEST(BadState, WithoutAnyOfItsPartsIsRefusedByThePartsName) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());

@@ -123,7 +123,34 @@ std::vector<std::string> datbox_seeds() {
       "PLEXx "
       "RIGID Umas= 0.1D+01\n@@\n$icdan DKJCx 1\n cdbdy numbr\n RBDY2 1 DISKx 1 iqsc0 RBDY2 2 JONCx 1 stick\n "
       "rlt/H "
-      "0.1D+00 rln/H 0.7D+01 rls/H 0.0D+00\n gapTT-0.1D-01\n n(1)= 0.0D+00 n(2)= 0.1D+01 n(3)= 0.0D+00\n"};
+      "0.1D+00 rln/H 0.7D+01 rls/H 0.0D+00\n gapTT-0.1D-01\n n(1)= 0.0D+00 n(2)= 0.1D+01 n(3)= 0.0D+00\n",
+      // a square on a bar, then a tetrahedron on a plate
+      "$bdyty\n RBDY2 1\n$blmty\n PLAIN 1 behav A avrd= 1.0D+00\n$nodty\n NO3xx 1 coo1= 0.0D+00 coo2= 0.5D+00 "
+      "coo3= "
+      "0.0D+00\n$tacty\n POLYG 1 color B nb_vertex= 4 byrd= 1.0D+00\n coo1=-0.5D+00 coo2=-0.5D+00\n coo1= "
+      "0.5D+00 "
+      "coo2=-0.5D+00\n coo1= 0.5D+00 coo2= 0.5D+00\n coo1=-0.5D+00 coo2= 0.5D+00\n$$$$$$\n$bdyty\n RBDY2 "
+      "2\n$blmty\n "
+      "PLAIN 1 behav A avrd= 1.0D+00\n$nodty\n NO3xx 1 coo1= 0.0D+00 coo2=-0.1D+00 coo3= 0.0D+00\n$tacty\n "
+      "JONCx 1 "
+      "color D ax1= 1.0D+00 ax2= 0.1D+00\n$$$$$$\n@@\n@@\n@@\n$icdan PLJCx 1\n h\n RBDY2 1 POLYG 1 RBDY2 2 "
+      "JONCx 1\n "
+      "rlt/H 0.1D+00 rln/H 0.7D+01 rls/H 0.0D+00\n gapTT-0.1D-01\n n(1)= 0.0D+00 n(2)= 0.1D+01 n(3)= 0.0D+00\n "
+      "coo1= "
+      "0.5D+00 coo2= 0.0D+00 coo3= 0.0D+00\n",
+      "$bdyty\n RBDY3 1\n$blmty\n PLAIN 1 behav A avrd= 1.0D+00\n I1  = 1.0D+00 I2  = 1.0D+00 I3  = "
+      "1.0D+00\n$nodty\n "
+      "NO6xx 1 coo1= 0.0D+00 coo2= 0.0D+00 coo3= 0.5D+00\n coo4= 0.0D+00 coo5= 0.0D+00 coo6= 0.0D+00\n$tacty\n "
+      "POLYR 1 "
+      "color B nb_vertex= 4 nb_faces= 4\n coo1= 0.5D+00 coo2= 0.5D+00 coo3=-0.5D+00\n coo1=-0.5D+00 "
+      "coo2=-0.5D+00 "
+      "coo3=-0.5D+00\n coo1= 0.5D+00 coo2=-0.5D+00 coo3= 0.5D+00\n coo1=-0.5D+00 coo2= 0.5D+00 coo3= 0.5D+00\n "
+      "ver1= 1 "
+      "ver2= 2 ver3= 3\n ver1= 1 ver2= 4 ver3= 2\n ver1= 1 ver2= 3 ver3= 4\n ver1= 2 ver2= 4 ver3= "
+      "3\n$$$$$$\n@@\n$bdyty\n RBDY3 1\n$nodty\n NO6xx 1 X(1)= 0.0D+00 X(2)= 0.0D+00 X(3)= 0.1D+00\n a(1)= "
+      "1.0D+00 a(2)= "
+      "0.0D+00 a(3)= 0.0D+00\n b(1)= 0.0D+00 b(2)= 0.0D+00 b(3)= 1.0D+00\n g(1)= 0.0D+00 g(2)=-1.0D+00 g(3)= "
+      "0.0D+00\n$$$$$$\n"};
 }
 std::vector<std::string> rockable_seeds() {
   return {
@@ -138,7 +165,17 @@ std::vector<std::string> rockable_seeds() {
       "Plate\nradius 0.1\nnv 4\n9 9 0\n9 -9 0\n-9 -9 0\n-9 9 0\nvolume 1\n>\n",
       "Rockable 1\nshapeFile shapes.txt\nusePeriodicCell 1\nh 2 0 0 0 2 0 0 0 2\nnDriven 0\nParticles "
       "1\nSphere 1 0 1 0 0 "
-      "0.49 0 0 0 0 0 0 1 0 0 0 0 0 0 0 0 0\n@@\nname Sphere\nradius 0.5\nnv 1\n0 0 0\n"};
+      "0.49 0 0 0 0 0 0 1 0 0 0 0 0 0 0 0 0\n@@\n<\nname Sphere\nradius 0.5\nnv 1\n0 0 0\n>\n",
+      "Rockable 1\nshapeFile shapes.txt\nusePeriodicCell 1\nh 4 0 0 0 4 0 0 0 4\nnDriven 0\nParticles 2\nCube "
+      "0 0 1 0 0 0 0 "
+      "0 0 0 0 0 1 0 0 0 0 0 0 0 0 0\nRod 0 0 2 0 0 1.2 0 0 0 0 0 0 1 0 0 0 0 0 0 0 0 0\nInteractions 2\n0 1 2 "
+      "0 0 0 0 -1 "
+      "-0.01 0.4 0.4 0.5 0 0 0 2 0.5 0 0 0 0 0 0\n1 0 3 0 0 0 0 1 -0.01 -0.4 0.4 0.5 0 0 0 1 0 0 0 0 0 0 "
+      "0\n@@\n<\nname "
+      "Cube\nradius 0.1\npreCompDone y\nvolume 0.9\nnv 8\n-0.4 -0.4 -0.4\n0.4 -0.4 -0.4\n0.4 0.4 -0.4\n-0.4 "
+      "0.4 "
+      "-0.4\n-0.4 -0.4 0.4\n0.4 -0.4 0.4\n0.4 0.4 0.4\n-0.4 0.4 0.4\nne 0\nnf 0\n>\n<\nname Rod\nradius "
+      "0.3\npreCompDone y\nnv 2\n0 0.2 0\n0 -0.2 0\n>\n"};
 }
 std::vector<std::string> vtp_seeds() {
   return {

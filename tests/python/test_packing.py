@@ -94,6 +94,48 @@ class FromArrays(unittest.TestCase):
             floc.Packing.from_arrays(position, radius, cell, LAW, contacts=contacts)
 
 
+class WallsAndBonds(unittest.TestCase):
+    def test_column_on_a_floor_bears_its_weight(self):
+        """Three disks on a floor: the k-th contact from above bears k m g, which its overlap gives."""
+        g, kn = 2.0, 1e5
+        overlap = g * np.array([3.0, 2.0, 1.0]) / kn
+        y = np.cumsum([0.5 - overlap[0], 1.0 - overlap[1], 1.0 - overlap[2]])
+        packing = floc.Packing.from_arrays(np.column_stack([np.full(3, 2.0), y]), np.full(3, 0.5), [4.0, 4.0], LAW,
+                                           walls="y=0:", gravity=[0, -g])
+        self.assertEqual([wall["open"] for wall in packing.walls], [False, True])
+        np.testing.assert_allclose(np.sort(packing.contacts["normal_force"]), [g, 2 * g, 3 * g], rtol=1e-9)
+        self.assertLess(packing.residuals["force"], 1e-8)
+
+    def test_listed_contacts_with_walls_keep_their_forces(self):
+        position, radius, cell = square()
+        contacts = {"id1": [0, 0], "id2": [1, 0], "wall": ["", "x-"], "normal_force": [7.0, 9.0]}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", floc.FlocWarning)
+            packing = floc.Packing.from_arrays(position + 0.5, radius, cell, LAW, contacts=contacts, walls="x",
+                                               wall_law={"normal": {"stiffness": 2e5}})
+        self.assertEqual(sorted(packing.contacts["normal_force"]), [7.0, 9.0])
+        self.assertEqual(packing.contacts["kn"][list(packing.contacts["normal_force"]).index(9.0)], 2e5)
+
+    def test_bonds_act_across_gaps(self):
+        position, radius, cell = square(overlap=-0.1)
+        bonds = {"id1": [0], "id2": [1], "kn": [5.0], "kt": [3.0]}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", floc.FlocWarning)
+            packing = floc.Packing.from_arrays(position, radius, cell, LAW, bonds=bonds)
+        self.assertEqual(packing.n_contacts, 1)
+        self.assertEqual([packing.contacts[name][0] for name in ("kn", "kt", "normal_force")], [5.0, 3.0, 0.0])
+
+    def test_wrong_ones_are_named(self):
+        position, radius, cell = square()
+        for words, more in ((r'wall\[0\]: "up" is no wall', {"contacts": {"id1": [0], "id2": [1], "wall": ["up"]}}),
+                            ("periodic along every axis", {"gravity": [0, -1]}),
+                            ("gravity has 3 components, expected 2", {"gravity": [0, 0, -1], "walls": "y"}),
+                            ("bonds: the array id1 is missing", {"bonds": {"id2": [1]}}),
+                            ("kn = 0", {"bonds": {"id1": [0], "id2": [1]}})):
+            with self.assertRaisesRegex(floc.InputError, words):
+                floc.Packing.from_arrays(position + 0.5, radius, cell, LAW, **more)
+
+
 class Refusals(unittest.TestCase):
     def refused(self, words, **changes):
         position, radius, cell = square()

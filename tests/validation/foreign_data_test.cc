@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 #include "floc/imports/complete_import.h"
 #include "floc/packing/balance.h"
+#include "floc/packing/locate.h"
 #include "floc/packing/wall_forces.h"
 #include "support/foreign_packing.h"
 
@@ -96,6 +99,47 @@ TEST_F(ForeignData, SpheresOfRockableAreReadBeforeTheyTouch) {
   EXPECT_EQ(state.packing.grains.size(), 125);
   EXPECT_EQ(state.packing.contacts.size(), 0u);
   EXPECT_NEAR(solid_fraction(state.packing), 0.26808, 5e-6);
+}
+
+TEST_F(ForeignData, PolyhedraOfRockableCarryTheImposedPressure) {
+  const State<3> state = read<3>("rockable/518_poly/518_poly_bruteforce_default_noperiod.conf");
+  const Packing<3>& p = state.packing;
+  EXPECT_EQ(p.grains.size(), 512);
+  EXPECT_EQ(p.contacts.size(), 3867u);
+  EXPECT_EQ(p.walls.size(), 6u);
+  for (int a = 0; a < 3; ++a)
+    EXPECT_NEAR(state.stress(a, a), 0.015, 3e-8);  // the servo of the file imposes 0.015
+  EXPECT_LT(state.residuals.force, 2.4e-4);
+  std::map<std::pair<int, int>, double> force;
+  for (const Contact<3>& c : p.contacts) force[{c.i, c.j}] += c.normal_force;
+  EXPECT_EQ(force.size(), 1758u);
+}
+
+TEST_F(ForeignData, PentagonsOfLmgc90Balance) {
+  ImportOptions options;
+  options.law = parse_law("law", "normal.law=rigid,friction.coefficient=0.4");
+  options.cell = {{1.1, 0.0}, {0.0, 0.7}};
+  options.walls = "y=0:0.7";
+  const State<2> state = read<2>("lmgc90/500PL_PerioBoxJC", options);
+  const Packing<2>& p = state.packing;
+  EXPECT_EQ(p.grains.size(), 500);
+  EXPECT_EQ(p.contacts.size(), 922u);
+  std::map<std::pair<int, int>, int> points;
+  double sum = 0.0;
+  for (const Contact<2>& c : p.contacts) ++points[{c.i, c.j}], sum += c.normal_force;
+  EXPECT_EQ(points.size(), 793u);
+  EXPECT_EQ(std::count_if(points.begin(), points.end(), [](const auto& pair) { return pair.second == 2; }),
+            129);
+  // Floor contacts are not in the file.
+  const Balance<2> balance = net_forces(p);
+  const double mean = sum / 922.0;
+  int n_balanced = 0;
+  for (int i = 0; i < 500; ++i) n_balanced += balance.force[i].norm() < 1e-5 * mean;
+  EXPECT_GE(n_balanced, 448);
+  // The shapes of the file give its contact points to its seven digits.
+  double furthest = 0.0;
+  for (const Contact<2>& c : p.contacts) furthest = std::max(furthest, std::abs(locate(p, c).gap - c.gap));
+  EXPECT_LT(furthest, 5e-5);
 }
 
 }  // namespace

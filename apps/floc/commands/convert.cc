@@ -164,8 +164,12 @@ void report(const std::string& out, const State<Dim>& state) {
 
 int convert(const std::string& in, const std::string& out, const ExportFormat& to,
             const ConvertArguments& arguments) {
-  if (!arguments.overwrite && std::filesystem::exists(out))
-    throw InputError(out, "this file exists already; give --overwrite to replace it");
+  std::vector<std::filesystem::path> outputs = {out};
+  if (!to.second_extension.empty())
+    outputs.push_back(std::filesystem::path(out).replace_extension(to.second_extension));
+  for (const std::filesystem::path& output : outputs)
+    if (!arguments.overwrite && std::filesystem::exists(output))
+      throw InputError(output, "this file exists already; give --overwrite to replace it");
   const ImportFormat& from = find_import_format(arguments.from, in);
   Imported imported = from.read(in, import_options(arguments));
   ConversionSummary summary;

@@ -113,7 +113,7 @@ class Packing(State):
 
     @classmethod
     def from_arrays(cls, position, radius, cell, law, contacts=None, *, mass=None, stress=None, tolerance=None,
-                    units="reduced", drop_tensile=False, ids=None):
+                    units="reduced", drop_tensile=False, ids=None, walls="", wall_law=None, gravity=None, bonds=None):
         """Makes a packing from arrays of any program, as ``floc convert`` makes a packing from files.
 
         Quantities that `contacts` does not give follow from the contact law. Forces that are given are kept to the last
@@ -136,7 +136,8 @@ class Packing(State):
             id1 and id2: the `ids` of the two grains or, without `ids`, their indices from 0. Optional are image (m, d);
             normal_force (m,), positive in compression, and shear_force (m, d) on id1, or instead force (m, d), the
             whole force on id1; rolling_moment (m,), in 3D (m, 3); twisting_moment (m,); kn, kt, kr, ktw (m,); and
-            bridge_volume (m,) for a law with liquid. m is the number of contacts.
+            bridge_volume (m,) for a law with liquid. m is the number of contacts. Where `walls` are given, wall (m,)
+            holds the names of walls, "x-" or "y+", that id1 touches, and empty texts for contacts of two grains.
         mass : array_like, (n,), optional
             Masses of the grains; by default, a grain with unit diameter has unit mass.
         stress : array_like, (d,), optional
@@ -149,6 +150,15 @@ class Packing(State):
             Whether to leave out tensile contacts under a law without adhesion, which otherwise are an error.
         ids : array_like of int, (n,), optional
             Identifiers of the grains in contacts, messages and tables; by default their indices.
+        walls : str
+            Axes that are not periodic, as for ``floc convert --walls``: "x,y" puts walls at both faces of the box,
+            "y=0:5" at these places, "y=0:" a floor at 0 with free space above [all axes are periodic].
+        wall_law : str or dict, optional
+            Contact law between grains and walls, given as `law`; by default that between grains.
+        gravity : array_like, (d,), optional
+            Acceleration due to gravity, zero along periodic axes (length/time^2).
+        bonds : dict of arrays, structured array or DataFrame, optional
+            Contacts that act across gaps, with the arrays of `contacts`, of which kn is required.
 
         Returns
         -------
@@ -169,7 +179,9 @@ class Packing(State):
             cell = np.diag(cell)
         return cls(_core.from_arrays(
             position=_numbers("position", position), radius=_numbers("radius", radius), cell=cell, law=_law_text(law),
-            contacts=_contact_arrays(contacts), mass=None if mass is None else _numbers("mass", mass),
+            contacts=_contact_arrays(contacts), bonds=_contact_arrays(bonds, "bonds"), walls=walls,
+            wall_law=None if wall_law is None else _law_text(wall_law),
+            gravity=[] if gravity is None else unmasked("gravity", gravity), mass=None if mass is None else _numbers("mass", mass),
             stress=[] if stress is None else unmasked("stress", stress), tolerance=tolerance, units=units,
             drop_tensile=drop_tensile, ids=None if ids is None else _integers("ids", np.asarray(unmasked("ids", ids)))))
 
@@ -261,7 +273,7 @@ def _integers(name, array):
     return array.astype(np.int64)
 
 
-def _contact_arrays(contacts):
+def _contact_arrays(contacts, what="contacts"):
     if contacts is None:
         return None
     try:
@@ -269,18 +281,21 @@ def _contact_arrays(contacts):
     except TypeError:
         names = None
     if names is None:
-        raise InputError("contacts: expected a dict of arrays, a structured array or a data frame")
-    known = ("id1", "id2", *_CONTACT_NUMBERS)
+        raise InputError(f"{what}: expected a dict of arrays, a structured array or a data frame")
+    known = ("id1", "id2", "wall", *_CONTACT_NUMBERS)
     if isinstance(contacts, dict) and not set(names) <= set(known):
-        raise InputError(f"contacts: {sorted(set(names) - set(known))[0]!r} is not one of {', '.join(known)}")
+        raise InputError(f"{what}: {sorted(set(names) - set(known))[0]!r} is not one of {', '.join(known)}")
     arrays = {}
     for name in known:
         if name not in names:
             continue
-        array = np.asarray(unmasked(f"contacts: {name}", contacts[name]))
+        if name == "wall":
+            arrays[name] = [str(wall) for wall in contacts[name]]
+            continue
+        array = np.asarray(unmasked(f"{what}: {name}", contacts[name]))
         if name in _MOMENTS and isinstance(contacts, np.ndarray) and not array.any():
             continue
-        arrays[name] = (_integers if name in ("id1", "id2", "image") else _numbers)(f"contacts: {name}", array)
+        arrays[name] = (_integers if name in ("id1", "id2", "image") else _numbers)(f"{what}: {name}", array)
     return arrays
 
 

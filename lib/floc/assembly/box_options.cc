@@ -1,5 +1,6 @@
 #include "floc/assembly/box_options.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "floc/contact/law_description.h"
@@ -26,16 +27,22 @@ Law wall_law(const Law& grains, const BoxOptions& box) {
   return law;
 }
 
+bool any_wall_moves(const BoxOptions& box, int dimension) {
+  return std::any_of(box.boundary.begin(), box.boundary.begin() + dimension, moves);
+}
+
 template <int Dim>
 std::vector<Wall<Dim>> walls_around(const Packing<Dim>& packing, const BoxOptions& box,
                                     const Vec<Dim>& lowest) {
   std::vector<Wall<Dim>> walls;
   for (int a = 0; a < Dim; ++a) {
     if (box.boundary[a] == BoxSide::periodic) continue;
-    const double m = box.boundary[a] == BoxSide::fixed ? std::numeric_limits<double>::infinity()
-                                                       : box.mass * largest_mass(packing.grains);
-    walls.push_back({a, -1, lowest[a], 0.0, m});
-    walls.push_back({a, +1, lowest[a] + packing.cell.matrix(a, a), 0.0, m});
+    const BoxSide side = box.boundary[a];
+    const double fixed = std::numeric_limits<double>::infinity();
+    const double moving = box.mass * largest_mass(packing.grains);
+    walls.push_back({a, -1, lowest[a], 0.0, side == BoxSide::walls ? moving : fixed});
+    walls.push_back({a, +1, lowest[a] + packing.cell.matrix(a, a), 0.0, moves(side) ? moving : fixed,
+                     side == BoxSide::floor});
   }
   return walls;
 }

@@ -11,6 +11,8 @@ enum class BoxSide {
   walls,     ///< two walls that move under the imposed pressure
   fixed,     ///< two walls that do not move
   periodic,  ///< no walls: a periodic boundary; the length of the box along this axis is constant
+  floor,     ///< a wall that does not move at the lower end, and free space above the grains
+  lid,  ///< a wall that does not move at the lower end, and one that moves under the imposed pressure above
 };
 
 /// Box with walls in which grains are packed. It replaces the periodic cell.
@@ -19,9 +21,10 @@ struct BoxOptions {
   /// box, and only the ratios of these sides matter.
   Vec<3> sides = Vec<3>::Ones();
   std::array<BoxSide, 3> boundary = {BoxSide::walls, BoxSide::walls, BoxSide::walls};
-  double mass = 1.0;      ///< mass of a wall divided by the mass of the largest grain
-  double friction = 0.0;  ///< friction coefficient between grains and walls
-  double adhesion = 0.0;  ///< pull-off force between grains and walls (force)
+  Vec<3> gravity = Vec<3>::Zero();  ///< acceleration due to gravity (length/time^2)
+  double mass = 1.0;                ///< mass of a wall divided by the mass of the largest grain
+  double friction = 0.0;            ///< friction coefficient between grains and walls
+  double adhesion = 0.0;            ///< pull-off force between grains and walls (force)
   /// mass density of the gas at the start times the mean squared speed of its grains (pressure)
   double kinetic_pressure = 0.0;
 };
@@ -32,6 +35,14 @@ struct BoxOptions {
 /// @param grains  contact law between two grains
 /// @pre the contact law between two grains has friction if the walls have friction
 Law wall_law(const Law& grains, const BoxOptions& box);
+
+/// Returns whether one or both faces across an axis are walls that move under the imposed pressure.
+inline bool moves(BoxSide side) {
+  return side == BoxSide::walls || side == BoxSide::lid;
+}
+/// Returns whether any face of a box moves under the imposed pressure.
+/// @param dimension  number of axes
+bool any_wall_moves(const BoxOptions& box, int dimension);
 
 /// Returns walls at rest around a packing. Opposite walls are as far apart as the cell of the packing is long.
 /// @param lowest  for each axis, the coordinate of the wall with the smaller coordinate (length)

@@ -410,6 +410,7 @@ Packing<Dim> make_boxed_gas(const GrainOptions& options, const Law& law, const B
   gas.grains.position = place_hard_grains(room, diameter, kind, solid / for_centres, random);
   gas.walls = walls_around<Dim>(gas, box, Vec<Dim>::Zero());
   gas.wall_law = wall_law(law, box);
+  gas.gravity = box.gravity.head<Dim>();
   send_off(gas, box.kinetic_pressure, random);
   return gas;
 }

@@ -78,11 +78,22 @@ void add_touching(double gap, Packing<Dim>& packing) {
   }
 }
 
+/// Finds the contact points of grains with corners from their geometry.
+template <int Dim>
+void find_points(Packing<Dim>& packing) {
+  packing.contacts.clear();
+  add_near_contacts(packing, 0.0);
+  refresh_contacts(packing);
+}
+
 /// Finds the contacts of a packing from its geometry, in addition to the bonds that it has already.
 template <int Dim>
 void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   std::vector<Contact<Dim>> bonds = std::move(packing.contacts);
-  find_contacts(packing);
+  if (packing.grains.are_round())
+    find_contacts(packing);
+  else
+    find_points(packing);
   if (touch_gap > 0.0) add_touching(touch_gap, packing);
   if (bonds.empty()) return;
   std::vector<Contact<Dim>> found = std::move(packing.contacts);

@@ -8,6 +8,9 @@
 #include "floc/io/atomic_file.h"
 #include "floc/io/extended_xyz.h"
 #include "floc/io/lammps_data.h"
+#include "floc/io/mesh_text.h"
+#include "floc/io/rockable_text.h"
+#include "floc/io/vtkhdf.h"
 #include "floc/io/vtu.h"
 #include "floc/packing/require_elastic.h"
 
@@ -19,10 +22,13 @@ void write_own_state(const std::string& path, const AnyState& any) {
 }
 
 /// Writes a state to the file `path` as text. The template parameter `text` is the function that converts the state to
-/// this text. Formats of other programs have no place for shapes.
-template <std::string (*text)(const AnyState&)>
+/// this text.
+/// @tparam has_shapes  whether the format has a place for shapes
+template <std::string (*text)(const AnyState&), bool has_shapes = false>
 void write_text(const std::string& path, const AnyState& state) {
-  std::visit([&](const auto& s) { require_round(s.packing, "files of this format are written", path); }, state);
+  if (!has_shapes)
+    std::visit([&](const auto& s) { require_round(s.packing, "files of this format are written", path); },
+               state);
   write_bytes_atomically(path, text(state));
 }
 
@@ -31,9 +37,14 @@ void write_text(const std::string& path, const AnyState& state) {
 const std::vector<ExportFormat>& export_formats() {
   static const std::vector<ExportFormat> formats = {
       {"state", "state file of floc", ".h5", write_own_state},
-      {"vtu", "VTK's unstructured grid: grains and contacts, for ParaView", ".vtu", write_text<vtu_text>},
+      {"vtu", "VTK's unstructured grid: grains and contacts, for ParaView", ".vtu", write_text<vtu_text, true>},
+      {"vtkhdf", "VTK's HDF format: grains and contacts, for ParaView", ".vtkhdf", write_vtkhdf},
       {"extended-xyz", "extended XYZ, for OVITO and ASE", ".xyz", write_text<extended_xyz_text>},
       {"lammps-data", "data file of LAMMPS, atom_style sphere", ".data", write_text<lammps_data_text>},
+      {"rockable", "configuration of Rockable, with its shapes in a file .shp beside it", ".conf",
+       write_rockable, ".shp"},
+      {"obj", "Wavefront OBJ: surfaces of the grains", ".obj", write_obj},
+      {"stl", "stereolithography, as text: surfaces of the grains", ".stl", write_stl},
   };
   return formats;
 }

@@ -15,6 +15,7 @@ struct ExportFormat {
   /// Writes a state to the file `path`. On failure an existing file keeps its content. @throws IoError if the file
   /// cannot be written
   void (*write)(const std::string& path, const AnyState& state);
+  std::string second_extension = "";  ///< extension of a second file that is written beside `path`; empty: none
 };
 
 /// All file formats in which floc can write a state. To add a format, add a writer next to the reader of the format, an

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <stdexcept>
@@ -342,6 +343,24 @@ void Hdf5Writer::attribute(const std::string& path, const std::string& name, std
                   &value);
 }
 
+void Hdf5Writer::attribute(const std::string& path, const std::string& name,
+                           const std::vector<std::int64_t>& values) {
+  const Handle object(checked(H5Oopen(file_, path.c_str(), H5P_DEFAULT)), H5Oclose);
+  const Handle space = space_of({values.size()});
+  const Handle attribute(checked(H5Acreate2(object, name.c_str(), NativeType<std::int64_t>::file(), space,
+                                            H5P_DEFAULT, H5P_DEFAULT)),
+                         H5Aclose);
+  checked(H5Awrite(attribute, NativeType<std::int64_t>::memory(), values.data()));
+}
+
+void Hdf5Writer::fixed_text_attribute(const std::string& path, const std::string& name,
+                                      const std::string& value) {
+  const Handle type(checked(H5Tcopy(H5T_C_S1)), H5Tclose);
+  checked(H5Tset_size(type, value.size()));
+  checked(H5Tset_strpad(type, H5T_STR_NULLPAD));
+  write_attribute(file_, path, name, type, type, value.data());
+}
+
 void Hdf5Writer::close() {
   checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
   checked(H5Fclose(std::exchange(file_, -1)));
@@ -350,7 +369,8 @@ void Hdf5Writer::close() {
 Hdf5Reader::Hdf5Reader(std::string place, const std::string& path) : place_(std::move(place)) {
   begin_library();
   file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, file_access());
-  if (file_ < 0) throw InputError(place_, "the file is not a floc state: the HDF5 library cannot open it");
+  if (file_ < 0)
+    throw InputError(place_, "the HDF5 library cannot open the file: expected a file in the HDF5 format");
 }
 
 Hdf5Reader::~Hdf5Reader() {
@@ -359,6 +379,42 @@ Hdf5Reader::~Hdf5Reader() {
 
 bool Hdf5Reader::has(const std::string& path) const {
   return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
+  const hid_t id = H5Gopen2(file_, group.c_str(), H5P_DEFAULT);
+  if (id < 0) throw InputError(place(group), "this group is missing");
+  const Handle opened(id, H5Gclose);
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  if (H5Literate(opened, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names) < 0)
+    throw InputError(place(group), "the group cannot be read");
+  return names;
+}
+
+ArrayShape Hdf5Reader::shape(const std::string& path) const {
+  const std::vector<hsize_t> extent = extent_of(open_dataset(file_, place(path), path));
+  return {extent.begin(), extent.end()};
+}
+
+std::vector<double> Hdf5Reader::numbers(const std::string& path) const {
+  const Handle dataset = open_dataset(file_, place(path), path);
+  const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
+  std::vector<double> values;
+  if (H5Tget_class(type) == H5T_INTEGER) {
+    rows<std::int64_t>(path, shape(path), [&](std::uint64_t, std::span<const std::int64_t> block) {
+      values.insert(values.end(), block.begin(), block.end());
+    });
+  } else {
+    array(path, shape(path), values);
+  }
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (!std::isfinite(values[k]))
+      throw InputError(place(path), fmt::format("number {} is {}, expected a finite number", k, values[k]));
+  return values;
 }
 
 std::uint64_t Hdf5Reader::n_rows(const std::string& path) const {

@@ -53,6 +53,10 @@ class Hdf5Writer {
   void attribute(const std::string& path, const std::string& name, std::int64_t value);
   void attribute(const std::string& path, const std::string& name, std::uint64_t value);
 
+  void attribute(const std::string& path, const std::string& name, const std::vector<std::int64_t>& values);
+  /// Writes an attribute as ASCII text of fixed length, for programs that do not read text of variable length.
+  void fixed_text_attribute(const std::string& path, const std::string& name, const std::string& value);
+
   /// Gives an existing array a second path in the file; its values are not copied.
   void link(const std::string& path, const std::string& second_path);
 
@@ -78,6 +82,14 @@ class Hdf5Reader {
   std::string place(const std::string& path) const { return path == "/" ? place_ : place_ + ":/" + path; }
 
   bool has(const std::string& path) const;
+
+  /// Names of the datasets and groups in a group, sorted.
+  std::vector<std::string> names(const std::string& group) const;
+  /// Shape of an array; a single value has no dimensions.
+  ArrayShape shape(const std::string& path) const;
+  /// Returns the values of an array of real or whole numbers of any size.
+  /// @throws InputError also if a value is no finite number
+  std::vector<double> numbers(const std::string& path) const;
 
   /// Number of rows of an array, which is the number of entries along its first dimension.
   std::uint64_t n_rows(const std::string& path) const;

@@ -18,6 +18,7 @@
 #include "floc/io/mercurydpm.h"
 #include "floc/io/rockable.h"
 #include "floc/io/table_text.h"
+#include "floc/io/vtkhdf.h"
 #include "floc/io/vtu.h"
 #include "floc/io/yade_text.h"
 
@@ -73,18 +74,21 @@ const std::vector<ImportFormat>& import_formats() {
       {"state", "state file of floc, .h5", is_state, read_own_state},
       {"csv", "one grain per line, columns x, y[, z] and radius or diameter[, mass, id]", is_csv,
        read_csv_packing},
-      {"lmgc90", "directory DATBOX of LMGC90: disks, spheres and bars", is_lmgc90, read_lmgc90},
+      {"lmgc90", "directory DATBOX of LMGC90: disks, spheres, polygons, polyhedra and flat walls", is_lmgc90,
+       read_lmgc90},
       {"vtu", "VTK's unstructured grid whose points have a radius", is_vtu, read_vtu},
       {"vtp", "VTK's polygonal data whose points have a radius", is_vtp, read_vtu},
       {"vtk", "VTK's legacy format, ASCII or binary, whose points have a radius", is_legacy_vtk,
        read_legacy_vtk},
+      {"vtkhdf", "VTK's HDF format: points with a radius, lines as contacts", is_vtkhdf, read_vtkhdf},
       {"lammps-dump", "LAMMPS dump of style custom, contacts from a dump of style local", is_lammps_dump,
        read_lammps_dump},
       {"lammps-data", "LAMMPS data file, atom_style sphere", is_lammps_data, read_lammps_data},
       {"yade", "text files of spheres (x y z r) and of interactions, written by a script of YADE", is_yade_text,
        read_yade_text},
       {"mercurydpm", "restart file of MercuryDPM", is_mercurydpm, read_mercurydpm},
-      {"rockable", "configuration of Rockable: spheres and flat walls", is_rockable, read_rockable},
+      {"rockable", "configuration of Rockable: spheres, rounded polyhedra and flat walls", is_rockable,
+       read_rockable},
       {"extended-xyz", "extended XYZ with Lattice, pos and radius, or plain XYZ with --columns",
        is_extended_xyz, read_extended_xyz},
       {"jambashbulk", "text file of the jamBashbulk code (2D, linear repulsion)", is_jambashbulk,

@@ -9,7 +9,7 @@
 namespace floc {
 
 void reverse_actions(ListedContact& c) {
-  for (std::optional<Eigen::Vector3d>* on_first : {&c.force, &c.shear_force, &c.rolling_moment})
+  for (std::optional<Eigen::Vector3d>* on_first : {&c.force, &c.shear_force, &c.rolling_moment, &c.normal})
     if (*on_first) **on_first = -**on_first;
   if (c.image) *c.image = -*c.image;
 }

@@ -69,8 +69,8 @@ int image_of(const CsvTable& table, int row, int column) {
 
 /// Indices of the columns of a table of contacts; -1 or empty if the table does not have them.
 struct ContactColumns {
-  int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment;
-  std::vector<int> image, force, shear_force, rolling_moment;
+  int id1, id2, normal_force, kn, kt, kr, ktw, bridge_volume, rolling_moment_2d, twisting_moment, gap;
+  std::vector<int> image, force, shear_force, rolling_moment, point, normal;
 
   ContactColumns(const NamedColumns& names, int dimension)
       : id1(names.column("id1")),
@@ -83,10 +83,13 @@ struct ContactColumns {
         bridge_volume(column_if(names, "bridge_volume")),
         rolling_moment_2d(dimension == 2 ? column_if(names, "rolling_moment") : -1),
         twisting_moment(dimension == 3 ? column_if(names, "twisting_moment") : -1),
+        gap(column_if(names, "gap")),
         image(numbered(names, "image", dimension)),
         force(numbered(names, "force", dimension)),
         shear_force(numbered(names, "shear_force", dimension)),
-        rolling_moment(dimension == 3 ? numbered(names, "rolling_moment", 3) : std::vector<int>{}) {}
+        rolling_moment(dimension == 3 ? numbered(names, "rolling_moment", 3) : std::vector<int>{}),
+        point(numbered(names, "point", dimension)),
+        normal(numbered(names, "normal", dimension)) {}
 };
 
 /// Reads the two bodies of a contact: identifiers of grains, or the name of a wall, such as "x-", and a grain.
@@ -130,6 +133,9 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   c.kr = number_of(table, row, columns.kr);
   c.ktw = number_of(table, row, columns.ktw);
   c.bridge_volume = number_of(table, row, columns.bridge_volume);
+  c.point = vector_of(table, row, columns.point);
+  c.normal = vector_of(table, row, columns.normal);
+  if (!columns.point.empty()) c.gap = number_of(table, row, columns.gap);
   if (wall_first) reverse_actions(c);
   return c;
 }
@@ -284,7 +290,14 @@ std::vector<std::string> contact_names() {
           "kt",
           "kr",
           "ktw",
-          "bridge_volume"};
+          "bridge_volume",
+          "point1",
+          "point2",
+          "point3",
+          "normal1",
+          "normal2",
+          "normal3",
+          "gap"};
 }
 
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given) {

@@ -58,6 +58,9 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
 ///   twisting_moment  (3D) twisting moment on grain id1 about the normal from id1 to id2
 ///   kn, kt, kr, ktw  normal, tangential, rolling and twisting stiffness
 ///   bridge_volume    volume of the liquid bridge (length^3)
+///   point1..         place of the contact point of grains with corners (length)
+///   normal1..        contact normal from id1 to id2 at this point; without it that of the shapes
+///   gap              gap at this point (length); without it that of the shapes
 /// Units in the headers are not converted: all forces have to be in one unit, in SI units in N.
 /// @param units  unit system of the packing, "reduced" or "SI"
 /// @throws InputError naming file, line and column

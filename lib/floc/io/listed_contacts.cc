@@ -11,6 +11,7 @@
 #include "floc/base/error.h"
 #include "floc/contact/adhesion/capillary_adhesion.h"
 #include "floc/io/listed_images.h"
+#include "floc/io/listed_points.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/law/stiffness_check.h"
 #include "floc/packing/liquid/liquid.h"
@@ -159,6 +160,7 @@ class ListedContacts {
     c.j = row.wall ? wall_of(row) : identifiers_.index(row.place, "id2", row.id2);
     set_liquid(row, c);
     if (!row.wall) set_image(row, c);
+    if (!packing_.grains.are_round()) return point(row, c);
     floc::place(locate(packing_, c), c);
     const double gap = c.gap;
     if (is_bond(row, c)) return bond(row, c);
@@ -184,10 +186,7 @@ class ListedContacts {
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal && row.has_stiffness())
       throw InputError(row.place.text(), "a stiffness is listed for the contact, but no normal force");
-    if (given.normal && *given.normal < -kNoForce * largest_force_ && !packing_.law_of(c).adheres()) {
-      if (counts_.n_tensile++ == 0) first_tensile_ = {&row, *given.normal};
-      return std::nullopt;
-    }
+    if (given.normal && pulls_without_adhesion(row, *given.normal, c)) return std::nullopt;
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
     // The sign of kn is tested only for surfaces that touch, because kn is negative for an attraction across a gap.
@@ -241,6 +240,35 @@ class ListedContacts {
         fmt::format("the contact is one of grain {} with the wall {}, but the packing has no wall there: "
                     "give --walls",
                     row.id1, row.wall->name()));
+  }
+
+  /// Whether a contact is left out because its force is tensile and its law has no adhesion; counts it then.
+  bool pulls_without_adhesion(const ListedContact& row, double normal_force, const Contact<Dim>& c) {
+    if (normal_force >= -kNoForce * largest_force_ || packing_.law_of(c).adheres()) return false;
+    if (counts_.n_tensile++ == 0) first_tensile_ = {&row, normal_force};
+    return true;
+  }
+
+  /// Makes the contact of grains with corners at one contact point; nothing if it is left out.
+  std::optional<Contact<Dim>> point(const ListedContact& row, Contact<Dim> c) {
+    if (row.bond)
+      throw InputError(row.place.text(), "bonds join disks and spheres, but the grains have corners");
+    require_one_image(row, c);
+    const bool reversed = put_in_order(c);
+    place_point(row, reversed, packing_, c);
+    if (c.gap > 0.0 && force_of(row) <= kNoForce * largest_force_) {
+      ++counts_.n_neighbors;
+      return std::nullopt;
+    }
+    const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
+    if (!given.normal)
+      throw InputError(row.place.text(),
+                       "the contact has no force, which a contact of grains with corners needs");
+    if (pulls_without_adhesion(row, *given.normal, c)) return std::nullopt;
+    require_stiffnesses(row);
+    set_forces(packing_, row, given, c);
+    compare_stiffnesses(row, c);
+    return c;
   }
 
   /// Whether a contact is a bond: it has a stiffness of its own although its surfaces do not touch.
@@ -442,7 +470,7 @@ ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers&
         placed[k].second->bond != placed[k - 1].second->bond)
       placed.erase(placed.begin() + static_cast<std::ptrdiff_t>(placed[k].second->bond ? k - 1 : k)), --k;
   const auto twice = std::adjacent_find(placed.begin(), placed.end(), [&](const Placed& a, const Placed& b) {
-    return order(a.first) == order(b.first);
+    return order(a.first) == order(b.first) && (packing.grains.are_round() || a.first.arm_i == b.first.arm_i);
   });
   if (twice != placed.end()) {
     const ListedContact& second = *(twice + 1)->second;
@@ -451,6 +479,7 @@ ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers&
                                  second_name(second), twice->second->place.text()));
   }
   for (const auto& [contact, from] : placed) packing.contacts.push_back(contact);
+  if (!packing.grains.are_round()) number_points(packing, packing.contacts);
   return contacts.counts();
 }
 

@@ -15,6 +15,7 @@
 #include "floc/io/listed_images.h"
 #include "floc/io/merge_pairs.h"
 #include "floc/io/settle_space.h"
+#include "floc/packing/ball.h"
 #include "floc/packing/liquid/liquid.h"
 
 namespace floc {
@@ -42,7 +43,8 @@ Cell<Dim> make_cell(const std::string& place, const std::vector<std::vector<doub
 }
 
 template <int Dim>
-Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
+Grains<Dim> make_grains(const ListedPacking& packing) {
+  const std::vector<ListedGrain>& listed = packing.grains;
   const int n = static_cast<int>(listed.size());
   Grains<Dim> grains = Grains<Dim>::with_size(n);
   std::vector<DoubleDoubleVec<Dim>> centres;
@@ -50,12 +52,17 @@ Grains<Dim> make_grains(const std::vector<ListedGrain>& listed) {
     centres.push_back(double_double<Dim>(listed[i].position.template head<Dim>(),
                                          listed[i].position_low.template head<Dim>()));
     grains.radius[i] = listed[i].radius;
-    grains.mass[i] = listed[i].mass.value_or(std::pow(2.0 * listed[i].radius, Dim));
   }
   grains.set_centres(centres);
   std::vector<std::int64_t> names;
   for (const ListedGrain& grain : listed) names.push_back(grain.id);
   grains.set_names(std::move(names));
+  set_shapes(packing, grains);
+  for (int i = 0; i < n; ++i) {
+    const double of_ball = std::pow(2.0 * grains.radius[i], Dim);
+    grains.mass[i] = listed[i].mass.value_or(
+        grains.are_round() ? of_ball : of_ball * grains.volume(i) / Ball<Dim>{grains.radius[i]}.volume());
+  }
   return grains;
 }
 
@@ -67,7 +74,8 @@ std::vector<Wall<Dim>> make_walls(const ListedPacking& listed) {
     const double side = listed.cell[ends.axis][ends.axis];
     // An open end lies where the outermost grain ends, which is a side of the cell away from the other end.
     double lowest = std::numeric_limits<double>::infinity();
-    for (const ListedGrain& g : listed.grains) lowest = std::min(lowest, g.position[ends.axis] - g.radius);
+    for (const ListedGrain& g : listed.grains)
+      lowest = std::min(lowest, g.position[ends.axis] - reach_along(listed, g, ends.axis, -1));
     const double low = ends.low ? *ends.low : ends.high ? *ends.high - side : lowest;
     const double fixed = std::numeric_limits<double>::infinity();
     walls.push_back({ends.axis, -1, low, 0.0, fixed, !ends.low});
@@ -137,7 +145,7 @@ Imported assemble_in(const ListedPacking& listed) {
   packing.gravity = listed.gravity.template head<Dim>();
   if (packing.walls.empty()) packing.wall_law = Law();
   if (Dim == 2) require_one_plane(listed);
-  packing.grains = make_grains<Dim>(listed.grains);
+  packing.grains = make_grains<Dim>(listed);
   const Identifiers identifiers(listed);
   Imported imported;
   imported.listed_contacts = add_contacts(listed, identifiers, packing);
@@ -188,6 +196,9 @@ Imported assemble(ListedPacking listed, const ImportOptions& options) {
   const int dimension = settle_space(options, listed);
   if (auto contacts = read_contact_file(options, dimension, listed.timestep, &listed.remarks))
     listed.contacts = std::move(contacts);
+  if (options.pairs_twice && !listed.shapes.empty())
+    throw InputError(listed.place,
+                     "--pairs-twice merges the contacts of disks and spheres, but the grains have corners");
   if (options.pairs_twice && listed.contacts) listed.remarks.push_back(merge_pairs(*listed.contacts));
   listed.bonds = read_bond_file(options, dimension);
   return assemble(listed);

@@ -8,6 +8,7 @@
 
 #include "floc/io/file_line.h"
 #include "floc/io/import.h"
+#include "floc/io/listed_shapes.h"
 #include "floc/io/listed_space.h"
 
 namespace floc {
@@ -19,7 +20,9 @@ struct ListedGrain {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();      ///< centre, which may lie outside the cell (length)
   Eigen::Vector3d position_low = Eigen::Vector3d::Zero();  ///< exact position in the file minus `position`
   double radius = 0.0;                                     ///< radius (length)
-  std::optional<double> mass;  ///< mass; if absent, diameter^2 (2D) or diameter^3 (3D)
+  /// Mass; if absent, diameter^2 (2D) or diameter^3 (3D) of a disk or sphere, and the density of such grains for others.
+  std::optional<double> mass;
+  std::optional<ListedPose> pose;  ///< shape and orientation of a grain with corners: see set_shape()
 };
 
 /// A contact as a file of another program lists it. Forces and moments act on grain id1. In 2D a moment is the third
@@ -38,6 +41,12 @@ struct ListedContact {
   std::optional<Eigen::Vector3i> image;
   std::optional<Eigen::Vector3d> force;  ///< total force, given instead of normal_force and shear_force
   std::optional<double> normal_force;    ///< positive in compression; if empty, the law gives it
+  /// Place in space of the contact point of grains with corners (length), near an image of grain id1.
+  std::optional<Eigen::Vector3d> point;
+  std::optional<Eigen::Vector3d>
+      normal;                 ///< direction from id1 to id2 at this point; if empty, that of the shapes
+  std::optional<double> gap;  ///< gap at this point (length); if empty, that of the shapes
+  bool edges = false;         ///< whether two edges cross at this point
   std::optional<Eigen::Vector3d> shear_force;
   std::optional<Eigen::Vector3d> rolling_moment;
   std::optional<double> twisting_moment;  ///< about the contact normal from id1 to id2
@@ -57,6 +66,7 @@ struct ListedPacking {
   std::string place;  ///< name of the file, for messages
   ListedSpace space;  ///< cell, boundary, dimension and gravity that the file states
   std::vector<ListedGrain> grains;
+  ListedShapes shapes;
   std::optional<std::vector<ListedContact>> contacts;
   std::vector<ListedContact> bonds;  ///< contacts that act across gaps, in addition to `contacts`
   Law law;
@@ -89,7 +99,7 @@ const Law& required_law(const std::string& path, const ImportOptions& options);
 /// force. A listed pair of grains is left out if the grains do not touch, carry no force, and have a gap beyond the
 /// range of the law. If the grains of a contact cannot touch at the listed image, the nearest image replaces it.
 /// @throws InputError naming the place, the value and the expectation in these cases: no grains, a repeated identifier,
-/// a cell without volume; a contact of an unknown grain or wall, a contact listed twice, a contact out of the range of the law
+/// a cell without volume; a contact of grains with corners without a point or a force; a contact of an unknown grain or wall, a contact listed twice, a contact out of the range of the law
 /// in a list without any forces, a contact with a force although no near images of its grains can touch, a tensile
 /// contact under a law without adhesion (unless `drop_tensile`), or a contact without an image whose grains are half
 /// the cell or more apart, so that two images may be equally near; an invalid stiffness; forces that contradict each

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -18,6 +19,8 @@
 #include "floc/io/listed_bodies.h"
 #include "floc/io/listed_packing.h"
 #include "floc/packing/ball.h"
+#include "floc/shape/convex_hull.h"
+#include "floc/shape/read_shapes.h"
 
 namespace floc {
 namespace {
@@ -80,11 +83,48 @@ struct Body {
   std::string material;
   double mean_radius = 0.0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double angle = 0.0;           ///< angle of a body in a plane (radians)
-  std::string contactor;        ///< DISKx, SPHER, JONCx, ...
+  double angle = 0.0;  ///< angle of a body in a plane (radians)
+  /// Axes of a body in space, one per column.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  bool has_inertia = false;     ///< whether the file gives moments of inertia about these axes
+  std::string contactor;        ///< DISKx, SPHER, POLYG, POLYR, JONCx, PLANx, ...
   double radius = 0.0;          ///< radius of a disk or sphere
-  double half_thickness = 0.0;  ///< half the thickness of a bar
+  double half_thickness = 0.0;  ///< half the thickness of a bar or plate
+  std::int64_t n_vertices = 0, n_faces = 0;
+  std::vector<Eigen::Vector3d> vertices;  ///< vertices of a polygon or polyhedron, relative to `position`
+  std::vector<std::vector<int>> faces;    ///< triangles of a polyhedron
+
+  bool is_round() const { return contactor == "DISKx" || contactor == "SPHER"; }
+  bool has_corners() const { return contactor == "POLYG" || contactor == "POLYR"; }
+  /// Rotation from the axes of the body to those of space.
+  Eigen::Matrix3d turn() const {
+    return spatial ? axes : Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  }
 };
+
+/// Returns a count that a line gives. @param most  largest number allowed
+std::int64_t count_of(const DatFile& file, std::string_view key, std::int64_t most) {
+  const double value = file.number(key);
+  if (value >= 0.0 && value <= static_cast<double>(most) && value == std::floor(value))
+    return static_cast<std::int64_t>(value);
+  throw InputError(file.place(), fmt::format("{} {}, expected a whole number from 0 to {}", key, value, most));
+}
+
+/// Reads one of the lines below the line of a polygon or polyhedron: a vertex or a triangle.
+void read_corner(const DatFile& file, Body& body) {
+  if (file.has("ver1=") && body.contactor == "POLYR") {
+    std::vector<int> face;
+    for (const char* key : {"ver1=", "ver2=", "ver3="}) {
+      const std::int64_t vertex = count_of(file, key, body.n_vertices);
+      if (vertex == 0) throw InputError(file.place(), fmt::format("{} 0, expected a vertex from 1", key));
+      face.push_back(static_cast<int>(vertex) - 1);
+    }
+    body.faces.push_back(std::move(face));
+  } else if (file.has("coo1=") && body.has_corners()) {
+    body.vertices.emplace_back(file.number("coo1="), file.number("coo2="),
+                               body.spatial ? file.number("coo3=") : 0.0);
+  }
+}
 
 void read_contactor(const DatFile& file, Body& body) {
   const std::string kind(file.words()[0]);
@@ -101,9 +141,25 @@ void read_contactor(const DatFile& file, Body& body) {
       throw InputError(file.place(), fmt::format("body {} has the contactors {} and {}, expected one", body.id,
                                                  body.contactor, kind));
     body.contactor = kind;
-    if (kind == "DISKx" || kind == "SPHER") body.radius = file.number("byrd=");
+    if (body.is_round()) body.radius = file.number("byrd=");
+    if (body.has_corners()) body.n_vertices = count_of(file, "nb_vertex=", kMostHullPoints);
+    if (kind == "POLYR") body.n_faces = count_of(file, "nb_faces=", 2 * std::int64_t{kMostHullPoints});
     if (kind == "JONCx") body.half_thickness = file.number("ax2");
+    if (kind == "PLANx") body.half_thickness = file.number("axe3=");
+  } else if (file.has("I1  =")) {
+    body.has_inertia = file.number("I1  =") != 0.0;
+  } else {
+    read_corner(file, body);
   }
+}
+
+/// Checks that a polygon or polyhedron has as many vertices and faces as its first line says.
+void require_whole(const Body& body) {
+  if (body.has_corners() &&
+      (std::ssize(body.vertices) != body.n_vertices || std::ssize(body.faces) != body.n_faces))
+    throw InputError(body.place.text(),
+                     fmt::format("body {} has {} vertices and {} faces, expected {} and {}", body.id,
+                                 body.vertices.size(), body.faces.size(), body.n_vertices, body.n_faces));
 }
 
 std::vector<Body> read_bodies(const std::string& path) {
@@ -135,7 +191,27 @@ std::vector<Body> read_bodies(const std::string& path) {
   }
   if (open) throw InputError(file.place(), "the file ends within a body: expected a line $$$$$$");
   if (bodies.empty()) throw InputError(path, "the file has no bodies");
+  for (const Body& body : bodies) require_whole(body);
   return bodies;
+}
+
+/// Reads one of the three lines that give the axes of a body in space.
+void read_axis(const DatFile& file, Body& body) {
+  constexpr double kDigits = 1e-5;  // files have seven digits
+  int axis = 0;
+  for (const char* name : {"a", "b", "g"}) {
+    if (file.has(fmt::format("{}(1)=", name)))
+      for (int k = 0; k < 3; ++k) body.axes(k, axis) = file.number(fmt::format("{}({})=", name, k + 1));
+    ++axis;
+  }
+  if (!file.has("g(1)=")) return;
+  const bool orthonormal =
+      (body.axes.transpose() * body.axes).isIdentity(kDigits) && body.axes.determinant() > 0.0;
+  if (!orthonormal)
+    throw InputError(file.place(), fmt::format("the axes of body {} are not orthonormal: expected the three "
+                                               "unit vectors a, b and g, right-handed",
+                                               body.id));
+  body.axes = Eigen::Quaterniond(body.axes).normalized().toRotationMatrix();
 }
 
 /// Adds the displacements that the file DOF.INI lists to the positions of the bodies.
@@ -156,6 +232,8 @@ void add_displacements(const std::string& path, std::vector<Body>& bodies) {
     } else if (body && file.has("X(1)=")) {
       body->position.head<2>() += Eigen::Vector2d(file.number("X(1)="), file.number("X(2)="));
       (body->spatial ? body->position[2] : body->angle) += file.number("X(3)=");
+    } else if (body) {
+      read_axis(file, *body);
     }
   }
 }
@@ -177,17 +255,17 @@ Bulk read_bulk(const std::string& path) {
   return bulk;
 }
 
-/// Makes a wall of a bar: of the face that is turned to the middle of the grains.
+/// Makes a wall of a bar or plate: of the face that is turned to the middle of the grains.
 WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& space) {
   constexpr double kAligned = 1e-4;  // files have seven digits, and angles such as 1.570800
-  const double quarter_turns = bar.angle / (0.5 * std::numbers::pi);
-  const double whole = std::round(quarter_turns);
-  if (std::abs(quarter_turns - whole) > kAligned)
-    throw InputError(bar.place.text(),
-                     fmt::format("the bar of body {} is turned by {:.6g}, expected a bar along x or "
-                                 "y; --walls gives the walls in place of the file",
-                                 bar.id, bar.angle));
-  const int axis = std::fmod(std::abs(whole), 2.0) == 0.0 ? 1 : 0;
+  const Eigen::Vector3d across = bar.turn().col(bar.spatial ? 2 : 1).cwiseAbs();
+  int axis = 0;
+  if (across.maxCoeff(&axis) < std::cos(kAligned))
+    throw InputError(
+        bar.place.text(),
+        fmt::format("the {} of body {} is turned, so that its face lies across no axis ({:.6g}, {:.6g}, "
+                    "{:.6g}); --walls gives the walls in place of the file",
+                    bar.contactor, bar.id, across[0], across[1], across[2]));
   const WallSide wall{axis, bar.position[axis] < middle[axis] ? -1 : 1};
   add_wall(wall, bar.position[axis] - wall.side * bar.half_thickness, space);
   return wall;
@@ -215,6 +293,8 @@ std::vector<ListedContact> read_contacts(const std::string& path,
     if (local.isZero(0.0) && gap > 0.0) return;
     if (!spatial) t = Eigen::Vector3d(n[1], -n[0], 0.0);
     c.force = local[0] * t + local[1] * n + local[2] * s;
+    c.normal = -n;  // n points to the candidate, the first body
+    c.gap = gap;
     name_wall(walls, c);
     contacts.push_back(c);
   };
@@ -242,6 +322,8 @@ std::vector<ListedContact> read_contacts(const std::string& path,
       local = {file.number("rlt/H"), file.number("rln/H"), spatial ? file.number("rls/H") : 0.0};
     } else if (file.has("gapTT")) {
       gap = file.number("gapTT");
+    } else if (file.has("coo1=")) {
+      c.point = {file.number("coo1="), file.number("coo2="), spatial ? file.number("coo3=") : 0.0};
     } else {
       for (const auto& [name, vector] : {std::pair{"t", &t}, std::pair{"n", &n}, std::pair{"s", &s}})
         if (file.has(fmt::format("{}(1)=", name)))
@@ -251,6 +333,62 @@ std::vector<ListedContact> read_contacts(const std::string& path,
   }
   finish();
   return contacts;
+}
+
+/// Adds the shape of a body to the shapes of the packing. @return its index
+int add_shape(const Body& body, ListedPacking& listed) {
+  const std::string place = body.place.text();
+  if (!body.spatial) {
+    if (body.is_round()) {
+      listed.shapes.in_2d.push_back(round_shape<2>(body.radius));
+    } else {
+      Mesh<2> mesh;
+      for (const Eigen::Vector3d& vertex : body.vertices) mesh.vertices.emplace_back(vertex.head<2>());
+      listed.shapes.in_2d.push_back(shape_of_mesh<2>(place, mesh, {}).shape);
+    }
+    return static_cast<int>(listed.shapes.in_2d.size()) - 1;
+  }
+  if (body.is_round()) {
+    listed.shapes.in_3d.push_back(round_shape<3>(body.radius));
+  } else {
+    // Without moments of inertia in the file, LMGC90 computes them and turns the vertices to the principal axes, to which
+    // the axes in DOF.INI then refer.
+    if (!body.has_inertia && !body.axes.isIdentity(0.0))
+      throw InputError(
+          place, fmt::format("body {} is turned in DOF.INI, but BODIES.DAT has no moments of inertia (I1 = "
+                             "0), so that the axes of its vertices are not known",
+                             body.id));
+    Mesh<3> mesh;
+    mesh.vertices = body.vertices;
+    mesh.faces = body.faces;
+    mesh.is_oriented = false;
+    listed.shapes.in_3d.push_back(shape_of_mesh<3>(place, mesh, {}).shape);
+  }
+  return static_cast<int>(listed.shapes.in_3d.size()) - 1;
+}
+
+/// Makes the grains of the disks, spheres, polygons and polyhedra. If one of them has corners, all get shapes.
+void add_grains(const std::vector<Body>& bodies, const Bulk& bulk, ListedPacking& listed) {
+  const bool round = std::none_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.has_corners(); });
+  for (const Body& body : bodies) {
+    if (!body.is_round() && !body.has_corners()) continue;
+    ListedGrain grain;
+    grain.place = body.place;
+    grain.id = body.id;
+    grain.position = body.position;
+    grain.radius = body.radius;
+    if (body.is_round() && !(grain.radius > 0.0))
+      throw InputError(body.place.text(), fmt::format("byrd = {}, must be positive", grain.radius));
+    if (!round) set_shape(listed.shapes, add_shape(body, listed), 1.0, body.position, body.turn(), grain);
+    const auto density = bulk.density.find(body.material);
+    if (density != bulk.density.end())
+      grain.mass = density->second *
+                   (body.spatial ? Ball<3>{body.mean_radius}.volume() : Ball<2>{body.mean_radius}.volume());
+    if (grain.mass && !(*grain.mass > 0.0))
+      throw InputError(body.place.text(), fmt::format("the mass is {}, must be positive: avrd = {}, Umas = {}",
+                                                      *grain.mass, body.mean_radius, density->second));
+    listed.grains.push_back(std::move(grain));
+  }
 }
 
 }  // namespace
@@ -277,35 +415,19 @@ Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
   listed.space.gravity = bulk.gravity;
   listed.space.periodic = {false, false, false};
   listed.space.boundary = "files of LMGC90 do not state periodic directions, and have no wall across it";
+  add_grains(bodies, bulk, listed);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Body& body : bodies) {
-    if (body.contactor != "DISKx" && body.contactor != "SPHER") continue;
-    ListedGrain grain;
-    grain.place = body.place;
-    grain.id = body.id;
-    grain.position = body.position;
-    grain.radius = body.radius;
-    if (!(grain.radius > 0.0))
-      throw InputError(body.place.text(), fmt::format("byrd = {}, must be positive", grain.radius));
-    const auto density = bulk.density.find(body.material);
-    if (density != bulk.density.end())
-      grain.mass = density->second *
-                   (body.spatial ? Ball<3>{body.mean_radius}.volume() : Ball<2>{body.mean_radius}.volume());
-    if (grain.mass && !(*grain.mass > 0.0))
-      throw InputError(body.place.text(), fmt::format("the mass is {}, must be positive: avrd = {}, Umas = {}",
-                                                      *grain.mass, body.mean_radius, density->second));
-    middle += grain.position;
-    listed.grains.push_back(std::move(grain));
-  }
-  if (!listed.grains.empty()) middle /= static_cast<double>(listed.grains.size());
+  for (const ListedGrain& grain : listed.grains)
+    middle += grain.position / static_cast<double>(listed.grains.size());
   std::map<std::int64_t, WallSide> walls;
   for (const Body& body : bodies) {
-    if (body.contactor == "DISKx" || body.contactor == "SPHER") continue;
-    if (body.contactor != "JONCx")
-      throw InputError(body.place.text(),
-                       fmt::format("body {} has the contactor {}, expected a disk (DISKx), a sphere "
-                                   "(SPHER) or a bar (JONCx)",
-                                   body.id, body.contactor));
+    if (body.is_round() || body.has_corners()) continue;
+    if (body.contactor != "JONCx" && body.contactor != "PLANx")
+      throw InputError(
+          body.place.text(),
+          fmt::format("body {} has the contactor {}, expected a disk (DISKx), a sphere "
+                      "(SPHER), a polygon (POLYG), a polyhedron (POLYR), a bar (JONCx) or a plate (PLANx)",
+                      body.id, body.contactor));
     if (options.walls.empty()) walls.emplace(body.id, add_bar(body, middle, listed.space));
   }
   if (auto contacts = read_contacts((folder / "Vloc_Rloc.INI").string(), walls); !contacts.empty())

@@ -101,6 +101,7 @@ Imported read_points(const PointCloud& cloud, const ImportOptions& options) {
   ListedPacking listed = listed_packing(cloud.path, options);
   listed.grains = grains_of(cloud, options);
   listed.space = cloud.space;
+  listed.contacts = cloud.contacts;
   return assemble(std::move(listed), options);
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "floc/io/import.h"
-#include "floc/io/listed_space.h"
+#include "floc/io/listed_packing.h"
 
 namespace floc {
 
@@ -19,6 +20,7 @@ struct PointCloud {
   std::function<std::vector<double>(const std::string&)> read;  ///< returns the numbers of an array
   std::function<std::string(const std::string&)> place;         ///< returns the place of an array in messages
   ListedSpace space;
+  std::optional<std::vector<ListedContact>> contacts;
 };
 
 /// Makes a packing of points. `options.columns` renames the arrays; `options.law` is required.

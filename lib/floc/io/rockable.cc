@@ -17,20 +17,21 @@
 #include "floc/io/keyed_line.h"
 #include "floc/io/listed_bodies.h"
 #include "floc/io/listed_packing.h"
+#include "floc/shape/mesh_files.h"
+#include "floc/shape/read_shapes.h"
 
 namespace floc {
 namespace {
 
-/// Shape of bodies: the points nearer than `radius` to a vertex, edge or face. A sphere has one vertex.
-struct RockableShape {
-  double radius = 0.0;
-  double volume = 0.0;
-  std::vector<Eigen::Vector3d> vertices;
+/// Shape of bodies as the file of shapes describes it: the points nearer than mesh.rounding to a vertex, edge or face.
+using RockableShapes = std::map<std::string, Mesh<3>>;
 
-  bool is_sphere() const { return vertices.size() == 1 && vertices.front().isZero(0.0); }
-};
+/// Whether a shape is a sphere: it has one vertex, the centre.
+bool is_sphere(const Mesh<3>& shape) {
+  return shape.vertices.size() == 1 && shape.vertices.front().isZero(0.0);
+}
 
-/// ConfigurationLines of a text file, without comments and empty lines.
+/// Lines of a text file, without comments and empty lines.
 class ConfigurationLines {
  public:
   explicit ConfigurationLines(const std::string& path)
@@ -59,23 +60,11 @@ class ConfigurationLines {
   int number_ = 0;
 };
 
-std::map<std::string, RockableShape> read_shapes(const std::string& path) {
-  std::map<std::string, RockableShape> shapes;
-  ConfigurationLines lines(path);
-  RockableShape* shape = nullptr;
-  while (const std::optional<KeyedLine> line = lines.next()) {
-    const std::string_view key = line->word(0);
-    if (key == "name" && line->size() > 1) {
-      shape = &shapes[std::string(line->word(1))];
-    } else if (shape && key == "radius") {
-      shape->radius = line->number(1, "radius");
-    } else if (shape && key == "volume") {
-      shape->volume = line->number(1, "volume");
-    } else if (shape && key == "nv") {
-      const std::int64_t n = line->integer(1, "nv");
-      for (std::int64_t k = 0; k < n; ++k)
-        shape->vertices.push_back(lines.require("all vertices of a shape").vector(0, "a vertex"));
-    }
+RockableShapes read_rockable_shapes(const std::string& path) {
+  RockableShapes shapes;
+  for (Mesh<3>& mesh : parse_rockable(path, read_text(path))) {
+    const std::string name = mesh.name;
+    shapes.insert_or_assign(name, std::move(mesh));
   }
   return shapes;
 }
@@ -122,7 +111,13 @@ ListedContact read_interaction(const KeyedLine& line) {
   c.place = line.file_line();
   c.id1 = line.integer(0, "the first body");
   c.id2 = line.integer(1, "the second body");
-  c.force = line.number(15, "fn") * line.vector(5, "the normal") + line.vector(16, "ft");
+  constexpr std::int64_t kEdgeEdge = 3;
+  const Eigen::Vector3d to_first = line.vector(5, "the normal");
+  c.normal = -to_first;
+  c.edges = line.integer(2, "the type") == kEdgeEdge;
+  c.gap = line.number(8, "dn");
+  c.point = line.vector(9, "the position");
+  c.force = line.number(15, "fn") * to_first + line.vector(16, "ft");
   return c;
 }
 
@@ -160,7 +155,7 @@ Configuration read_configuration(const std::string& path) {
 }
 
 /// Makes a wall of a driven body whose shape is a flat face across an axis: of the surface that is turned to `middle`.
-WallSide add_face(const RockableBody& body, const RockableShape& shape, const Eigen::Vector3d& middle,
+WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::Vector3d& middle,
                   ListedSpace& space) {
   constexpr double kThin = 1e-9;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -176,16 +171,70 @@ WallSide add_face(const RockableBody& body, const RockableShape& shape, const Ei
                                  "--walls gives the walls in place of the file",
                                  body.shape));
   const WallSide wall{axis, body.position[axis] < middle[axis] ? -1 : 1};
-  add_wall(wall, low[axis] - wall.side * body.scale * shape.radius, space);
+  add_wall(wall, low[axis] - wall.side * body.scale * shape.rounding, space);
   return wall;
 }
 
-const RockableShape& rockable_shape(const std::map<std::string, RockableShape>& shapes,
-                                    const RockableBody& body, const std::string& file) {
-  const auto found = shapes.find(body.shape);
-  if (found != shapes.end()) return found->second;
-  throw InputError(body.place.text(),
-                   fmt::format("the shape {} is not in the file of shapes, {}", body.shape, file));
+/// Shapes of a configuration, and those of grains with corners as floc has them.
+class Bodies {
+ public:
+  explicit Bodies(const std::string& path) : path_(path), meshes_(read_rockable_shapes(path)) {}
+
+  const Mesh<3>& mesh(const RockableBody& body) const {
+    const auto found = meshes_.find(body.shape);
+    if (found != meshes_.end()) return found->second;
+    throw InputError(body.place.text(),
+                     fmt::format("the shape {} is not in the file of shapes, {}", body.shape, path_));
+  }
+
+  /// Returns the index of the shape of a body in the table of shapes of the packing, and adds it there if it is new.
+  int index(const RockableBody& body, ListedPacking& listed) {
+    const auto [at, is_new] = indices_.try_emplace(body.shape, static_cast<int>(listed.shapes.in_3d.size()));
+    if (is_new) listed.shapes.in_3d.push_back(make_shape(mesh(body), listed.remarks));
+    return at->second;
+  }
+
+ private:
+  Shape<3> make_shape(const Mesh<3>& mesh, std::vector<std::string>& remarks) const {
+    if (is_sphere(mesh)) return round_shape<3>(mesh.rounding);
+    const std::string place = fmt::format("{}, shape \"{}\"", path_, mesh.name);
+    if (!mesh.is_principal)
+      throw InputError(place,
+                       "the shape has no line \"preCompDone y\": expected vertices about the centre of mass, "
+                       "along the principal axes of inertia, as Rockable computes them");
+    NamedShape<3> made = shape_of_mesh<3>(place, mesh, {});
+    for (const std::string& remark : made.remarks) remarks.push_back(place + ": " + remark);
+    return std::move(made.shape);
+  }
+
+  std::string path_;
+  RockableShapes meshes_;
+  std::map<std::string, int> indices_;
+};
+
+/// Makes the grains of the bodies that are not driven. If one of them has corners, all get shapes.
+void add_grains(const Configuration& from, Bodies& bodies, ListedPacking& listed) {
+  const auto first = from.bodies.begin() + from.n_driven;
+  const bool round = std::all_of(first, from.bodies.end(),
+                                 [&](const RockableBody& body) { return is_sphere(bodies.mesh(body)); });
+  for (auto body = first; body != from.bodies.end(); ++body) {
+    const Mesh<3>& mesh = bodies.mesh(*body);
+    if (!(body->scale > 0.0 && mesh.rounding > 0.0))
+      throw InputError(body->place.text(), fmt::format("homothety = {} and radius = {}, must be positive",
+                                                       body->scale, mesh.rounding));
+    ListedGrain grain;
+    grain.place = body->place;
+    grain.id = body - from.bodies.begin();
+    grain.position = body->position;
+    grain.radius = body->scale * mesh.rounding;
+    if (!round)
+      set_shape(listed.shapes, bodies.index(*body, listed), body->scale, body->position,
+                body->orientation.toRotationMatrix(), grain);
+    const auto density = from.density.find(body->group);
+    if (density != from.density.end() && mesh.volume > 0.0)
+      grain.mass = density->second * mesh.volume * body->scale * body->scale * body->scale;
+    listed.grains.push_back(std::move(grain));
+  }
 }
 
 }  // namespace
@@ -197,7 +246,7 @@ bool is_rockable(const std::string& path) {
 Imported read_rockable(const std::string& path, const ImportOptions& options) {
   Configuration from = read_configuration(path);
   const std::string shape_path = (std::filesystem::path(path).parent_path() / from.shape_file).string();
-  const std::map<std::string, RockableShape> shapes = read_shapes(shape_path);
+  Bodies bodies(shape_path);
   ListedPacking listed = listed_packing(path, options);
   listed.space.place = path;
   listed.space.dimension = 3;
@@ -205,31 +254,14 @@ Imported read_rockable(const std::string& path, const ImportOptions& options) {
   listed.space.cell = from.periodic ? from.cell : std::vector<std::vector<double>>{};
   listed.space.periodic.assign(3, from.periodic);
   listed.space.boundary = "the configuration has no periodic cell and no wall across it";
+  add_grains(from, bodies, listed);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (std::int64_t k = from.n_driven; k < std::ssize(from.bodies); ++k) {
-    const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
-    const RockableShape& shape = rockable_shape(shapes, body, shape_path);
-    if (!shape.is_sphere())
-      throw InputError(body.place.text(),
-                       fmt::format("the shape {} has {} vertices, expected a sphere, which has one", body.shape,
-                                   shape.vertices.size()));
-    ListedGrain grain;
-    grain.place = body.place;
-    grain.id = k;
-    grain.position = body.position;
-    grain.radius = body.scale * shape.radius;
-    if (!(grain.radius > 0.0))
-      throw InputError(body.place.text(), fmt::format("radius = {}, must be positive", grain.radius));
-    if (const auto density = from.density.find(body.group); density != from.density.end() && shape.volume > 0.0)
-      grain.mass = density->second * shape.volume * body.scale * body.scale * body.scale;
-    middle += grain.position;
-    listed.grains.push_back(std::move(grain));
-  }
-  if (!listed.grains.empty()) middle /= static_cast<double>(listed.grains.size());
+  for (const ListedGrain& grain : listed.grains)
+    middle += grain.position / static_cast<double>(listed.grains.size());
   std::map<std::int64_t, WallSide> walls;
   for (std::int64_t k = 0; k < from.n_driven && options.walls.empty(); ++k) {
     const RockableBody& body = from.bodies[static_cast<std::size_t>(k)];
-    walls.emplace(k, add_face(body, rockable_shape(shapes, body, shape_path), middle, listed.space));
+    walls.emplace(k, add_face(body, bodies.mesh(body), middle, listed.space));
   }
   for (ListedContact& c : from.contacts) name_wall(walls, c);
   if (!from.contacts.empty()) listed.contacts = std::move(from.contacts);

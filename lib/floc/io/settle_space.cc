@@ -120,7 +120,8 @@ const ListedEnds* find_ends(const std::vector<ListedEnds>& all, int axis) {
 std::size_t n_beyond_faces(const ListedPacking& listed, int axis) {
   const double low = listed.space.origin[axis], high = low + listed.space.cell[axis][axis];
   return std::count_if(listed.grains.begin(), listed.grains.end(), [&](const ListedGrain& g) {
-    return g.position[axis] - g.radius < low || g.position[axis] + g.radius > high;
+    return g.position[axis] - reach_along(listed, g, axis, -1) < low ||
+           g.position[axis] + reach_along(listed, g, axis, 1) > high;
   });
 }
 
@@ -168,11 +169,11 @@ void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed
 }
 
 /// Returns the lowest and the highest coordinate along an axis that a grain reaches.
-std::pair<double, double> extent(const std::vector<ListedGrain>& grains, int axis) {
+std::pair<double, double> extent(const ListedPacking& listed, int axis) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ListedGrain& g : grains) {
-    low = std::min(low, g.position[axis] - g.radius);
-    high = std::max(high, g.position[axis] + g.radius);
+  for (const ListedGrain& g : listed.grains) {
+    low = std::min(low, g.position[axis] - reach_along(listed, g, axis, -1));
+    high = std::max(high, g.position[axis] + reach_along(listed, g, axis, 1));
   }
   return {low, high};
 }
@@ -184,7 +185,7 @@ void fit_cell_to_ends(int dimension, ListedPacking& listed) {
     listed.cell.assign(dimension, std::vector<double>(dimension, 0.0));
   if (listed.cell.empty()) return;  // an error, which assemble() reports
   for (const ListedEnds& ends : listed.ends) {
-    const auto [lowest, highest] = extent(listed.grains, ends.axis);
+    const auto [lowest, highest] = extent(listed, ends.axis);
     const double side = ends.high.value_or(highest) - ends.low.value_or(lowest);
     if (!(side > 0.0))
       throw InputError(listed.place, fmt::format("all grains lie beyond the wall across {}", "xyz"[ends.axis]));
@@ -209,7 +210,7 @@ void require_grains_between_walls(const ListedPacking& listed) {
       const std::optional<double>& at = side < 0 ? ends.low : ends.high;
       if (!at) continue;
       for (const ListedGrain& g : listed.grains) {
-        const double overlap = g.radius - side * (*at - g.position[ends.axis]);
+        const double overlap = reach_along(listed, g, ends.axis, side) - side * (*at - g.position[ends.axis]);
         if (overlap > kDeepest * g.radius)
           throw InputError(
               g.place.text(),

@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <pugixml.hpp>
 #include <sstream>
 
 #include "floc/base/error.h"
 #include "floc/base/parse_number.h"
 #include "floc/base/read_file.h"
+#include "floc/io/field_space.h"
 #include "floc/io/point_cloud.h"
 #include "floc/io/vtk_arrays.h"
 #include "floc/packing/wall_forces.h"
@@ -20,6 +24,8 @@ namespace {
 
 constexpr int kVertex = 1;
 constexpr int kLine = 3;
+constexpr int kPolygon = 7;
+constexpr int kPolyhedron = 42;
 
 /// Returns the indices of the points that are grains: the points of the VTK cells of type vertex. If the file has no such
 /// cells, the result is empty, and all points are grains.
@@ -41,51 +47,6 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
     }
   }
   return points;
-}
-
-/// Reads cell, dimension and boundary from the arrays "cell", "dimension", "walls" and "periodic" of the section
-/// FieldData, which vtu_text() writes.
-ListedSpace space_of(const VtkArrays& arrays) {
-  ListedSpace space;
-  space.place = arrays.place("FieldData", "cell");
-  if (!arrays.has("FieldData", "cell")) return space;
-  const std::vector<double> numbers = arrays.read("FieldData", "cell");
-  if (numbers.size() != 9)
-    throw InputError(space.place, fmt::format("the array has {} numbers, expected 9", numbers.size()));
-  for (int a = 0; a < 3; ++a) space.cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + 3);
-  if (arrays.has("FieldData", "dimension")) {
-    const std::vector<double> dimension = arrays.read("FieldData", "dimension");
-    if (dimension != std::vector<double>{2.0} && dimension != std::vector<double>{3.0})
-      throw InputError(arrays.place("FieldData", "dimension"),
-                       fmt::format("the dimension is {}, expected 2 or 3", fmt::join(dimension, " ")));
-    space.dimension = static_cast<int>(dimension[0]);
-    space.periodic = {true, true, true};
-  }
-  if (arrays.has("FieldData", "walls")) {
-    const std::vector<double> walls =
-        arrays.read("FieldData", "walls");  // axis, side and position of each wall
-    space.exact_walls = true;
-    for (std::size_t k = 0; k + 2 < walls.size(); k += 3) {
-      const bool known = walls[k] == 0.0 || walls[k] == 1.0 || walls[k] == 2.0;
-      if (!known || (walls[k + 1] != -1.0 && walls[k + 1] != 1.0))
-        throw InputError(
-            arrays.place("FieldData", "walls"),
-            fmt::format("wall {} has the axis {} and the side {}, expected an axis from 0 to 2 and the "
-                        "side -1 or 1",
-                        k / 3, walls[k], walls[k + 1]));
-      add_wall({static_cast<int>(walls[k]), walls[k + 1] < 0.0 ? -1 : 1}, walls[k + 2], space);
-    }
-  }
-  if (arrays.has("FieldData", "periodic")) {
-    const std::vector<double> periodic = arrays.read("FieldData", "periodic");
-    if (periodic.size() != 3)
-      throw InputError(arrays.place("FieldData", "periodic"),
-                       fmt::format("the array has {} numbers, expected 3", periodic.size()));
-    space.periodic.clear();
-    for (const double along : periodic) space.periodic.push_back(along != 0.0);
-    space.boundary = fmt::format("the field array periodic is {}", fmt::join(periodic, " "));
-  }
-  return space;
 }
 
 /// Whether a file is in VTK's XML format and has a data set of a kind.
@@ -117,7 +78,10 @@ Imported read_vtu(const std::string& path, const ImportOptions& options) {
   cloud.arrays = arrays.names("PointData");
   cloud.place = [&](const std::string& name) { return arrays.place("PointData", name); };
   cloud.read = [&](const std::string& name) { return arrays.read("PointData", name); };
-  if (options.cell.empty()) cloud.space = space_of(arrays);
+  if (options.cell.empty())
+    cloud.space = space_of_fields({[&](const std::string& name) { return arrays.has("FieldData", name); },
+                                   [&](const std::string& name) { return arrays.read("FieldData", name); },
+                                   [&](const std::string& name) { return arrays.place("FieldData", name); }});
   return read_points(cloud, options);
 }
 
@@ -153,12 +117,33 @@ void append(pugi::xml_node section, const ArrayText& array) {
   node.text().set(array.numbers.c_str());
 }
 
+/// Returns the corners of the outline of a shape in the plane, counter-clockwise; rounded corners become arcs of up to 1/16 of
+/// a turn.
+std::vector<Vec<2>> outline(const Shape<2>& shape) {
+  constexpr double kArc = 0.125 * std::numbers::pi;
+  std::vector<Vec<2>> points;
+  for (int f = 0; f < shape.n_faces(); ++f) {
+    const Vec<2>&n = shape.normals[f], &next = shape.normals[(f + 1) % shape.n_faces()];
+    const Vec<2>& corner = shape.vertices[shape.loop(f)[1]];
+    const double turn = std::atan2(n[0] * next[1] - n[1] * next[0], n.dot(next));
+    const double angle = turn > 0.0 ? turn : turn + 2.0 * std::numbers::pi;
+    const int n_arcs = shape.rounding > 0.0 ? static_cast<int>(std::ceil(angle / kArc)) : 0;
+    for (int k = 0; k <= n_arcs; ++k)
+      points.push_back(corner +
+                       shape.rounding *
+                           (Eigen::Rotation2Dd(n_arcs > 0 ? angle * k / n_arcs : 0.0).toRotationMatrix() * n));
+  }
+  return points;
+}
+
 /// Points, VTK cells and data arrays of the VTU file of a packing: a point and a vertex for each grain, and one or two
-/// lines for each contact.
+/// lines for each contact. A grain with corners has a polygon or the polyhedron of its core (the shape without its rounding),
+/// too, and its contacts are lines through the contact point.
 class Drawing {
  public:
   template <int Dim>
-  explicit Drawing(const Packing<Dim>& packing) : has_twisting_(packing.law.has_twisting()) {
+  explicit Drawing(const Packing<Dim>& packing)
+      : has_twisting_(packing.law.has_twisting()), has_corners_(!packing.grains.are_round()) {
     const Grains<Dim>& grains = packing.grains;
     if (!grains.id.empty()) id_.type = "Int64";
     for (int i = 0; i < grains.size(); ++i) {
@@ -166,6 +151,7 @@ class Drawing {
       add_cell(kVertex, {i});
       add_contact_data(Contact<Dim>());
     }
+    for (int i = 0; i < grains.size() && has_corners_; ++i) add_shape(grains, i);
     for (const Contact<Dim>& c : packing.contacts) add_contact(packing, c);
   }
 
@@ -175,6 +161,8 @@ class Drawing {
     append(piece.append_child("Points"), points_);
     pugi::xml_node cells = piece.append_child("Cells");
     for (const ArrayText* array : {&connectivity_, &offsets_, &types_}) append(cells, *array);
+    if (face_offset_ > 0)
+      for (const ArrayText* array : {&faces_, &face_offsets_}) append(cells, *array);
     pugi::xml_node point_data = piece.append_child("PointData");
     for (const ArrayText* array : {&radius_, &mass_, &id_}) append(point_data, *array);
     pugi::xml_node cell_data = piece.append_child("CellData");
@@ -197,7 +185,40 @@ class Drawing {
     offset_ += static_cast<int>(points.size());
     offsets_.add(offset_);
     types_.add(type);
+    face_offsets_.add(type == kPolyhedron ? face_offset_ : -1);
     ++n_cells_;
+  }
+
+  /// Adds the points of a polygon or polyhedron in the coordinates of a shape. @return their indices
+  template <int Dim>
+  std::vector<int> add_placed(const Grains<Dim>& grains, int i, const std::vector<Vec<Dim>>& points) {
+    const PlacedShape<Dim> placed = grains.placed(i);
+    std::vector<int> indices;
+    for (const Vec<Dim>& own : points)
+      indices.push_back(add_point(in_space<Dim>(placed.position + placed.scale * (placed.rotation * own)), 0.0,
+                                  0.0, grains.name(i)));
+    return indices;
+  }
+
+  void add_shape(const Grains<2>& grains, int i) {
+    const std::vector<Vec<2>> points = outline(*grains.placed(i).shape);
+    if (points.size() < 3) return;  // a disk
+    add_cell(kPolygon, add_placed(grains, i, points));
+    add_contact_data(Contact<2>());
+  }
+
+  void add_shape(const Grains<3>& grains, int i) {
+    const Shape<3>& shape = *grains.placed(i).shape;
+    if (shape.n_faces() == 0) return;  // a sphere or capsule
+    const std::vector<int> indices = add_placed(grains, i, shape.vertices);
+    const auto add_to_faces = [&](int value) { faces_.add(value), ++face_offset_; };
+    add_to_faces(shape.n_faces());
+    for (int f = 0; f < shape.n_faces(); ++f) {
+      add_to_faces(static_cast<int>(shape.loop(f).size()));
+      for (const int vertex : shape.loop(f)) add_to_faces(indices[static_cast<std::size_t>(vertex)]);
+    }
+    add_cell(kPolyhedron, indices);
+    add_contact_data(Contact<3>());
   }
 
   template <int Dim>
@@ -214,6 +235,15 @@ class Drawing {
 
   template <int Dim>
   void add_contact(const Packing<Dim>& packing, const Contact<Dim>& c) {
+    const auto add_half = [&](int grain, const Vec<Dim>& end) {
+      add_cell(kLine, {grain, add_point(in_space<Dim>(end), 0.0, 0.0, -1)});
+      add_contact_data(c);
+    };
+    if (has_corners_) {
+      add_half(c.i, packing.grains.position[c.i] + c.arm_i);
+      if (!packing.is_wall(c.j)) add_half(c.j, packing.grains.position[c.j] + c.arm_j);
+      return;
+    }
     if (packing.is_wall(c.j)) {
       const Vec<Dim> foot = packing.grains.position[c.i] + branch(packing, c);
       add_cell(kLine, {c.i, add_point(in_space<Dim>(foot), 0.0, 0.0, -1)});
@@ -226,22 +256,21 @@ class Drawing {
       return;
     }
     const Vec<Dim> half = 0.5 * branch(packing, c);
-    const auto add_half = [&](int grain, const Vec<Dim>& end) {
-      add_cell(kLine, {grain, add_point(in_space<Dim>(end), 0.0, 0.0, -1)});
-      add_contact_data(c);
-    };
     add_half(c.i, packing.grains.position[c.i] + half);
     add_half(c.j, packing.grains.position[c.j] - half);
   }
 
-  bool has_twisting_;
+  bool has_twisting_, has_corners_;
   int n_points_ = 0;
   int n_cells_ = 0;
   int offset_ = 0;
+  int face_offset_ = 0;  ///< number of entries of faces_
   ArrayText points_{"Float64", "Points", 3, ""};
   ArrayText connectivity_{"Int32", "connectivity", 1, ""};
   ArrayText offsets_{"Int32", "offsets", 1, ""};
   ArrayText types_{"UInt8", "types", 1, ""};
+  ArrayText faces_{"Int32", "faces", 1, ""};
+  ArrayText face_offsets_{"Int32", "faceoffsets", 1, ""};
   ArrayText radius_{"Float64", "radius", 1, ""};
   ArrayText mass_{"Float64", "mass", 1, ""};
   ArrayText id_{"Int32", "id", 1, ""};
@@ -274,6 +303,12 @@ std::string vtu_text(const State<Dim>& state) {
   dimension.add(Dim);
   append(fields, dimension);
   fields.last_child().append_attribute("NumberOfTuples") = 1;
+  if (!state.packing.grains.are_round()) {
+    ArrayText corners{"Int32", "corners", 1, ""};  // 1: grains have corners
+    corners.add(1);
+    append(fields, corners);
+    fields.last_child().append_attribute("NumberOfTuples") = 1;
+  }
   const Packing<Dim> packing = with_walls_at_cell(state.packing);
   if (!packing.walls.empty()) {
     ArrayText walls{"Float64", "walls", 3, ""};  // axis, side and position of each wall

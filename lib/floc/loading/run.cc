@@ -23,7 +23,8 @@ namespace floc {
 namespace {
 
 /// Gives the walls of a saved packing the masses and the contact law of the scene. The walls keep their positions.
-/// @throws InputError if the packing and the scene do not have walls along the same axes
+/// @throws InputError if the packing and the scene do not have walls and free ends along the same axes, or if only the
+/// packing has gravity
 template <int Dim>
 void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   Vec<Dim> lowest = Vec<Dim>::Zero();
@@ -39,7 +40,17 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
               "the saved state has {} along axis {}: expected box.boundary to give this axis a boundary of "
               "that kind",
               between_walls(saved, a) ? "walls" : "no walls", a + 1));
+  for (std::size_t w = 0; w < saved.size(); ++w)
+    if (saved[w].open != packing.walls[w].open)
+      throw InputError("box.boundary",
+                       fmt::format("the saved state {} at the {} end of axis {}: expected box.boundary "
+                                   "\"floor\" where the upper end alone is open, and another one elsewhere",
+                                   saved[w].open ? "is open" : "has a wall",
+                                   saved[w].side < 0 ? "lower" : "upper", saved[w].axis + 1));
+  if (!packing.gravity.isZero(0.0) && box.gravity.isZero(0.0))
+    throw InputError("box.gravity", "the saved state has gravity, but the scene has none: expected this key");
   packing.wall_law = wall_law(law, box);
+  packing.gravity = box.gravity.head<Dim>();
   refresh_contacts(packing);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "floc/base/error.h"
 #include "floc/elasticity/stability.h"
@@ -56,9 +57,59 @@ CompactionProgress parsed(const std::string& text) {
       kBoxMembers);
 }
 
+/// Returns the height of a homogeneous bed with the centre of mass of the grains (length): twice the height of this centre
+/// above the floor.
+template <int Dim>
+double height_of_bed(const Packing<Dim>& packing, const Wall<Dim>& floor) {
+  const Grains<Dim>& g = packing.grains;
+  double mass = 0.0, sum = 0.0;
+  for (int i = 0; i < g.size(); ++i) {
+    mass += g.mass[i];
+    sum += g.mass[i] * (g.position[i][floor.axis] - floor.position);
+  }
+  return 2.0 * sum / mass;
+}
+
+/// Returns the void ratio of a packing. A bed with a free surface counts as a homogeneous one of the same centre of mass, since
+/// single grains above the bed say nothing about it.
 template <int Dim>
 double void_ratio(const Packing<Dim>& packing) {
-  return 1.0 / solid_fraction(packing) - 1.0;
+  double volume = packing.cell.volume();
+  for (std::size_t w = 0; w + 1 < packing.walls.size(); w += 2) {
+    const Wall<Dim>&floor = packing.walls[w], &above = packing.walls[w + 1];
+    if (above.open) volume *= height_of_bed(packing, floor) / packing.cell.matrix(above.axis, above.axis);
+  }
+  double solid = 0.0;
+  for (int i = 0; i < packing.grains.size(); ++i) solid += packing.grains.volume(i);
+  return volume / solid - 1.0;
+}
+
+/// Moves each open end to the surface of the grain that reaches furthest, and gives the cell the side between the ends.
+template <int Dim>
+void fit_open_ends(Packing<Dim>& packing) {
+  const Grains<Dim>& g = packing.grains;
+  for (std::size_t w = 0; w + 1 < packing.walls.size(); w += 2) {
+    const Wall<Dim>& floor = packing.walls[w];
+    Wall<Dim>& above = packing.walls[w + 1];
+    if (!above.open) continue;
+    double highest = g.position[0][above.axis] + g.radius[0];
+    for (int i = 1; i < g.size(); ++i) highest = std::max(highest, g.position[i][above.axis] + g.radius[i]);
+    above.position = highest;
+    packing.cell.matrix(above.axis, above.axis) = highest - floor.position;
+  }
+}
+
+/// Whether the walls bear at least half of the weight of the grains.
+template <int Dim>
+bool walls_bear_weight(const Packing<Dim>& packing) {
+  if (packing.gravity.isZero(0.0)) return true;
+  const Grains<Dim>& g = packing.grains;
+  const Vec<Dim> up = -packing.gravity.normalized();
+  const double weight = std::accumulate(g.mass.begin(), g.mass.end(), 0.0) * packing.gravity.norm();
+  double borne = 0.0;
+  for (const Contact<Dim>& c : packing.contacts)
+    if (packing.is_wall(c.j)) borne += up.dot(c.shear_force - c.normal_force * c.normal);
+  return borne >= 0.5 * weight;
 }
 
 }  // namespace
@@ -142,6 +193,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   packing_ = dynamics->release_packing();
   if (!options_.skin) progress_.skin = dynamics->skin();
   dynamics.reset();
+  fit_open_ends(packing_);
   progress_.n_steps += kStepsPerChunk;
   progress_.time += kStepsPerChunk * time_step_;
   measure();
@@ -180,7 +232,7 @@ std::string BoxRelaxer<Dim>::lost() const {
   const Grains<Dim>& g = packing_.grains;
   // A grain whose centre has passed a wall overlaps the wall by more than its radius, which no contact law describes.
   for (const Wall<Dim>& wall : packing_.walls)
-    for (int i = 0; i < g.size(); ++i)
+    for (int i = 0; i < g.size() && !wall.open; ++i)
       if (!(wall.side * (wall.position - g.position[i][wall.axis]) > 0.0))
         return fmt::format(
             "grain {} has its centre on or beyond a wall of axis {}: the walls are too fast, or the "
@@ -213,7 +265,7 @@ template <int Dim>
 bool BoxRelaxer<Dim>::is_armed() {
   if (progress_.armed) return true;
   const std::vector<double> force = wall_forces(packing_);
-  bool all = true;
+  bool all = walls_bear_weight(packing_);
   for (std::size_t w = 0; w < force.size(); ++w) {
     const Wall<Dim>& wall = packing_.walls[w];
     if (!follows_forces(wall)) continue;

@@ -1,5 +1,6 @@
 #include "floc/relaxation/explicit_dynamics.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "floc/base/thread_team.h"
@@ -36,6 +37,7 @@ ExplicitDynamics<Dim>::ExplicitDynamics(Packing<Dim>& packing, const BoundaryCon
                                         const DynamicsSettings& settings)
     : law_(packing.law),
       wall_law_(packing.wall_law),
+      gravity_(packing.gravity),
       dt_(settings.time_step),
       grains_(packing.grains, space_order(packing.cell, packing.grains)),
       cell_(packing.cell, packing.walls, control),
@@ -73,6 +75,7 @@ template <int Dim>
 void ExplicitDynamics<Dim>::step(int thread, Barrier& barrier, Motion motion, Rotation from, Rotation to) {
   if (thread == 0) begin_step();
   barrier.wait();
+  if (has_gravity()) fall(thread), barrier.wait();
   std::optional<Rotation> undrifted;
   if (lists_.stale(cell_, range())) {
     // New lists are built for the positions of the grains at the end of the step.
@@ -89,6 +92,7 @@ void ExplicitDynamics<Dim>::step(int thread, Barrier& barrier, Motion motion, Ro
   barrier.wait();
   sweep_.sum_shared(thread, interactions_, step_, to);
   barrier.wait();
+  if (has_gravity()) fall(thread), barrier.wait();
   if (thread == 0) end_step(motion);
 }
 
@@ -99,7 +103,20 @@ void ExplicitDynamics<Dim>::begin_step() {
   step_.drift = cell_.drift(dt_);
   step_.kick = cell_.kick_of_grains(0.5 * dt_);
   step_.cell = cell_.pair_cell(dt_);
-  lists_.add_step(cell_, sweep_.sums(), step_.kick, step_.drift);
+  lists_.add_step(cell_, sweep_.sums(), step_.kick, step_.drift, 0.5 * dt_ * gravity_.norm());
+}
+
+// The weight is added to the velocities, not to the forces, so that the loops over pairs do not know of it. Along axes with
+// gravity the boundary is at rest or between walls, where the kick of the boundary leaves velocities as they are.
+template <int Dim>
+void ExplicitDynamics<Dim>::fall(int thread) {
+  sweep_.for_each_block(thread, [&](int block) {
+    const int first = block * kGrainBlock, last = std::min(first + kGrainBlock, grains_.size());
+    for (int a = 0; a < Dim; ++a) {
+      const double change = 0.5 * dt_ * gravity_[a];
+      for (int k = first; k < last; ++k) grains_.v[a][k] += change;
+    }
+  });
 }
 
 template <int Dim>
@@ -109,10 +126,25 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
   if (motion == Motion::power_control) stop_if_slowing();
 }
 
+/// Returns twice the kinetic energy of the grains (energy). With gravity it is computed from the velocities, as the sums of
+/// the sweep do not contain the last half step of the fall.
+template <int Dim>
+double ExplicitDynamics<Dim>::twice_kinetic_energy_of_grains() const {
+  if (!has_gravity()) return sweep_.twice_kinetic_energy();
+  double twice = 0.0;
+  for (const BlockSums<Dim>& s : sweep_.sums()) twice += s.rotation;
+  for (int k = 0; k < grains_.size(); ++k) {
+    double speed_squared = 0.0;
+    for (int a = 0; a < Dim; ++a) speed_squared += grains_.v[a][k] * grains_.v[a][k];
+    twice += grains_.mass[k] * speed_squared;
+  }
+  return twice;
+}
+
 /// Stops grains and boundary if their kinetic energy has fallen in the last step.
 template <int Dim>
 void ExplicitDynamics<Dim>::stop_if_slowing() {
-  double twice_kinetic = sweep_.twice_kinetic_energy();
+  double twice_kinetic = twice_kinetic_energy_of_grains();
   twice_kinetic += cell_.twice_kinetic_energy_of_lattice();
   twice_kinetic += cell_.walls().twice_kinetic_energy();
   if (twice_kinetic < twice_kinetic_) {
@@ -202,7 +234,9 @@ Packing<Dim> ExplicitDynamics<Dim>::release_packing() {
 
 template <int Dim>
 Packing<Dim> ExplicitDynamics<Dim>::packing() const {
-  return packing_from_motion(grains_, cell_, interactions_, law_, wall_law_);
+  Packing<Dim> packing = packing_from_motion(grains_, cell_, interactions_, law_, wall_law_);
+  packing.gravity = gravity_;
+  return packing;
 }
 
 template <int Dim>

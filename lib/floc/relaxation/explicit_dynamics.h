@@ -38,6 +38,10 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void begin_step();
   void end_step(Motion motion);
   void stop_if_slowing();
+  /// Changes the velocities of the grains by those of a fall over half a time step, for the blocks of grains of one thread.
+  void fall(int thread);
+  bool has_gravity() const { return !gravity_.isZero(0.0); }
+  double twice_kinetic_energy_of_grains() const;
   /// Measures how far grains have moved since the neighbour lists were built, for the blocks of grains of one thread.
   void measure_motion(int thread);
   void refresh_forces();
@@ -50,6 +54,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   double range() const { return interactions_.between_grains().range(); }
 
   Law law_, wall_law_;
+  Vec<Dim> gravity_;  ///< acceleration due to gravity (length/time^2)
   double dt_;
   GrainArrays<Dim> grains_;
   CellMotion<Dim> cell_;

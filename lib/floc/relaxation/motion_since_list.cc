@@ -56,13 +56,13 @@ void MotionSinceList<Dim>::begin(const GrainArrays<Dim>& grains, const CellMotio
 /// before the kick, F the force, m the mass, dt the time step, and keep and gain the matrices of the kick.
 template <int Dim>
 void MotionSinceList<Dim>::add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums,
-                                    const Kick<Dim>& kick, const Drift<Dim>& drift) {
+                                    const Kick<Dim>& kick, const Drift<Dim>& drift, double fall) {
   stretch_ = right_quotient<Dim>(cell.lattice(), lattice_);
   double next_speed_squared = 0.0;
   for (const BlockSums<Dim>& s : sums) next_speed_squared = std::max(next_speed_squared, s.next_speed_squared);
   const double speed_gain = std::max(stretch_bound(kick.keep), stretch_bound(kick.gain));
   of_grains_ = stretch_bound(drift.stretch) * of_grains_ + rounding_ +
-               stretch_bound(drift.drift) * speed_gain * std::sqrt(next_speed_squared);
+               stretch_bound(drift.drift) * speed_gain * (std::sqrt(next_speed_squared) + 2.0 * fall);
 }
 
 template <int Dim>

@@ -26,8 +26,9 @@ class MotionSinceList {
   /// Adds an upper bound of the motion in a time step. It has to be called after the drift of the cell and before the
   /// drift of the grains.
   /// @param sums  contributions of the blocks of grains (speeds and forces) after the previous step
+  /// @param fall  change of the speed of a free grain by gravity over half a time step (length/time)
   void add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums, const Kick<Dim>& kick,
-                const Drift<Dim>& drift);
+                const Drift<Dim>& drift, double fall);
   /// Measures the motion of a block of grains since the lists were built. Several threads may do this at once for
   /// different blocks.
   void measure(int block, const StepKernels<Dim>& kernels, const GrainView<Dim>& grains);

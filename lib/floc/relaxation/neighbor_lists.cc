@@ -72,8 +72,8 @@ double NeighborLists<Dim>::skin_to_continue_with(const CellMotion<Dim>& cell, do
 
 template <int Dim>
 void NeighborLists<Dim>::add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums,
-                                  const Kick<Dim>& kick, const Drift<Dim>& drift) {
-  motion_.add_step(cell, sums, kick, drift);
+                                  const Kick<Dim>& kick, const Drift<Dim>& drift, double fall) {
+  motion_.add_step(cell, sums, kick, drift, fall);
   ++steps_;
 }
 

@@ -43,7 +43,7 @@ class NeighborLists {
   MotionSinceList<Dim>& motion() { return motion_; }
   /// Counts a time step, and adds an upper bound of the motion in this step (MotionSinceList::add_step()).
   void add_step(const CellMotion<Dim>& cell, const std::vector<BlockSums<Dim>>& sums, const Kick<Dim>& kick,
-                const Drift<Dim>& drift);
+                const Drift<Dim>& drift, double fall);
 
  private:
   double min_skin() const;

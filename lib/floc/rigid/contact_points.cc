@@ -83,8 +83,9 @@ std::vector<Contact<Dim>> ContactPoints<Dim>::find(const Packing<Dim>& packing, 
   };
   std::vector<KnownPair> known;
   std::size_t next = 0;
+  const double furthest = largest_diameter(grains) + reach;
   for (const NeighborPair<Dim>& pair :
-       find_pairs(search_cell(packing.cell, packing.walls, reach), grains, reach)) {
+       find_pairs(search_cell(packing.cell, packing.walls, furthest), grains, reach)) {
     while (next < known_.size() && precedes(known_[next].pair, pair)) ++next;
     KnownPair now{pair, {}};
     if (next < known_.size() && !precedes(pair, known_[next].pair)) now.features = known_[next].features;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "floc/assembly/gas.h"
+#include "floc/scene/scene_scales.h"
 
 namespace floc {
 namespace {
@@ -17,16 +18,69 @@ using Need = TableReader::Need;
 constexpr NumberRule kPositive{positive, "a positive number"};
 
 /// Reads the key box.boundary, which gives a keyword for each axis: "walls" (walls that move under the pressure),
-/// "fixed" (walls at rest) or "periodic" (no walls).
+/// "fixed" (walls at rest), "periodic" (no walls), "floor" (a wall at rest below, free space above) or "lid" (a wall at rest
+/// below, one that moves under the pressure above).
 void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
-  constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic};
+  constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic, BoxSide::floor,
+                                 BoxSide::lid};
   static const char* const kAxisNames[] = {"x", "y", "z"};
   if (!t.has("boundary")) return;
   TableReader sides = t.table("boundary", "a table, e.g. {x = \"periodic\", y = \"walls\"}");
   for (int a = 0; a < dimension; ++a)
-    if (const auto chosen = sides.choice(kAxisNames[a], {"walls", "fixed", "periodic"}, Need::optional))
+    if (const auto chosen =
+            sides.choice(kAxisNames[a], {"walls", "fixed", "periodic", "floor", "lid"}, Need::optional))
       box.boundary[a] = kSides[*chosen];
   sides.refuse_other_keys();
+}
+
+/// Reads the key box.gravity, and checks that a wall bears the weight of the grains.
+void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
+  const bool given = t.has("gravity");
+  if (given) {
+    const std::vector<double> gravity =
+        t.numbers("gravity",
+                  {[](double g) { return std::isfinite(g); },
+                   dimension == 2 ? "two numbers, the acceleration due to gravity along each axis, e.g. [0, -1]"
+                                  : "three numbers, the acceleration due to gravity along each axis, e.g. "
+                                    "[0, 0, -1]"});
+    if (gravity.empty()) return;
+    if (gravity.size() != static_cast<std::size_t>(dimension))
+      return t.fault("gravity", fmt::format("box.gravity has {} numbers: expected {}, one for each axis",
+                                            gravity.size(), dimension));
+    for (int a = 0; a < dimension; ++a) box.gravity[a] = gravity[static_cast<std::size_t>(a)];
+  }
+  for (int a = 0; a < dimension; ++a) {
+    const BoxSide side = box.boundary[a];
+    const bool has_floor = side == BoxSide::floor || side == BoxSide::lid;
+    if (box.gravity[a] != 0.0 && (side == BoxSide::periodic || side == BoxSide::walls))
+      return t.fault(
+          "gravity",
+          fmt::format("box.gravity: gravity acts along axis {}, whose boundary is \"{}\", so that no "
+                      "wall at rest bears the weight; expected \"floor\", \"lid\" or \"fixed\"",
+                      a + 1, side == BoxSide::periodic ? "periodic" : "walls"));
+    if (has_floor && !(box.gravity[a] < 0.0))
+      return t.fault(
+          given ? "gravity" : "boundary",
+          fmt::format("box.gravity: axis {} has a floor at its lower end, so that gravity has to act towards "
+                      "it; expected a negative number for this axis",
+                      a + 1));
+  }
+}
+
+/// Reads the pressure on the walls that move. Without such walls, the unit of pressure of the scene is the weight of a layer of
+/// the largest grains: m g/a^(D-1), with their mass m and diameter a.
+void read_pressure(TableReader& t, Scene& scene, const BoxOptions& box) {
+  if (any_wall_moves(box, scene.dimension) || box.gravity.isZero(0.0)) {
+    scene.assembly.pressure =
+        t.number("pressure", {kPositive.holds, "a positive number (pressure on the walls during assembly)"})
+            .value_or(0);
+    return;
+  }
+  t.refuse("pressure", "box.pressure is not allowed here: no wall moves, and gravity alone loads the grains");
+  t.refuse("mass", "box.mass is not allowed here: no wall moves");
+  const double a = scene.grains.largest();
+  scene.assembly.pressure =
+      a > 0.0 ? mass_of(scene, a) * box.gravity.norm() / std::pow(a, scene.dimension - 1) : 1.0;
 }
 
 void read_sides(TableReader& t, const Scene& scene, BoxOptions& box) {
@@ -146,22 +200,25 @@ void read_box(TableReader& root, Scene& scene) {
   read_contacts(t, scene, box);
   // At least one axis must have walls that can move: fixed walls and periodic boundaries do not respond to the
   // pressure.
-  if (std::none_of(box.boundary.begin(), box.boundary.begin() + scene.dimension,
-                   [](BoxSide side) { return side == BoxSide::walls; }))
+  read_gravity(t, scene.dimension, box);
+  if (!any_wall_moves(box, scene.dimension) && box.gravity.isZero(0.0))
     t.fault("boundary",
-            "box.boundary: no wall can move under the pressure; expected \"walls\" for at least one axis, or a "
-            "table [cell] in place of [box]");
-  box.mass = t.number("mass", {kPositive.holds,
-                               "a positive number (mass of a wall over the mass of the largest grain)"})
-                 .value_or(1);
-  scene.assembly.pressure =
-      t.number("pressure", {kPositive.holds, "a positive number (pressure on the walls during assembly)"})
-          .value_or(0);
+            "box.boundary: no wall can move under the pressure; expected \"walls\" for at least one axis, a "
+            "floor with box.gravity, or a table [cell] in place of [box]");
+  read_pressure(t, scene, box);
+  if (any_wall_moves(box, scene.dimension) || box.gravity.isZero(0.0))
+    box.mass = t.number("mass", {kPositive.holds,
+                                 "a positive number (mass of a wall over the mass of the largest grain)"})
+                   .value_or(1);
   scene.assembly.cell.wall_speed = t.number("speed",
                                             {kPositive.holds,
                                              "a positive number (speed at which opposite walls approach each "
                                              "other until the grains carry the pressure)"},
                                             Need::optional);
+  if (std::any_of(box.boundary.begin(), box.boundary.begin() + scene.dimension,
+                  [](BoxSide side) { return side == BoxSide::floor || side == BoxSide::lid; }))
+    t.refuse("speed",
+             "box.speed is not allowed here: it is the speed of opposite walls, but a floor does not move");
   check_room(t, scene, box);
   t.refuse_other_keys();
 }

@@ -327,7 +327,7 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
                    "{}: the stage imposes a length on axis {}, but walls either move under a stress or stay at "
                    "rest; expected a stress, or box.boundary = \"fixed\" for an axis that keeps its length",
                    t.path_of(key), a + 1));
-    if (stage.axes[a].kind == AxisLoad::stress && box.boundary[a] != BoxSide::walls)
+    if (stage.axes[a].kind == AxisLoad::stress && !moves(box.boundary[a]))
       return t.fault(key, fmt::format("{}: axis {} has no walls that could move under the imposed stress; "
                                       "expected an axis whose box.boundary is \"walls\"",
                                       t.path_of(key), a + 1));
@@ -433,6 +433,13 @@ void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene) {
   Law law = scene.law;
   KnownStress from = first_stress(scene.assembly, scene.dimension);
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
+    if (scene.assembly.box && !any_wall_moves(*scene.assembly.box, scene.dimension) &&
+        !scene.assembly.box->gravity.isZero(0.0))
+      t.fault(
+          "control",
+          fmt::format("{}: no wall of the box moves, so that no pressure can be imposed; expected no tables "
+                      "[[load]], or a box.boundary with \"walls\" or \"lid\"",
+                      t.path_of("control")));
     scene.load.push_back(read_stage(t, scene, from, law));
     scene.load.back().cell = scene.load.back().cell.or_else(unsaid);
     from = after_stage(from, scene.load.back());

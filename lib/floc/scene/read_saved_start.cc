@@ -59,11 +59,10 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (!state.packing.grains.are_round() && !scene.law.is_rigid())
     return "the grains of the state have shapes, which need rigid contacts in this version of floc: expected "
            "contact.normal = {law = \"rigid\"}";
-  if (is_open(state.packing.walls))
-    return "the state ends in free space along an axis: expected a state that is periodic or lies between "
-           "walls";
-  if (!state.packing.gravity.isZero(0.0))
-    return "the state has gravity (equilibrium/gravity), which runs do not apply: expected a state without it";
+  if (is_open(state.packing.walls) && !scene.assembly.box)
+    return "the state ends in free space along an axis: expected a state that is periodic, or a table [box] in "
+           "the "
+           "scene";
   if (std::ranges::any_of(state.packing.contacts, [](const auto& c) { return c.bonded; }))
     return "the state has bonds (contacts/bonded), which runs do not keep: expected a state without them";
   const bool has_walls = !state.packing.walls.empty();

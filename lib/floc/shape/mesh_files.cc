@@ -153,6 +153,10 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
       if (!kRadius.holds(shape.rounding))
         lines.refuse(
             fmt::format("the radius of the shape is {:g}: expected {}", shape.rounding, kRadius.words()));
+    } else if (key == "volume") {
+      shape.volume = lines.number(1);
+    } else if (key == "preCompDone") {
+      shape.is_principal = lines.n_words() > 1 && lines.word(1) == "y";
     } else if (key == "nv") {
       for (int n = lines.whole(1, kVertexCount), k = 0; k < n; ++k) {
         lines.require_next(fmt::format("vertex {} of {}", k + 1, n));
@@ -168,7 +172,7 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
         add_counted_face(lines, shape);
       }
     }
-    // Other keys, such as obb.extent and volume, are skipped, because they follow from the vertices and the
+    // Other keys, such as obb.extent and I/m, are skipped, because they follow from the vertices and the
     // radius.
   }
   for (std::size_t k = 0; k < shapes.size(); ++k)

@@ -18,6 +18,9 @@ struct Mesh {
   /// Whether all faces list their vertices in the same sense of rotation, as seen from outside.
   bool is_oriented = true;
   double rounding = 0.0;
+  double volume = 0.0;  ///< volume of the body that the file gives (length^3); 0 if it does not
+  /// Whether the file says that the coordinates are relative to the centre of mass, along the principal axes of inertia.
+  bool is_principal = false;
 };
 
 /// Functions that read mesh files. Their input is the text of the file or, for binary STL, its bytes. `place` is the

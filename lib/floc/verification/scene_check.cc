@@ -144,10 +144,15 @@ void compare_walls(const Packing<Dim>& packing, const PlannedEquilibrium& planne
   if (!box) return;
   if (packing.wall_law != wall_law(planned.law, *box))
     found.add("the contact law of the walls (wall_law) differs from the contact law of the walls in the scene");
+  for (int a = 0; a < Dim; ++a)
+    found.compare_number(fmt::format("equilibrium/gravity of axis {}", a + 1), packing.gravity[a],
+                         box->gravity[a]);
   for (std::size_t w = 0; w < packing.walls.size(); ++w) {
     const Wall<Dim>& wall = packing.walls[w];
-    const bool follows = box->boundary[wall.axis] == BoxSide::walls;
-    if (box->boundary[wall.axis] == BoxSide::periodic || follows != follows_forces(wall))
+    const BoxSide side = box->boundary[wall.axis];
+    const bool follows = side == BoxSide::walls || (side == BoxSide::lid && wall.side > 0);
+    const bool open = side == BoxSide::floor && wall.side > 0;
+    if (side == BoxSide::periodic || follows != follows_forces(wall) || open != wall.open)
       found.add(fmt::format(
           "wall {} contradicts the scene, which has another kind of boundary along the axis of this wall", w));
     else if (follows)

@@ -130,7 +130,7 @@ TEST(Lmgc90, NamesWhatIsWrong) {
     test::write_text(folder + "/" + file, text.replace(at, from.size(), to));
     EXPECT_THAT([&] { test::read_packing<2>(folder); }, ThrowsMessage<InputError>(HasSubstr(words))) << from;
   };
-  refusal("BODIES.DAT", "DISKx", "POLYG", "BODIES.DAT:3: body 1 has the contactor POLYG, expected a disk");
+  refusal("BODIES.DAT", "DISKx", "POLYG", "BODIES.DAT:9: the line has no \"nb_vertex=\"");
   refusal("BODIES.DAT", "byrd= 5", "byrd= -5", "must be positive");
   refusal("BODIES.DAT", "coo1=", "coo9=", "the line has no \"coo1=\"");
   refusal("BODIES.DAT", "$$$$$$\n\n!---\n$bdyty\n", "", "the file ends within a body");

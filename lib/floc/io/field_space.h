@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "floc/io/listed_space.h"
+
+namespace floc {
+
+/// Arrays of the field data of a file in one of VTK's formats.
+struct FieldArrays {
+  std::function<bool(const std::string&)> has;
+  std::function<std::vector<double>(const std::string&)> read;
+  std::function<std::string(const std::string&)> place;  ///< returns the place of an array in messages
+};
+
+/// Reads the space that a packing fills from the field arrays that floc writes: cell (three lattice vectors), dimension, walls
+/// (axis, side and position of each wall), periodic (for each axis) and gravity.
+/// @throws InputError naming the array
+ListedSpace space_of_fields(const FieldArrays& arrays);
+
+}  // namespace floc

@@ -1,0 +1,121 @@
+#include "floc/io/listed_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <span>
+
+#include "floc/base/error.h"
+#include "floc/packing/contact_order.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/packing/locate.h"
+
+namespace floc {
+namespace {
+
+/// A contact point may lie outside the circumscribed circle or sphere of a grain by this fraction of its radius. The
+/// fraction is large because a file may have few digits, and the point may lie on either surface.
+constexpr double kFarthestPoint = 0.1;
+/// Keys from this one on belong to no point of two shapes: their reference feature is the number that is left over.
+constexpr int kFirstFreeKey = kMostFaces << 21;
+/// Points nearer to each other than this, over the smaller radius, are one point of two programs.
+constexpr double kOnePointShare = 0.25;
+
+/// Returns a vector without the whole cells that it contains along periodic axes.
+template <int Dim>
+Vec<Dim> nearest_of_images(const Packing<Dim>& packing, const Vec<Dim>& vector) {
+  Vec<Dim> cells = packing.cell.reduced(vector);
+  for (int a = 0; a < Dim; ++a) cells[a] = between_walls(packing.walls, a) ? 0.0 : std::round(cells[a]);
+  return vector - packing.cell.matrix.transpose() * cells;
+}
+
+template <int Dim>
+void require_near(const ListedContact& row, double distance, double radius, const char* body) {
+  if (distance <= (1.0 + kFarthestPoint) * radius) return;
+  throw InputError(
+      row.place.text(),
+      fmt::format("the contact point is {:.6g} away from the centre of the {} grain, whose furthest "
+                  "corner is {:.6g} away: the point, a position or the cell is wrong",
+                  distance, body, radius));
+}
+
+/// Returns the type of the contact points of a pair.
+template <int Dim>
+ContactType type_of(std::size_t n_points, ContactType listed) {
+  if (n_points == 1) return listed;
+  if (Dim == 2 || n_points > 2) return ContactType::kFaceFace;
+  return ContactType::kDouble;
+}
+
+/// Gives the points of one pair keys: those of the nearest points of the two shapes where there are such, and free
+/// keys to others. @return the contacts in ascending order of their keys
+template <int Dim>
+void number_pair(const Packing<Dim>& packing, std::span<Contact<Dim>> points) {
+  const double radius = smaller_radius(packing, points.front());
+  const Manifold<Dim> manifold =
+      manifold_of(packing, points.front(), branch(packing, points.front()), kOnePointShare * radius);
+  std::set<int> taken;
+  int next = kFirstFreeKey;
+  const ContactType listed = points.front().type;
+  for (Contact<Dim>& c : points) {
+    c.type = type_of<Dim>(points.size(), listed);
+    const ManifoldPoint<Dim>* nearest = manifold.nearest(c.arm_i);
+    const bool same = nearest && (nearest->arm - c.arm_i).norm() <= kOnePointShare * radius;
+    c.key = same ? static_cast<int>(nearest->key) : next;
+    while (!taken.insert(c.key).second) c.key = next++;
+  }
+  std::ranges::sort(points, precedes<Contact<Dim>>);
+}
+
+}  // namespace
+
+template <int Dim>
+void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& packing, Contact<Dim>& c) {
+  if (!row.point)
+    throw InputError(
+        row.place.text(),
+        fmt::format("the contact has no contact point, which a contact of grains with corners needs: "
+                    "expected the columns point1, point2{}",
+                    Dim == 3 ? ", point3" : ""));
+  const Vec<Dim> to_second = branch(packing, c);
+  c.arm_i = nearest_of_images<Dim>(packing, row.point->template head<Dim>() - packing.grains.position[c.i]);
+  c.arm_j = c.arm_i - to_second;
+  require_near<Dim>(row, c.arm_i.norm(), packing.grains.radius[c.i], reversed ? "second" : "first");
+  if (!packing.is_wall(c.j))
+    require_near<Dim>(row, c.arm_j.norm(), packing.grains.radius[c.j], reversed ? "first" : "second");
+  if (!row.normal || !row.gap) {
+    const ContactGeometry<Dim> at = locate(packing, c);
+    c.normal = at.normal;
+    c.gap = at.gap;
+  }
+  if (row.normal) {
+    const Vec<Dim> listed = (reversed ? -1.0 : 1.0) * row.normal->template head<Dim>();
+    if (!(listed.norm() > 0.5 && listed.norm() < 2.0))
+      throw InputError(row.place.text(),
+                       fmt::format("the normal of the contact has the length {:.6g}, expected a unit vector",
+                                   listed.norm()));
+    c.normal = listed.normalized();
+  }
+  if (row.gap) c.gap = *row.gap;
+  c.type = Dim == 3 && row.edges ? ContactType::kEdgeEdge : ContactType::kVertexFace;
+}
+
+template <int Dim>
+void number_points(const Packing<Dim>& packing, std::vector<Contact<Dim>>& contacts) {
+  for (std::size_t first = 0, last; first < contacts.size(); first = last) {
+    last = first;
+    while (last < contacts.size() && same_pair(contacts[first], contacts[last])) ++last;
+    number_pair(packing, std::span(contacts).subspan(first, last - first));
+  }
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                                \
+  template void place_point(const ListedContact&, bool, const Packing<Dim>&, Contact<Dim>&); \
+  template void number_points(const Packing<Dim>&, std::vector<Contact<Dim>>&);
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

@@ -1,0 +1,229 @@
+#include "floc/io/rockable_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <variant>
+
+#include "floc/base/error.h"
+#include "floc/io/atomic_file.h"
+#include "floc/packing/ball.h"
+
+namespace floc {
+namespace {
+
+std::string words(const Vec<3>& v) {
+  return fmt::format("{} {} {}", v[0], v[1], v[2]);
+}
+
+/// Name of the file of shapes that belongs to a configuration, without its folder.
+std::string shape_file(const std::string& path) {
+  return std::filesystem::path(path).filename().replace_extension(".shp").string();
+}
+
+/// Text of one shape: name, radius of rounding, mass properties, then vertices, edges and faces.
+struct ShapeText {
+  std::string name;
+  double radius = 0.0, volume = 0.0;
+  Vec<3> inertia_over_mass = Vec<3>::Zero();
+  std::vector<Vec<3>> vertices;
+  std::string edges, faces;
+  int n_edges = 0, n_faces = 0;
+
+  std::string text() const {
+    Vec<3> low = vertices.front(), high = low;
+    for (const Vec<3>& v : vertices) low = low.cwiseMin(v), high = high.cwiseMax(v);
+    std::string out = fmt::format("<\nname {}\nradius {}\npreCompDone y\nvolume {}\nI/m {}\n", name, radius,
+                                  volume, words(inertia_over_mass));
+    out += fmt::format("obb.extent {}\nobb.center {}\nobb.e1 1 0 0\nobb.e2 0 1 0\nobb.e3 0 0 1\n",
+                       words(0.5 * (high - low) + Vec<3>::Constant(radius)), words(0.5 * (low + high)));
+    out += fmt::format("OBBtreeLevel 0\nposition 0 0 0\norientation 1 0 0 0\nMCnstep 10000\nnv {}\n",
+                       vertices.size());
+    for (const Vec<3>& v : vertices) out += words(v) + "\n";
+    return out + fmt::format("ne {}\n{}nf {}\n{}>\n", n_edges, edges, n_faces, faces);
+  }
+};
+
+ShapeText text_of_ball() {
+  const double volume = Ball<3>{1.0}.volume();
+  return {"Sphere", 1.0, volume, Vec<3>::Constant(0.4), {Vec<3>::Zero()}, "", "", 0, 0};
+}
+
+ShapeText text_of(const Shape<3>& shape, std::size_t index, const std::string& path) {
+  if (!(shape.rounding > 0.0))
+    throw InputError(path,
+                     fmt::format("shape {} has sharp corners, but the shapes of Rockable are rounded; a scene "
+                                 "gives rounded ones by grains.shape.rounding",
+                                 index));
+  ShapeText out{fmt::format("Shape{}", index),
+                shape.rounding,
+                shape.volume,
+                shape.inertia / shape.volume,
+                shape.vertices,
+                "",
+                "",
+                shape.n_edges(),
+                shape.n_faces()};
+  if (shape.is_round()) out.vertices = {Vec<3>::Zero()};
+  if (shape.n_vertices() == 2) out.edges = "0 1\n", out.n_edges = 1;
+  for (const ShapeEdge& edge : shape.edges) out.edges += fmt::format("{} {}\n", edge.from, edge.to);
+  for (int f = 0; f < shape.n_faces(); ++f)
+    out.faces += fmt::format("{} {}\n", shape.loop(f).size(), fmt::join(shape.loop(f), " "));
+  return out;
+}
+
+/// Shape of a plate across an axis that covers the cell: a rectangle.
+ShapeText text_of_plate(const Packing<3>& packing, int axis, double radius) {
+  const Vec<3> sides = packing.cell.matrix.diagonal();
+  const Vec<3> one = sides[(axis + 1) % 3] * Vec<3>::Unit((axis + 1) % 3),
+               other = sides[(axis + 2) % 3] * Vec<3>::Unit((axis + 2) % 3);
+  return {fmt::format("Plate{}", "XYZ"[axis]),
+          radius,
+          1.0,
+          Vec<3>::Ones(),
+          {one + other, other - one, -one - other, one - other},
+          "0 1\n1 2\n2 3\n3 0\n",
+          "4 0 1 2 3\n",
+          4,
+          1};
+}
+
+/// Groups of bodies of one density, which differ by more than rounding errors.
+class DensityGroups {
+ public:
+  int group(double density) {
+    constexpr double kRounding = 1e-14;
+    const auto at = groups_.lower_bound(density * (1.0 - kRounding));
+    if (at != groups_.end() && at->first <= density * (1.0 + kRounding)) return at->second;
+    const int next = static_cast<int>(groups_.size()) + 1;
+    return groups_.emplace(density, next).first->second;
+  }
+  std::string text() const {
+    std::string out = "density 0 1\n";
+    for (const auto& [density, group] : groups_) out += fmt::format("density {} {}\n", group, density);
+    return out;
+  }
+
+ private:
+  std::map<double, int> groups_;
+};
+
+/// A packing as bodies and interactions of Rockable.
+class ConfigurationText {
+ public:
+  ConfigurationText(const Packing<3>& packing, std::string path) : packing_(packing), path_(std::move(path)) {
+    require_expressible();
+    for (std::size_t w = 0; w < packing.walls.size(); ++w)
+      if (!packing.walls[w].open) plates_.push_back(packing.grains.size() + static_cast<int>(w));
+    const std::vector<double>& radius = packing.grains.radius;
+    plate_radius_ = 0.1 * *std::min_element(radius.begin(), radius.end());
+  }
+
+  std::string shapes() const {
+    std::string out;
+    if (packing_.grains.are_round()) out += text_of_ball().text();
+    for (std::size_t s = 0; !packing_.grains.are_round() && s < packing_.grains.shapes->size(); ++s)
+      out += text_of((*packing_.grains.shapes)[s], s, path_).text();
+    for (int axis = 0; axis < 3; ++axis)
+      if (std::ranges::any_of(plates_, [&](int body) { return packing_.wall(body).axis == axis; }))
+        out += text_of_plate(packing_, axis, plate_radius_).text();
+    return out;
+  }
+
+  std::string configuration() const {
+    DensityGroups groups;
+    std::string bodies;
+    for (const int body : plates_) bodies += plate(packing_.wall(body));
+    for (int i = 0; i < packing_.grains.size(); ++i) bodies += grain(i, groups);
+    std::string out = "Rockable 29-11-2018\nt 0\n" + groups.text();
+    out += fmt::format("gravity {}\n", words(packing_.gravity));
+    if (packing_.walls.empty()) {
+      out += "usePeriodicCell 1\nh";  // the lattice vectors are the columns of h
+      for (int a = 0; a < 3; ++a) out += " " + words(packing_.cell.matrix.col(a));
+      out += "\n";
+    }
+    out += fmt::format("nDriven {}\nshapeFile {}\nprecision 17\nParticles {}\n", plates_.size(),
+                       shape_file(path_), plates_.size() + packing_.grains.radius.size());
+    out += bodies + fmt::format("Interactions {}\n", packing_.contacts.size());
+    for (const Contact<3>& c : packing_.contacts) out += interaction(c);
+    return out;
+  }
+
+ private:
+  void require_expressible() const {
+    const std::vector<Wall<3>>& walls = packing_.walls;
+    for (int axis = 0; axis < 3 && !walls.empty(); ++axis)
+      if (!between_walls(walls, axis))
+        throw InputError(path_,
+                         fmt::format("the packing is periodic along {} and not along other axes: a "
+                                     "configuration of Rockable is periodic along all axes or along none",
+                                     "xyz"[axis]));
+    for (const Contact<3>& c : packing_.contacts)
+      if (c.bonded || c.distant)
+        throw InputError(path_,
+                         "the packing has contacts that act across gaps, which a configuration of Rockable "
+                         "does not hold");
+  }
+
+  /// Words of a body: name, group, cluster, homothety, position, velocity, acceleration, orientation, spin, spin rate.
+  static std::string body(const std::string& shape, int group, double scale, const Vec<3>& position,
+                          const Vec<3>& velocity, const Eigen::Quaterniond& q, const Vec<3>& spin) {
+    return fmt::format("{} {} 0 {} {} {} 0 0 0 {} {} {} {} {} 0 0 0\n", shape, group, scale, words(position),
+                       words(velocity), q.w(), q.x(), q.y(), q.z(), words(spin));
+  }
+
+  std::string plate(const Wall<3>& wall) const {
+    Vec<3> at = Vec<3>::Zero();
+    for (const Wall<3>& other : packing_.walls) at[other.axis] += 0.5 * other.position;
+    at[wall.axis] = wall.position + wall.side * plate_radius_;
+    return body(fmt::format("Plate{}", "XYZ"[wall.axis]), 0, 1.0, at, wall.velocity * Vec<3>::Unit(wall.axis),
+                Eigen::Quaterniond::Identity(), Vec<3>::Zero());
+  }
+
+  std::string grain(int i, DensityGroups& groups) const {
+    const Grains<3>& g = packing_.grains;
+    const double scale = g.are_round() ? g.radius[i] : g.scale[i];
+    const std::string shape = g.are_round() ? "Sphere" : fmt::format("Shape{}", g.shape[i]);
+    const double volume = g.are_round() ? Ball<3>{1.0}.volume() : (*g.shapes)[g.shape[i]].volume;
+    return body(shape, groups.group(g.mass[i] / (volume * scale * scale * scale)), scale, g.position[i],
+                g.velocity[i], g.orientation[i], g.angular_velocity[i]);
+  }
+
+  int body_of(int index) const {
+    if (!packing_.is_wall(index)) return index + static_cast<int>(plates_.size());
+    return static_cast<int>(std::ranges::find(plates_, index) - plates_.begin());
+  }
+
+  /// Words of an interaction: i, j, type, two sub-elements, normal from j to i, gap, position, velocity, normal force,
+  /// tangential force on i, moment, damping. Type 2 is a vertex on a face, 3 two edges, 0 two vertices.
+  std::string interaction(const Contact<3>& c) const {
+    const int type = packing_.grains.are_round() ? 0 : c.type == ContactType::kEdgeEdge ? 3 : 2;
+    return fmt::format("{} {} {} 0 0 {} {} {} 0 0 0 {} {} 0 0 0 0\n", body_of(c.i), body_of(c.j), type,
+                       words(-c.normal), c.gap, words(packing_.grains.position[c.i] + c.arm_i), c.normal_force,
+                       words(c.shear_force));
+  }
+
+  const Packing<3>& packing_;
+  std::string path_;
+  std::vector<int> plates_;  ///< indices of the walls that are not open, as in contacts
+  double plate_radius_ = 0.0;
+};
+
+}  // namespace
+
+void write_rockable(const std::string& path, const AnyState& any) {
+  const auto* state = std::get_if<State<3>>(&any);
+  if (state == nullptr)
+    throw InputError(path, "the packing is two-dimensional, but the bodies of Rockable are three-dimensional");
+  const ConfigurationText text(state->packing, path);
+  const std::string shapes = text.shapes(), configuration = text.configuration();
+  write_bytes_atomically((std::filesystem::path(path).parent_path() / shape_file(path)).string(), shapes);
+  write_bytes_atomically(path, configuration);
+}
+
+}  // namespace floc

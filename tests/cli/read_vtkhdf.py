@@ -1,0 +1,75 @@
+"""Reads a VTKHDF file with h5py and numpy alone, and with VTK where it is installed, and computes from it the net forces on the
+grains. Uses nothing of floc.
+
+Usage: read_vtkhdf.py FILE [largest net force allowed, in units of the largest contact force]
+"""
+
+import sys
+
+import h5py
+import numpy as np
+
+
+def layout(group):
+    """Requires the datasets of VTK's specification of UnstructuredGrid and returns numbers of points and cells."""
+    assert list(group.attrs["Version"]) == [1, 0], group.attrs["Version"]
+    assert group.attrs["Type"] == b"UnstructuredGrid", group.attrs["Type"]
+    n_points, n_cells, n_ids = (int(group[f"NumberOf{kind}"][0]) for kind in ("Points", "Cells", "ConnectivityIds"))
+    assert group["Points"].shape == (n_points, 3) and group["Connectivity"].shape == (n_ids,)
+    offsets, types = group["Offsets"][:], group["Types"][:]
+    assert offsets.shape == (n_cells + 1,) and types.shape == (n_cells,) and types.dtype == np.uint8
+    assert offsets[0] == 0 and offsets[-1] == n_ids
+    assert np.array_equal(np.diff(offsets), np.where(types == 1, 1, 2)) and set(types) <= {1, 3}
+    for name, n in (("PointData", n_points), ("CellData", n_cells)):
+        for array in group[name].values():
+            assert array.shape[0] == n, array.name
+    return n_points, n_cells
+
+
+def net_forces(group):
+    """Sums the forces of contacts on the grains. The normal force is positive in tension: it pulls the first grain along."""
+    x = group["Points"][:]
+    n_grains = int((group["Types"][:] == 1).sum())
+    lines = group["Connectivity"][n_grains:].reshape(-1, 2)
+    cells = {name: array[n_grains:] for name, array in group["CellData"].items()}
+    of_id = {int(i): k for k, i in enumerate(group["PointData/id"][:n_grains])}
+    net = np.zeros((n_grains, 3))
+    if "gravity" in group["FieldData"]:
+        net += group["PointData/mass"][:n_grains].reshape(-1, 1) * group["FieldData/gravity"][:].reshape(1, 3)
+    for k, (first, end) in enumerate(lines):
+        along = x[end] - x[first]
+        force = cells["normal_force"][k] * along / np.linalg.norm(along) + cells["shear_force"][k]
+        net[first] += force
+        if cells["wall"][k] < 0:
+            net[of_id[int(cells["id2"][k])]] -= force
+    return net, np.abs(cells["normal_force"]).max()
+
+
+def compare_with_vtk(path, n_points, n_cells):
+    """Opens the file as ParaView does, where VTK is installed."""
+    try:
+        from vtkmodules.vtkIOHDF import vtkHDFReader
+    except ImportError:
+        return "VTK is not installed"
+    reader = vtkHDFReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    assert (data.GetNumberOfPoints(), data.GetNumberOfCells()) == (n_points, n_cells)
+    assert data.GetPointData().HasArray("radius") and data.GetCellData().HasArray("normal_force")
+    return "read by VTK"
+
+
+def main(path, allowed):
+    with h5py.File(path, "r") as file:
+        group = file["VTKHDF"]
+        n_points, n_cells = layout(group)
+        net, largest = net_forces(group)
+    worst = np.linalg.norm(net, axis=1).max() / largest
+    if not worst <= allowed:
+        sys.exit(f"the largest net force is {worst}, allowed {allowed}")
+    print(f"{n_points} points, {n_cells} cells, {compare_with_vtk(path, n_points, n_cells)}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 1e-9)

@@ -15,6 +15,8 @@ struct CellResponse {
   /// Cap on the strain rate |L'/L| of the cell, in 1/T0 (RelaxationOptions::strain_rate_cap); at most one of
   /// inertial_number_cap and this cap is set.
   std::optional<double> strain_rate_cap = {};
+  /// Rate at which rigid grains are strained (ContactDynamicsOptions::inertial_number).
+  std::optional<double> inertial_number = {};
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
@@ -28,6 +30,7 @@ struct CellResponse {
     }
     if (!cell_mass) out.cell_mass = other.cell_mass;
     if (!wall_speed) out.wall_speed = other.wall_speed;
+    if (!inertial_number) out.inertial_number = other.inertial_number;
     return out;
   }
 
@@ -38,6 +41,7 @@ struct CellResponse {
     }
     if (cell_mass) options.cell_mass = *cell_mass;
     if (wall_speed) options.compaction.wall_speed = wall_speed;
+    if (inertial_number) options.contact_dynamics.inertial_number = *inertial_number;
     return options;
   }
 };

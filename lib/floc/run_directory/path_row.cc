@@ -64,6 +64,7 @@ std::vector<std::string> columns_of(int dimension, bool boxed, bool rigid) {
     for (const char* name : {"z_pairs", "n_sweeps", "n_unfinished", "deepest_overlap", "force_freedom"})
       columns.emplace_back(name);
   columns.insert(columns.end(), {"P_driven", "P_driven_star"});
+  if (rigid) columns.insert(columns.end(), {"inertial_number", "step_residual"});
   return columns;
 }
 
@@ -132,11 +133,13 @@ std::int64_t n_pairs(const Packing<Dim>& packing) {
 }
 
 /// Returns the relative distance of the forces of a state from the forces of least elastic energy on its geometry, as
-/// floc forces prints it; undefined if no forces balance the state.
+/// floc forces prints it; undefined if no forces balance the state, and in motion.
 template <int Dim>
 TableValue force_freedom(const State<Dim>& state) {
+  if (state.motion) return {};
   ForceBalanceOptions<Dim> options;
   options.axis_stress = state.stress.diagonal();
+  for (int a = 0; a < Dim; ++a) options.open_axis[a] = state.target_side[a] > 0.0;
   try {
     StaticForces<Dim> forces("the state", state.packing, options);
     return force_distance(forces.present(), forces.canonical());
@@ -206,6 +209,10 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   if (rigid) add_rigid(state, table.rows[0]);
   const double driven = stress_on_driven_axis<Dim>(state, state.target_stress);
   table.rows[0].insert(table.rows[0].end(), {driven, reduced_pressure(state.packing, driven)});
+  if (rigid)
+    table.rows[0].insert(table.rows[0].end(),
+                         {state.motion ? TableValue{state.motion->inertial_number} : TableValue{},
+                          state.motion ? TableValue{state.motion->residual} : TableValue{}});
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;

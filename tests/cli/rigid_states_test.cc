@@ -44,6 +44,7 @@ const Case kCommands[] = {
     {"network S --without mechanics", true, true},
     {"structure S", false, true},
     {"moduli S", false, false},
+    {"moduli S --kn 1 --kt 0.5", true, true},
     {"moduli S --method bounds --strains full", false, false},
     {"modes S", false, false},
     {"compare S S", false, true},

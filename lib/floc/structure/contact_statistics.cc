@@ -67,8 +67,8 @@ std::vector<ContactPair> contact_pairs(const Packing<Dim>& packing, const Carryi
     double force = 0.0;
     for (last = first; last < carrying.contacts.size() && same_pair(at(first), at(last)); ++last)
       force += at(last).normal_force;
-    if (!packing.is_wall(at(first).j))
-      pairs.push_back({kind_of(at(first), static_cast<int>(last - first)), force});
+    const int n_points = static_cast<int>(last - first);
+    if (!packing.is_wall(at(first).j)) pairs.push_back({kind_of(at(first), n_points), force, n_points});
   }
   return pairs;
 }

@@ -13,12 +13,14 @@ namespace floc {
 struct ContactPair {
   ContactType kind;     ///< features that meet, by the number of carrying points
   double normal_force;  ///< sum of the normal forces of its points (force)
+  int n_points;         ///< number of its carrying points
 };
 
 /// Returns the pairs of grains that the carrying contacts of a packing join. A pair with one carrying point is one of
 /// a vertex and a face, or of two crossing edges, as recorded with the contact; one with two points is one of two faces
 /// (sides) in 2D, and of an edge and a face in 3D; one with more is one of two faces.
 /// @param carrying  force-carrying structure; contacts with walls are left out
+/// @return the pairs, in the order of the contacts
 template <int Dim>
 std::vector<ContactPair> contact_pairs(const Packing<Dim>& packing, const CarryingStructure& carrying);
 

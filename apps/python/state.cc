@@ -23,7 +23,7 @@ struct ContactField {
 };
 
 template <int Dim>
-std::vector<ContactField> contact_fields(const Law& law) {
+std::vector<ContactField> contact_fields(const Law& law, bool shaped) {
   // Each field is described by the offset of its member in a contact, so that numpy can read the contacts in the memory
   // of the state.
   const Contact<Dim> c;
@@ -50,6 +50,10 @@ std::vector<ContactField> contact_fields(const Law& law) {
                                       {"rolling_yield", "?", 1, offset(&c.rolling_yield)},
                                       {"twisting_yield", "?", 1, offset(&c.twisting_yield)},
                                       {"distant", "?", 1, offset(&c.distant)}};
+  if (shaped) {
+    fields.push_back({"point", "f8", Dim, offset(&c.arm_i)});
+    fields.push_back({"type", "u1", 1, offset(&c.type)});
+  }
   // The contact law defines which numbers of the member `history` it uses, and their names.
   for (const HistoryQuantity& q : history_quantities(law, Dim))
     fields.push_back({q.declared.name, "f8", q.size, offset(c.history.data() + q.begin)});
@@ -57,9 +61,9 @@ std::vector<ContactField> contact_fields(const Law& law) {
 }
 
 template <int Dim>
-py::dtype contact_type(const Law& law) {
+py::dtype contact_type(const Law& law, bool shaped) {
   py::list names, formats, offsets;
-  for (const ContactField& field : contact_fields<Dim>(law)) {
+  for (const ContactField& field : contact_fields<Dim>(law, shaped)) {
     names.append(field.name);
     formats.append(field.size == 1 ? std::string(field.type) : fmt::format("({},){}", field.size, field.type));
     offsets.append(field.offset);
@@ -131,6 +135,43 @@ py::dict path_of(const State<Dim>& state) {
   return path;
 }
 
+/// Returns numbers as a one-dimensional array, a copy.
+template <class Number>
+py::array_t<Number> array_of(const std::vector<Number>& numbers) {
+  return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+}
+
+/// Returns the shapes of grains with corners as dicts of arrays; None for disks and spheres.
+template <int Dim>
+py::object shapes_of(const Packing<Dim>& packing) {
+  if (packing.grains.are_round()) return py::none();
+  py::list shapes;
+  for (const Shape<Dim>& shape : *packing.grains.shapes) {
+    py::array_t<double> vertices({static_cast<py::ssize_t>(shape.vertices.size()), py::ssize_t{Dim}});
+    for (std::size_t k = 0; k < shape.vertices.size(); ++k)
+      for (int a = 0; a < Dim; ++a) vertices.mutable_at(static_cast<py::ssize_t>(k), a) = shape.vertices[k][a];
+    py::list faces;
+    for (int f = 0; f < shape.n_faces(); ++f)
+      faces.append(array_of(std::vector<int>(shape.loop(f).begin(), shape.loop(f).end())));
+    py::dict words;
+    words["vertices"] = vertices, words["faces"] = faces;
+    words["rounding"] = shape.rounding, words["volume"] = shape.volume;
+    words["inertia"] = array_of(std::vector<double>(shape.inertia.begin(), shape.inertia.end()));
+    words["outer_radius"] = shape.outer_radius;
+    shapes.append(words);
+  }
+  return shapes;
+}
+
+template <int Dim>
+py::object motion_of(const State<Dim>& state) {
+  if (!state.motion) return py::none();
+  py::dict words;
+  words["time_step"] = state.motion->time_step, words["residual"] = state.motion->residual;
+  words["inertial_number"] = state.motion->inertial_number;
+  return words;
+}
+
 template <int Dim>
 py::dict provenance_of(const State<Dim>& state) {
   const Provenance& p = state.provenance;
@@ -186,8 +227,8 @@ void bind_arrays(py::class_<NamedState>& bound) {
       .def_property_readonly(
           "contacts", property([]<int Dim>(const py::object& self, const State<Dim>& s) -> py::object {
             const std::vector<Contact<Dim>>& contacts = s.packing.contacts;
-            return view(self, contact_type<Dim>(s.packing.law), {static_cast<py::ssize_t>(contacts.size())},
-                        {sizeof(Contact<Dim>)}, contacts.data());
+            return view(self, contact_type<Dim>(s.packing.law, !s.packing.grains.are_round()),
+                        {static_cast<py::ssize_t>(contacts.size())}, {sizeof(Contact<Dim>)}, contacts.data());
           }))
       .def_property_readonly("cell", property([](const py::object& self, const auto& s) -> py::object {
                                return view_of(self, s.packing.cell.matrix);
@@ -245,6 +286,17 @@ void bind_words(py::class_<NamedState>& bound) {
                                return residuals_of({t.force, t.moment, t.stress, t.energy});
                              }))
       .def_property_readonly("path", property([](const py::object&, const auto& s) { return path_of(s); }))
+      .def_property_readonly("shapes",
+                             property([](const py::object&, const auto& s) { return shapes_of(s.packing); }))
+      .def_property_readonly("shape", property([](const py::object&, const auto& s) -> py::object {
+                               if (s.packing.grains.are_round()) return py::none();
+                               return array_of(s.packing.grains.shape);
+                             }))
+      .def_property_readonly("scale", property([](const py::object&, const auto& s) -> py::object {
+                               if (s.packing.grains.are_round()) return py::none();
+                               return array_of(s.packing.grains.scale);
+                             }))
+      .def_property_readonly("motion", property([](const py::object&, const auto& s) { return motion_of(s); }))
       .def_property_readonly("scene",
                              property([](const py::object&, const auto& s) { return py::str(s.scene); }))
       .def_property_readonly("provenance",

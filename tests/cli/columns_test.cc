@@ -233,7 +233,11 @@ TEST_F(Columns, AreAllDescribedAndNothingElseIs) {
                                            "path.csv force_freedom",
                                            "verify cone",
                                            "verify gap",
-                                           "verify power"};
+                                           "verify power",
+                                           "verify step",
+                                           "verify overlap",
+                                           "inertial_number",
+                                           "step_residual"};
   for (const auto& [table, text] : tables) {
     const std::vector<std::string> names = described(table);
     const auto columns = header(text);

@@ -6,11 +6,11 @@ namespace floc::test {
 namespace {
 
 TEST(RigidRun, KillsOfARunOfDisksLeaveNoTrace) {
-  kill_and_resume(3, 21, rigid_scene(""), 2);
+  kill_and_resume(3, 21, rigid_scene(""), 4);
 }
 
 TEST(RigidRun, KillsOfARunOfPentagonsLeaveNoTrace) {
-  kill_and_resume(3, 22, rigid_scene(kPentagons), 2);
+  kill_and_resume(3, 22, rigid_scene(kPentagons), 4);
 }
 
 }  // namespace

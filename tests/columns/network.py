@@ -182,6 +182,125 @@ def carrying_columns(s, zero):
     return out, kept
 
 
+def likeliest_alpha(x):
+    """alpha of x^-alpha below and exp[beta (1 - x)] above 1, and its standard error; None where the data give none."""
+    below = x[x < 1]
+    if len(x) < 10 or not len(below):
+        return None, None
+
+    def slope(alpha):
+        beta = math.sqrt((1 - alpha) * (2 - alpha))
+        d_beta = (2 * alpha - 3) / (2 * beta)
+        d_k = 1 / (1 - alpha)**2 - d_beta / beta**2
+        return -len(x) * d_k / (1 / (1 - alpha) + 1 / beta) - np.log(below).sum() - d_beta * (x[x >= 1] - 1).sum()
+
+    low, high = -50.0, 0.999
+    if slope(low) < 0 or slope(high) > 0:
+        return None, None
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (middle, high) if slope(middle) > 0 else (low, middle)
+    return low, 1 / math.sqrt(-(slope(low + 1e-5) - slope(low - 1e-5)) / 2e-5)
+
+
+def force_shape(forces, suffix):
+    x = forces / forces.mean() if len(forces) else forces
+    above = x[x >= 1]
+    beta = 1 / (above - 1).mean() if len(above) >= 10 else None
+    alpha, error = likeliest_alpha(x)
+    # Both maximise a function to the square root of rounding.
+    return {f"below_mean{suffix}": Close((x < 1).mean() if len(x) else 0.0),
+            f"alpha{suffix}": Close(alpha, 1.0, 1e-6), f"alpha{suffix}_error": Close(error, 0.0, 1e-3),
+            f"beta{suffix}": Close(beta), f"beta{suffix}_error": Close(beta and beta / math.sqrt(len(above)))}
+
+
+def anisotropy_columns(s, of):
+    names = ("a_normals", "a_normal_force", "a_tangential_force", "a_branch_normal", "a_branch_tangential", "stress_ratio",
+             "stress_ratio_predicted")
+    of = of[~s.distant[of]]
+    n, N, T = s.normal[of], s.N[of], -s.shear[of]
+    r = s.x[s.j[of]] + s.image[of] @ s.cell - s.x[s.i[of]]
+    length = (r * n).sum(1)
+    stress = np.einsum("ka,kb->ab", N[:, None] * n + T, r)
+
+    def deviator(m):
+        m = (m + m.T) / 2
+        return m - np.trace(m) / s.dim * np.eye(s.dim)
+
+    d = deviator(stress)
+    size = math.sqrt((d**2).sum())
+    if not len(of) or np.trace(stress) <= 0 or size < 1e-4 * np.trace(stress) / s.dim:
+        return {name: Same(None) for name in names}
+    # In the axes of the deviatoric stress, the tensor of an anisotropy a is a diag(1, -1), or a diag(2, -1, -1).
+    unit = math.sqrt(2 if s.dim == 2 else 6)
+
+    def along(weights, vectors):
+        return (deviator(np.einsum("k,ka,kb->ab", weights, vectors, n)) * d).sum() / size / unit
+
+    ones, two = np.ones(len(of)), s.dim * (s.dim + 2) / 2
+    slip = s.dim + 2 if s.dim == 2 else 1.5 * (s.dim + 2)
+    a_c = two * along(ones, n) / len(of)
+    a = [a_c, two * along(N, n) / N.sum() - a_c, slip * along(ones, T) / N.sum(), two * along(length, n) / length.sum() - a_c,
+         slip * along(ones, r - length[:, None] * n) / length.sum()]
+    ratio = size / unit * s.dim / np.trace(stress)
+    return {name: Close(value, 1.0) for name, value in zip(names, [*a, ratio, sum(a) * (0.5 if s.dim == 2 else 0.4)])}
+
+
+def long_axes(s):
+    names = ("long_axes_order", "long_axis1", "long_axis2", "long_axis3")
+    if not s.shapes:
+        return {name: Same(None) for name in names}
+    vertices, first = s.shapes["vertices"], s.shapes["first_vertex"]
+    axes = []
+    for k in range(len(first) - 1):
+        v, moments = vertices[first[k]:first[k + 1]], None
+        if s.dim == 3:  # in principal axes, for density 1; the samples have no rounded polyhedra
+            inertia = s.shapes["inertia"][k]
+            moments = np.diag([(inertia.sum() - 2 * i) / 2 for i in inertia])
+        else:
+            centre = np.arctan2(v[:, 1], v[:, 0])
+            v = v[np.argsort(centre)]
+            moments = sum(np.cross(p, q) / 24 * (np.outer(p, p) + np.outer(q, q) + np.outer(p + q, p + q))
+                          for p, q in zip(v, np.roll(v, -1, 0)))
+        values, vectors = np.linalg.eigh(moments)
+        axes.append(vectors[:, -1] if values[-1] > 1.05**2 * values[-2] else None)
+    e = np.array([s.turn(i) @ axes[k] for i, k in enumerate(s.shape) if axes[k] is not None])
+    if not len(e):
+        return {name: Same(None) for name in names}
+    values, vectors = np.linalg.eigh((s.dim * np.einsum("ka,kb->ab", e, e) / len(e) - np.eye(s.dim)) / (s.dim - 1))
+    out = {"long_axes_order": Close(values[-1], 1.0)}
+    for a in range(3):
+        expected = abs(vectors[a, -1]) if a < s.dim else None
+        out[f"long_axis{a + 1}"] = Same(None) if expected is None else Holds(
+            f"{expected} of either sign", lambda v, expected=expected: abs(abs(v) - expected) < 1e-7)
+    return out
+
+
+def statistics_columns(s, kept):
+    """Kinds of contacts, anisotropies, distributions of forces: of the force-carrying structure."""
+    of = np.flatnonzero(kept & ~s.on_wall)
+    out = force_shape(s.N[of][s.N[of] > 0], "") | anisotropy_columns(s, of) | long_axes(s)
+    limit = s.mu * s.elastic[of]
+    ratios = np.linalg.norm(s.shear[of], axis=1)[limit > 0] / limit[limit > 0]
+    out["mobilisation"] = Close(ratios.mean() if len(ratios) else None)
+    kinds = ("vertex_face", "edge_edge", "edge_face", "face_face")
+    names = ["below_mean_pairs", "alpha_pairs", "alpha_pairs_error", "beta_pairs", "beta_pairs_error", "z_pairs_star"]
+    if not s.shapes:
+        return out | {name: Same(None) for name in [*names, *(f"{p}_{k}" for p in ("pairs", "force") for k in kinds)]}
+    pairs = {}
+    for k in of:
+        pairs.setdefault((s.i[k], s.j[k], *s.image[k].tolist()), []).append(k)
+    forces = np.array([s.N[points].sum() for points in pairs.values()])
+    number = [(1 if s.c["type"][points[0]] == 1 else 0) if len(points) == 1 else 2 if s.dim == 3 and len(points) == 2 else 3
+              for points in pairs.values()]
+    held = len(set(s.i[of]) | set(s.j[of]))
+    out |= force_shape(forces[forces > 0], "_pairs") | {"z_pairs_star": Close(2 * len(pairs) / held if held else 0.0)}
+    for k, kind in enumerate(kinds):
+        mine = np.array(number) == k
+        out |= {f"pairs_{kind}": Close(mine.mean(), 1.0), f"force_{kind}": Close(forces[mine].sum() / forces.sum(), 1.0)}
+    return out
+
+
 def mechanics_columns(s, kept):
     """What needs the moduli: of the network, and of the force-carrying structure."""
     names = ("indeterminacy", "n_dead_ends", "n_components", "n_percolating", "energy_share_95",
@@ -222,6 +341,7 @@ def columns(s):
     out |= phase_columns(s, p)
     carrying, kept = carrying_columns(s, zero)
     out |= carrying
+    out |= statistics_columns(s, kept)
     out |= mechanics_columns(s, kept)
     stress = np.diag(s.stress)
     out |= {"energy_per_grain": Close(s.energy().sum() / s.n), "p_max": Close(p_max(s)),

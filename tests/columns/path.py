@@ -80,7 +80,9 @@ def rigid_columns(s):
     pairs = {(i, j, *image) for i, j, image in zip(s.i, s.j, s.image.tolist())}
     return {"z_pairs": Close(2 * len(pairs) / s.n), "n_sweeps": Same(int(path["n_sweeps"])),
             "n_unfinished": Same(int(path["n_unfinished"])), "deepest_overlap": Close(path["deepest_overlap"]),
-            "force_freedom": Close(force_freedom(s), 1.0, 1e-7)}
+            "force_freedom": Same(None) if s.motion else Close(force_freedom(s), 1.0, 1e-7),
+            "inertial_number": Same(s.motion["inertial_number"] if s.motion else None),
+            "step_residual": Same(s.motion["residual"] if s.motion else None)}
 
 
 def columns(s, first, before):

@@ -60,6 +60,9 @@ def least_energy(s):
     load = np.zeros(len(B))
     load[-s.dim:] = (whole @ s.force_on_j.ravel())[-s.dim:]
     load = (load + B[:, :, 0] @ (s.elastic - s.N)) / unit
+    # The stress on an axis of imposed length is free.
+    kept = np.concatenate([np.ones(len(B) - s.dim, bool), s.target_side == 0])
+    B, load = B[kept], load[kept]
     y, damping = np.zeros(len(B)), 1e-6
 
     def at(y):

@@ -162,7 +162,15 @@ SMOOTH_DISKS = RIGID.format(dimension=2, count=30, shape="", contact="", solid_f
 HULLS = RIGID.format(dimension=2, count=30, contact=FRICTION, solid_fraction=0.25, finish="none", seed=1,
                      shape='shape = {kind = "hull", vertices = [4, 9], rounding = 0.05, count = 7}')
 PENTAGONS = RIGID.format(dimension=2, count=30, contact=FRICTION, solid_fraction=0.3, finish="closest", seed=1,
-                         shape='shape = {kind = "polygon", sides = 5}')
+                         shape='shape = {kind = "polygon", sides = 5}').replace("[dynamics]", """[[load]]
+control = "oedometric"
+to = 5.0
+steps = 1
+[[load]]
+control = "simple_shear"
+strain = 0.04
+steps = 1
+[dynamics]""")
 STONES = RIGID.format(dimension=3, count=16, contact=FRICTION, solid_fraction=0.08, finish="closest", seed=1,
                       shape='shape = {kind = "cut", faces = [6, 10], count = 5}')
 STICKY_SPHERES = RIGID.format(dimension=3, count=30, shape="", solid_fraction=0.3, finish="canonical", seed=1, contact=(

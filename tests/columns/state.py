@@ -30,8 +30,9 @@ class State:
             self.residuals = f["equilibrium/residuals"][:]
             self.tolerances = f["equilibrium/tolerances"][:]
             self.n_negative = int(f["equilibrium/n_negative"][()])
-            self.has_target_side = "target_side" in f["equilibrium"]
+            self.target_side = f["equilibrium/target_side"][:] if "target_side" in f["equilibrium"] else np.zeros(len(self.cell))
             self.path_attributes = dict(f["path"].attrs)
+            self.motion = dict(f["motion"].attrs) if "motion" in f else None
             self.provenance = dict(f["provenance"].attrs)
             self.units = f.attrs["units"]
             scene = f["scene"][()]
@@ -40,6 +41,7 @@ class State:
             self.shapes = {name: data[:] for name, data in f["shapes"].items()} if "shapes" in f else None
             if self.shapes:
                 self.shape, self.scale = f["grains/shape"][:].astype(int), f["grains/scale"][:]
+                self.orientation = f["grains/" + ("angle" if "angle" in f["grains"] else "orientation")][:]
         self.dim = len(self.cell)
         self.n = len(self.radius)
         self.volume = abs(np.linalg.det(self.cell))
@@ -47,9 +49,19 @@ class State:
         if self.shapes:
             self.ball = self.shapes["volume"][self.shape] * self.scale**self.dim
         self.rigid = self.law["normal"] == "rigid"
+        self.mu = float(self.law.get("friction_coefficient", 0.0))
         self.phi = self.ball.sum() / self.volume
         self.a = 2 * self.radius.max()
         self._contacts()
+
+    def turn(self, i):
+        """Matrix that takes vectors from the axes of grain i to those of space."""
+        if self.dim == 2:
+            c, s = np.cos(self.orientation[i]), np.sin(self.orientation[i])
+            return np.array([[c, -s], [s, c]])
+        w, v = self.orientation[i][0], self.orientation[i][1:]
+        skew = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+        return np.eye(3) + 2 * w * skew + 2 * skew @ skew
 
     def _contacts(self):
         c, dim = self.c, self.dim
@@ -171,9 +183,11 @@ class State:
         return force, moment
 
     def kinetic(self):
-        if self.shapes:  # whose moments of inertia hang on the axis
-            assert not self.w.any(), self.path
         inertia = self.mass * (2 * self.radius) ** 2 / (8 if self.dim == 2 else 10)
+        if self.shapes and self.dim == 2:
+            inertia = self.mass * (self.shapes["inertia"].ravel() / self.shapes["volume"])[self.shape] * self.scale**2
+        elif self.shapes:  # whose moments of inertia hang on the axis
+            assert not self.w.any(), self.path
         return 0.5 * (self.mass * (self.v**2).sum(1) + inertia * (self.w.reshape(self.n, -1) ** 2).sum(1))
 
     def own_scales(self, P):

@@ -5,7 +5,7 @@ import re
 # README, then what a reader goes through, then the rest: commands run in this order in one directory.
 FIRST = ["README.md", "docs/install.md", "docs/tutorials/powder2d.md", "docs/tutorials/beads.md",
          "docs/tutorials/your-packing.md", "docs/tutorials/oedometer.md", "docs/tutorials/your-test.md",
-         "docs/tutorials/campaign.md",
+         "docs/tutorials/campaign.md", "docs/tutorials/pentagons.md",
          "docs/commands/index.md", "docs/commands/run.md", "docs/commands/scene.md"]
 # Not pages of the site, but read by users too.
 OTHERS = ["CONTRIBUTING.md", "CHANGELOG.md"]

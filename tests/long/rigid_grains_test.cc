@@ -15,8 +15,8 @@ TEST(RigidGrains, TwoHundredFrictionlessPentagonsAreIsostatic) {
 }
 
 TEST(RigidGrains, ThirtyKillsLeaveNoTrace) {
-  kill_and_resume(30, 23, rigid_scene(""), 2);
-  kill_and_resume(30, 24, rigid_scene(kPentagons), 2);
+  kill_and_resume(30, 23, rigid_scene(""), 4);
+  kill_and_resume(30, 24, rigid_scene(kPentagons), 4);
 }
 
 }  // namespace

@@ -64,12 +64,12 @@ struct RigidEnd {
   Packing<Dim> packing;
 };
 
-/// Relaxes a packing under a pressure of 1.
+/// Relaxes a packing under a load.
 /// @param remade  whether the relaxer is made anew from its packing and progress after each chunk
 template <int Dim>
-RigidEnd<Dim> relaxed(Packing<Dim> packing, const RelaxationOptions& options = rigid_options(),
-                      bool remade = false, std::int64_t most_steps = 40'000) {
-  const auto load = LoadTarget<Dim>::normal_stress(Vec<Dim>::Ones());
+RigidEnd<Dim> relaxed_under(const LoadTarget<Dim>& load, Packing<Dim> packing,
+                            const RelaxationOptions& options = rigid_options(), bool remade = false,
+                            std::int64_t most_steps = 40'000) {
   auto relaxer = std::make_unique<ContactDynamicsRelaxer<Dim>>(options, std::move(packing), load);
   RigidEnd<Dim> end;
   try {
@@ -89,6 +89,29 @@ RigidEnd<Dim> relaxed(Packing<Dim> packing, const RelaxationOptions& options = r
   end.progress = relaxer->progress();
   end.packing = relaxer->release_packing();
   return end;
+}
+
+/// Relaxes a packing under a pressure of 1.
+template <int Dim>
+RigidEnd<Dim> relaxed(Packing<Dim> packing, const RelaxationOptions& options = rigid_options(),
+                      bool remade = false, std::int64_t most_steps = 40'000) {
+  return relaxed_under(LoadTarget<Dim>::normal_stress(Vec<Dim>::Ones()), std::move(packing), options, remade,
+                       most_steps);
+}
+
+/// Expects that two relaxations ended with the same bits.
+template <int Dim>
+void expect_same(const RigidEnd<Dim>& a, const RigidEnd<Dim>& b) {
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.progress, b.progress);
+  ASSERT_EQ(a.packing.contacts.size(), b.packing.contacts.size());
+  for (std::size_t k = 0; k < a.packing.contacts.size(); ++k) {
+    const Contact<Dim>&c = a.packing.contacts[k], &d = b.packing.contacts[k];
+    EXPECT_TRUE(c.i == d.i && c.j == d.j && c.key == d.key && c.gap == d.gap &&
+                c.normal_force == d.normal_force && c.shear_force == d.shear_force);
+  }
+  EXPECT_TRUE(a.packing.grains.position == b.packing.grains.position);
+  EXPECT_TRUE(a.packing.cell.matrix == b.packing.cell.matrix);
 }
 
 /// Expects that a packing under a pressure of 1 meets all criteria of a state of rigid grains at rest.

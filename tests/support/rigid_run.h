@@ -4,7 +4,7 @@
 
 namespace floc::test {
 
-/// Scene of 40 rigid grains that are compressed from a gas and then loaded twofold: two states in a few seconds.
+/// Scene of 40 rigid grains that are compressed from a gas, loaded twofold and sheared: four states in a few seconds.
 /// @param shape  line of the scene with the shape of the grains; empty for disks
 inline std::string rigid_scene(const std::string& shape) {
   return R"([scene]
@@ -29,6 +29,11 @@ pressure = 1.0
 name = "load"
 to = 2.0
 steps = 1
+[[load]]
+name = "shear"
+control = "simple_shear"
+strain = 0.06
+steps = 2
 [dynamics]
 method = "contact_dynamics"
 [run]

@@ -49,6 +49,7 @@ struct DrawArguments {
 Shown shown_by(const DrawArguments& arguments) {
   if (arguments.forces == "particle-pressure") return Shown::particle_pressure;
   if (arguments.forces == "phases") return Shown::phases;
+  if (arguments.forces == "kinds") return Shown::kinds;
   if (arguments.forces == "none") return Shown::grains;
   if (arguments.forces == "equilibrium") return Shown::equilibrium;
   return arguments.step == "isotropic" ? Shown::isotropic_step : Shown::deviatoric_step;
@@ -212,7 +213,7 @@ class Drawer {
 
   template <int Dim>
   void add(const std::string& file, const State<Dim>& state) {
-    require_round(state.packing, "pictures are drawn", file);
+    if (other_) require_round(state.packing, "changes of contacts are drawn", file);
     Drawn<Dim> drawn = drawn_from(file, state, arguments_, other_);
     auto& strip = std::get<std::vector<PackingPicture<Dim>>>(strips_);
     auto& others = std::get<std::vector<PackingPicture<5 - Dim>>>(strips_);
@@ -296,8 +297,10 @@ Command add_draw(CommandLine program) {
                      "the elastic energy of the increment are in colour; particle-pressure: grains coloured by "
                      "their pressure; phases: grains "
                      "with positive and with negative pressure, and the contacts between grains of the same "
-                     "sign; none: no forces [equilibrium]")
-          .one_of({"equilibrium", "increment", "particle-pressure", "phases", "none"});
+                     "sign; kinds: forces of grains with corners, coloured by what meets at the contact (a "
+                     "vertex and a "
+                     "face, an edge and a face, two faces); none: no forces [equilibrium]")
+          .one_of({"equilibrium", "increment", "particle-pressure", "phases", "kinds", "none"});
   app.add_option("--step", arguments->step,
                  "type of the stress increment for --forces increment: isotropic or deviatoric [isotropic]")
       .one_of({"isotropic", "deviatoric"});

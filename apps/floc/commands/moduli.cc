@@ -201,6 +201,13 @@ Command add_moduli(CommandLine program) {
       .excludes(accuracy)
       .one_argument_each();
   app.add_option(
+      "--kn", command->options.kn,
+      "of rigid grains, whose contacts have no stiffness: normal stiffness K_N of each contact point "
+      "(force/length)");
+  app.add_option(
+      "--kt", command->options.kt,
+      "of rigid grains with friction: tangential stiffness K_T of each contact point (force/length)");
+  app.add_option(
       "--increments", command->increments,
       "csv file to write, with one row per contact: increments of the contact forces per unit of isotropic "
       "and of deviatoric stress, the elastic energy of these increments, the rank of the contact by this "

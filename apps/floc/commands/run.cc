@@ -49,10 +49,9 @@ int report_outcome(const DriveReport& report, const Run<Dim>& run, const std::st
     case DriveReport::done:
       break;
   }
-  fmt::print(
-      stderr, "The run has reached {}; its files are in the directory {}. You may run next:\n{}",
-      run.point().step == 1 ? "1 equilibrium state" : fmt::format("{} equilibrium states", run.point().step),
-      directory, next_steps(directory, "state-*.h5"));
+  fmt::print(stderr, "The run has reached {}; its files are in the directory {}. You may run next:\n{}",
+             run.point().step == 1 ? "1 state" : fmt::format("{} states", run.point().step), directory,
+             next_steps(directory, "state-*.h5"));
   return kDone;
 }
 

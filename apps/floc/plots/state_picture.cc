@@ -57,6 +57,9 @@ PackingPicture<Dim> picture_of(const std::string& file, const State<Dim>& state,
     case Shown::phases:
       picture = pressure_phases_of(state.packing, zero_force_of(state));
       break;
+    case Shown::kinds:
+      picture = contact_kinds_of(state.packing, zero_force_of(state));
+      break;
     case Shown::grains:
       picture = grains_of(state.packing);
       break;

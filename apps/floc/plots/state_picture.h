@@ -14,6 +14,7 @@ enum class Shown {
   deviatoric_step,  ///< increments of the contact forces in a small step of the stress difference of axes 1 and 2
   particle_pressure,  ///< pressure of each grain, as its colour
   phases,  ///< grains coloured by the sign of their pressure, and contacts between grains of equal sign
+  kinds,   ///< contact forces of grains with corners, coloured by the kind of contact
   grains,  ///< grains without forces
 };
 

@@ -59,8 +59,13 @@ class State:
     law: str
     walls: list[dict[str, float]]
     path: dict[str, _Any]
+    shapes: list[dict[str, _Any]] | None
+    shape: _Array | None
+    scale: _Array | None
+    motion: dict[str, float] | None
     scene: str
     provenance: dict[str, _Any]
+    def vertices(self, grain: int) -> _Array: ...
     def write(self, path: str | _PathLike[str]) -> None: ...
 
 class Packing(State):
@@ -187,6 +192,8 @@ class Moduli(Record):
     seconds_row: float | None
     P_driven: float | None
     P_driven_star: float | None
+    kn_named: float | None
+    kt_named: float | None
 
 class Network(Record):
     file: str
@@ -301,6 +308,37 @@ class Network(Record):
     P_driven: float | None
     P_driven_star: float | None
     n_solid_bonds: int | None
+    z_pairs_star: float | None
+    pairs_vertex_face: float | None
+    pairs_edge_edge: float | None
+    pairs_edge_face: float | None
+    pairs_face_face: float | None
+    force_vertex_face: float | None
+    force_edge_edge: float | None
+    force_edge_face: float | None
+    force_face_face: float | None
+    a_normals: float | None
+    a_normal_force: float | None
+    a_tangential_force: float | None
+    a_branch_normal: float | None
+    a_branch_tangential: float | None
+    stress_ratio: float | None
+    stress_ratio_predicted: float | None
+    below_mean: float | None
+    alpha: float | None
+    alpha_error: float | None
+    beta: float | None
+    beta_error: float | None
+    below_mean_pairs: float | None
+    alpha_pairs: float | None
+    alpha_pairs_error: float | None
+    beta_pairs: float | None
+    beta_pairs_error: float | None
+    mobilisation: float | None
+    long_axes_order: float | None
+    long_axis1: float | None
+    long_axis2: float | None
+    long_axis3: float | None
 
 class Structure(Record):
     file: str

@@ -39,8 +39,10 @@ class State(_core.State):
                                        'position[id2] + image @ cell - position[id1]), key, gap (negative: overlap), '
                                        'normal (from id1 to id2), normal_force, elastic_force, shear_force and '
                                        'rolling_moment (on id1), twisting_moment, stiffnesses kn, kt, kr, ktw, '
-                                       'sliding, rolling_yield, twisting_yield, distant (acts across a gap), and the '
-                                       'history that the law defines. ``contacts["normal_force"]`` is one of these '
+                                       'sliding, rolling_yield, twisting_yield, distant (acts across a gap); of grains '
+                                       'with corners point (from the centre of id1 to the contact point) and type (0 '
+                                       'vertex and face, 1 two edges, 2 edge and face, 3 two faces); and the history '
+                                       'that the law defines. ``contacts["normal_force"]`` is one of these '
                                        'fields, also a view.')
     cell = _documented("cell", "(d, d) lattice vectors, one per row (length). Between walls, the sides of the box.")
     stress = _documented("stress", "(d, d) static stress of the contacts when the state was saved "
@@ -67,6 +69,14 @@ class State(_core.State):
     walls = _documented("walls", "Ends of the axes that are not periodic: dicts of axis, side, position, velocity, mass, "
                                  "open (no wall, but free space); empty in a periodic cell.")
     path = _documented("path", "Position of the state on its load path: step, branch, time, n_steps, ending.")
+    shapes = _documented("shapes", "Shapes of grains with corners, a list of dicts: vertices (k, d) about the centre of mass "
+                                   "and faces (arrays of indices of vertices, counter-clockwise from outside; in 2D sides) "
+                                   "of the core, rounding (radius of the ball that is added to it), volume, inertia for "
+                                   "density 1, outer_radius. None for disks and spheres.")
+    shape = _documented("shape", "(n,) indices of the grains' shapes in ``shapes``; None for disks and spheres.")
+    scale = _documented("scale", "(n,) factors by which the shapes are magnified; None for disks and spheres.")
+    motion = _documented("motion", "Of rigid grains in motion, the time step that begins at the state: time_step, residual "
+                                   "(error of its impulses over the mean) and inertial_number. None at rest.")
     scene = _documented("scene", "Text of the scene; empty for a packing of another program.")
     provenance = _documented("provenance", "Origin of the state: program, commit, compiler, seed, parent_sha256, "
                                            "source.")
@@ -75,6 +85,31 @@ class State(_core.State):
     def void_ratio(self):
         """Void ratio, 1/solid_fraction - 1."""
         return 1.0 / self.solid_fraction - 1.0
+
+    def vertices(self, grain):
+        """Vertices of a grain with corners in space, about its position inside the cell.
+
+        Parameters
+        ----------
+        grain : int
+            Index of the grain.
+
+        Returns
+        -------
+        ndarray, (k, d)
+            Vertices of its core (length), in the order of ``shapes``; none for a disk or sphere.
+        """
+        if self.shapes is None:
+            return np.zeros((0, self.dimension))
+        local = self.scale[grain] * self.shapes[self.shape[grain]]["vertices"]
+        if self.dimension == 2:
+            c, s = np.cos(self.orientation[grain]), np.sin(self.orientation[grain])
+            turn = np.array([[c, -s], [s, c]])
+        else:
+            v, w = self.orientation[grain][:3], self.orientation[grain][3]
+            skew = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+            turn = np.eye(3) + 2 * w * skew + 2 * skew @ skew
+        return self.position[grain] + local @ turn.T
 
     def write(self, path):
         """Writes a state file. If this fails, no incomplete file remains.

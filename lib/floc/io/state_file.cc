@@ -45,8 +45,9 @@ const std::string kRigid = "rigid";
 const std::string kBonds = "bonds";
 const std::string kOpenEnds = "open_ends";
 const std::string kGravityFeature = "gravity";
-const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory, kWalls,          kShapes,
-                                                 kRigid,      kOpenEnds,      kGravityFeature, kBonds};
+const std::string kMotion = "motion";
+const std::vector<std::string> kKnownFeatures = {kNoFeatures, kContactMemory,  kWalls, kShapes, kRigid,
+                                                 kOpenEnds,   kGravityFeature, kBonds, kMotion};
 
 Quantity quantity_of(Unit unit) {
   switch (unit) {
@@ -175,10 +176,11 @@ void check_features(const Hdf5Reader& file) {
               features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
-/// Returns the names of the features of the state file of a packing, separated by blanks.
+/// Returns the names of the features of the file of a state, separated by blanks.
 /// @param remembers  whether the contacts have a history
 template <int Dim>
-std::string features_of(const Packing<Dim>& packing, bool remembers) {
+std::string features_of(const State<Dim>& state, bool remembers) {
+  const Packing<Dim>& packing = state.packing;
   std::vector<std::string> features;
   if (remembers) features.push_back(kContactMemory);
   if (!packing.walls.empty()) features.push_back(kWalls);
@@ -187,6 +189,7 @@ std::string features_of(const Packing<Dim>& packing, bool remembers) {
   if (is_open(packing.walls)) features.push_back(kOpenEnds);
   if (!packing.gravity.isZero(0.0)) features.push_back(kGravityFeature);
   if (has_bonds(packing)) features.push_back(kBonds);
+  if (state.motion) features.push_back(kMotion);
   return features.empty() ? kNoFeatures : fmt::format("{}", fmt::join(features, " "));
 }
 
@@ -220,12 +223,13 @@ void encode(const State<Dim>& s, const std::string& progress, const std::string&
   file.attribute("/", "units", s.units);
   file.attribute("/", "sign_convention", kSignConvention);
   const bool remembers = !quantities_of(s.packing).empty();
-  file.attribute("/", "features", features_of(s.packing, remembers));
+  file.attribute("/", "features", features_of(s, remembers));
   for (const char* group : {"cell", "grains", "contacts", "equilibrium", "path", "provenance"})
     file.group(group);
   if (remembers) file.group(kContactMemory);
   if (!s.packing.walls.empty()) file.group(kWalls);
   if (!s.packing.grains.are_round()) file.group(kShapes);
+  if (s.motion) file.group(kMotion);
   file.attribute("cell", "boundary", boundary_of(s.packing));
 
   WritingArchive archive(file, s.units, Dim);
@@ -335,7 +339,7 @@ void check_descriptions(const Hdf5Reader& file, std::int64_t version, const Stat
   };
   require("provenance", "scene_sha256", sha256(s.scene));
   if (version < 2) return;
-  require("/", "features", features_of(s.packing, !quantities_of(s.packing).empty()));
+  require("/", "features", features_of(s, !quantities_of(s.packing).empty()));
   require("cell", "boundary", boundary_of(s.packing));
 }
 
@@ -346,6 +350,28 @@ void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing
   throw InputError(file.place("wall_law"),
                    fmt::format("normal = \"{}\", expected a law that is {}rigid, as that between grains is",
                                packing.wall_law.normal_keyword(), packing.law.is_rigid() ? "" : "not "));
+}
+
+/// Checks the record of the time step that begins at a state in motion.
+template <int Dim>
+void check_motion(const Hdf5Reader& file, const State<Dim>& s) {
+  if (!s.motion) return;
+  if (!s.packing.law.is_rigid() || !s.packing.walls.empty())
+    throw InputError(file.place(kMotion), "only rigid grains in a periodic cell are recorded in motion");
+  const MotionRecord& m = *s.motion;
+  const auto require = [&](const char* name, double value, double least, double most) {
+    if (!(value >= least && value <= most))
+      throw InputError(file.place(kMotion),
+                       fmt::format("{} = {}, expected a number from {} to {}", name, value, least, most));
+  };
+  constexpr double kTiny = std::numeric_limits<double>::min(), kHuge = std::numeric_limits<double>::max();
+  require("time_step", m.time_step, kTiny, kHuge);
+  require("cell_mass", m.cell_mass, kTiny, kHuge);
+  require("restitution", m.restitution, 0.0, 1.0);
+  require("slow_impact", m.slow_impact, 0.0, kHuge);
+  require("sweep_tolerance", m.sweep_tolerance, kTiny, kHuge);
+  require("residual", m.residual, 0.0, kHuge);
+  require("inertial_number", m.inertial_number, kTiny, kHuge);
 }
 
 template <int Dim>
@@ -380,7 +406,9 @@ State<Dim> decode(const Hdf5Reader& file, std::int64_t version) {
   check_version_1_names(file, archive, packing);
   read_equilibrium(file, archive, s);
   read_directed_load(file, archive, s);
+  if (file.has(kMotion)) s.motion.emplace();
   describe_attributes(archive, s);
+  check_motion(file, s);
   s.scene = file.text("scene");
   check_descriptions(file, version, s);
   return s;

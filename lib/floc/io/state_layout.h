@@ -170,6 +170,15 @@ void describe_attributes(Archive& archive, State& s) {
     archive.value("path", "n_unfinished", s.path.counts.n_unfinished);
     archive.value("path", "deepest_overlap", s.path.counts.deepest_overlap);
   }
+  if (s.motion) {
+    archive.value("motion", "time_step", s.motion->time_step);
+    archive.value("motion", "cell_mass", s.motion->cell_mass);
+    archive.value("motion", "restitution", s.motion->restitution);
+    archive.value("motion", "slow_impact", s.motion->slow_impact);
+    archive.value("motion", "sweep_tolerance", s.motion->sweep_tolerance);
+    archive.value("motion", "residual", s.motion->residual);
+    archive.value("motion", "inertial_number", s.motion->inertial_number);
+  }
   archive.value("provenance", "program", s.provenance.program);
   archive.value("provenance", "commit", s.provenance.commit);
   archive.value("provenance", "compiler", s.provenance.compiler);

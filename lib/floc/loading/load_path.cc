@@ -23,6 +23,13 @@ std::vector<double> geometric(double from, double to, double log10_factor, int n
 
 }  // namespace
 
+double LoadStage::largest_strain() const {
+  double largest = std::abs(shear);
+  for (const AxisLoad& load : axes)
+    if (load.kind == AxisLoad::strain) largest = std::max(largest, std::abs(load.end));
+  return largest;
+}
+
 std::vector<double> stage_pressures(double from, const LoadStage& stage) {
   assert(from >= 0 && stage.to >= 0);
   if (from == stage.to || from == 0.0 || stage.to == 0.0) return {stage.to};

@@ -49,6 +49,8 @@ struct LoadStage {
   double shear = 0.0;
 
   bool is_isotropic() const { return axes.empty(); }
+  /// Returns the largest strain that the stage imposes, without its sign: of a length (logarithmic), or a shear.
+  double largest_strain() const;
 };
 
 /// Returns the pressure at each step of a stage that acts equally on all axes and starts at the pressure `from`. The

@@ -358,6 +358,7 @@ State<Dim> Run<Dim>::state_without_packing() const {
     state.residuals = reached.residuals;
     state.n_negative = reached.stability.n_negative.value_or(-1);
     state.n_bridges_unsettled = reached.n_bridges_unsettled;
+    state.motion = reached.motion;
   }
   state.path = path();
   state.scene = options_.text;

@@ -8,6 +8,7 @@ namespace floc {
 
 template <int Dim>
 std::string equilibrium_faults(const State<Dim>& state) {
+  if (state.motion) return "";
   const Residuals r = residuals(state.packing, state.target_stress);
   const EquilibriumTolerance& t = state.tolerance;
   std::string faults;

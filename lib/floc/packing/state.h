@@ -7,6 +7,7 @@
 
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/load_target.h"
+#include "floc/packing/motion_record.h"
 #include "floc/packing/packing.h"
 #include "floc/packing/step_counts.h"
 
@@ -75,6 +76,8 @@ struct State {
   /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read.
   /// When a state is saved, the forces of its contacts on the walls are recorded instead.
   std::vector<double> wall_force = {};
+  /// Step that begins at the state, if the state is one of motion (path.ending is "moving"); absent at rest.
+  std::optional<MotionRecord> motion = {};
   PathPosition path;
   std::string scene;  ///< text of the scene file of the run; empty for converted packings
   Provenance provenance;

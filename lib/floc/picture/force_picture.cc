@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/base/error.h"
 #include "floc/network/components.h"
 #include "floc/network/rattlers.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/liquid/liquid.h"
 #include "floc/packing/require_periodic.h"
 #include "floc/packing/wall_forces.h"
+#include "floc/structure/contact_statistics.h"
 #include "floc/structure/particle_stress.h"
 
 namespace floc {
@@ -80,6 +82,37 @@ PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& given, double zero_fo
 }
 
 template <int Dim>
+PackingPicture<Dim> contact_kinds_of(const Packing<Dim>& given, double zero_force) {
+  if (given.grains.are_round())
+    throw InputError("--forces kinds",
+                     "the grains are disks or spheres, whose contacts are all of one kind: expected grains "
+                     "with corners");
+  const Packing<Dim> packing = with_walls_at_cell(given);
+  PackingPicture<Dim> picture = grains_of(packing);
+  const UnitForce unit = unit_force_of(packing);
+  picture.force_unit = unit.name;
+  picture.compression_name = Dim == 2 ? "vertex and side" : "vertex and face, or two edges";
+  picture.distant_name = "edge and face";
+  picture.tension_name = Dim == 2 ? "two sides" : "two faces";
+  picture.rattler = find_rattlers(packing, zero_force);
+  CarryingStructure carrying;
+  for (std::size_t k = 0; k < packing.contacts.size(); ++k)
+    if (!packing.is_wall(packing.contacts[k].j) && std::abs(packing.contacts[k].normal_force) > zero_force)
+      carrying.contacts.push_back(static_cast<int>(k));
+  std::size_t next = 0;
+  for (const ContactPair& pair : contact_pairs(packing, carrying)) {
+    const LineKind kind = pair.kind == ContactType::kFaceFace ? LineKind::tension
+                          : pair.kind == ContactType::kDouble ? LineKind::distant
+                                                              : LineKind::compression;
+    for (int k = 0; k < pair.n_points; ++k) {
+      const Contact<Dim>& c = packing.contacts[carrying.contacts[next++]];
+      picture.lines.push_back(contact_line(packing, c, kind, size_of_force(c, unit)));
+    }
+  }
+  return picture;
+}
+
+template <int Dim>
 PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_force) {
   require_periodic(packing, "phases are drawn");
   constexpr double kPale = 0.4;
@@ -132,6 +165,8 @@ PackingPicture<Dim> increment_forces(const Packing<Dim>& given, const ContactNet
 
 template PackingPicture<2> equilibrium_forces(const Packing<2>&, double);
 template PackingPicture<3> equilibrium_forces(const Packing<3>&, double);
+template PackingPicture<2> contact_kinds_of(const Packing<2>&, double);
+template PackingPicture<3> contact_kinds_of(const Packing<3>&, double);
 template PackingPicture<2> pressure_phases_of(const Packing<2>&, double);
 template PackingPicture<3> pressure_phases_of(const Packing<3>&, double);
 template PackingPicture<2> increment_forces(const Packing<2>&, const ContactNetwork<2>&,

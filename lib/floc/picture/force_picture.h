@@ -21,6 +21,14 @@ PackingPicture<Dim> equilibrium_forces(const Packing<Dim>& packing, double zero_
 template <int Dim>
 PackingPicture<Dim> pressure_phases_of(const Packing<Dim>& packing, double zero_force);
 
+/// Returns a picture of the contact forces of grains with corners, with a colour for each kind of contact: one point (a
+/// vertex and a face, or two edges), in 3D two points (an edge and a face), and two faces (in 2D sides). The kind follows
+/// from the number of points that carry a force (contact_pairs()). Rattlers are marked.
+/// @param zero_force  largest normal force that counts as zero (force)
+/// @throws InputError if the grains are disks or spheres
+template <int Dim>
+PackingPicture<Dim> contact_kinds_of(const Packing<Dim>& packing, double zero_force);
+
 /// Returns a picture of the changes of the contact forces when the stress changes by a small step. The contacts that
 /// hold 95 % of the elastic energy of these changes are drawn as lines whose width shows the change of the force. They
 /// have the colour of compression if the normal force grows, and the colour of tension if it falls. The other contacts

@@ -28,7 +28,7 @@ std::string name_of(LineKind kind, const PackingPicture<Dim>& picture) {
     case LineKind::zero:
       return "zero";
     case LineKind::distant:
-      return "distant";
+      return picture.distant_name;
     case LineKind::tension:
       return picture.tension_name;
     case LineKind::compression:

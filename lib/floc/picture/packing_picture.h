@@ -91,6 +91,7 @@ struct PackingPicture {
   // Texts in the legend for kinds of lines.
   std::string compression_name = "compression";
   std::string tension_name = "tension";
+  std::string distant_name = "distant";
   std::string background_name = "other contacts";
   std::vector<DisplacementArrow<Dim>> arrows;
   std::optional<Slab> slab;  ///< layer of the cell that is shown (see part_in_slab()); absent: the whole cell

@@ -17,6 +17,8 @@ struct CellResponse {
   std::optional<double> strain_rate_cap = {};
   /// RelaxationOptions::softening during that stage.
   std::optional<double> softening = {};
+  /// Rate at which rigid grains are strained (ContactDynamicsOptions::inertial_number).
+  std::optional<double> inertial_number = {};
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
@@ -31,6 +33,7 @@ struct CellResponse {
     if (!cell_mass) out.cell_mass = other.cell_mass;
     if (!wall_speed) out.wall_speed = other.wall_speed;
     if (!softening) out.softening = other.softening;
+    if (!inertial_number) out.inertial_number = other.inertial_number;
     return out;
   }
 
@@ -42,6 +45,7 @@ struct CellResponse {
     if (cell_mass) options.cell_mass = *cell_mass;
     if (wall_speed) options.compaction.wall_speed = wall_speed;
     if (softening) options.softening = *softening;
+    if (inertial_number) options.contact_dynamics.inertial_number = *inertial_number;
     return options;
   }
 };

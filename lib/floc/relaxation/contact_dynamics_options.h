@@ -20,6 +20,8 @@ struct ContactDynamicsOptions {
   double sweep_tolerance = 1e-3;
   /// Largest number of sweeps over the contacts in a time step. A step that needs more counts as unfinished.
   int max_sweeps = 2000;
+  /// Rate of imposed strains in units of 1/T: the largest rate of a length |L'/L|, or of a shear strain.
+  double inertial_number = 1e-2;
   double restitution = 0.0;  ///< coefficient of restitution of normal impacts, from 0 to 1
   RigidForces forces = RigidForces::closest;
   /// Largest gap or overlap of a contact that carries a force, over the diameter of its smaller grain; absent: 1e-4 for

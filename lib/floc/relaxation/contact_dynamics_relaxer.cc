@@ -81,6 +81,8 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("next_trial", p.next_trial);
   visit("rest_length", p.rest_length);
   visit("rest_sweeps", p.rest_sweeps);
+  visit("side_before", p.side_before);
+  visit("offset_before", p.offset_before);
   visit("obstacle", p.obstacle);
 };
 
@@ -101,6 +103,30 @@ void stop(Packing<Dim>& packing) {
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
 }
 
+/// Returns the stress imposed on each axis, and the mean of these on axes with an imposed length. Scales of time and force
+/// belong to it, since the stress that is carried fluctuates in motion.
+/// @throws InputError if no stress is imposed, or one is not positive
+template <int Dim>
+Vec<Dim> imposed_stress(const LoadTarget<Dim>& load) {
+  double sum = 0.0;
+  int n = 0;
+  for (int a = 0; a < Dim; ++a) {
+    if (load.strained(a)) continue;
+    if (!(load.stress[a] > 0.0))
+      throw InputError("load", "rigid grains need a positive pressure: without one, no force is determined");
+    sum += load.stress[a], ++n;
+  }
+  if (n == 0)
+    throw InputError(
+        "load",
+        "the lengths of all axes are imposed: rigid grains need a stress on one axis at least, because "
+        "their forces have no scale otherwise");
+  Vec<Dim> out = load.stress;
+  for (int a = 0; a < Dim; ++a)
+    if (load.strained(a)) out[a] = sum / n;
+  return out;
+}
+
 /// Gives all contacts the adhesion of the law, and removes those across a gap that have not adhered: they carry nothing.
 template <int Dim>
 void hold_adhesion(Packing<Dim>& packing) {
@@ -116,18 +142,19 @@ void hold_adhesion(Packing<Dim>& packing) {
 template <int Dim>
 ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& options, Packing<Dim> packing,
                                                     const LoadTarget<Dim>& load, const std::string& progress)
-    : options_(options), packing_(std::move(packing)), target_(load.stress) {
-  if (load.any_strained() || load.offset)
-    throw InputError("load", "rigid grains are loaded by a pressure on all axes only in this version of floc");
-  if (!(target_.minCoeff() > 0.0))
-    throw InputError("load", "rigid grains need a positive pressure: without one, no force is determined");
+    : options_(options),
+      packing_(std::move(packing)),
+      load_(load),
+      imposed_(imposed_stress(load)),
+      target_(imposed_) {
   if (!progress.empty())
     progress_ =
         members_from_json<ContactDynamicsProgress>(progress, "progress",
                                                    "the text does not hold the progress of a relaxation of "
                                                    "rigid grains in the format of this version of floc",
                                                    kMembers);
-  time_unit_ = inertial_time(packing_, target_);
+  time_unit_ = inertial_time(packing_, imposed_);
+  if (progress.empty()) begin_strain();
   measure();
 }
 
@@ -146,7 +173,7 @@ template <int Dim>
 ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   const ContactDynamicsOptions& own = options_.contact_dynamics;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;
-  const bool is_gas = stress_.trace() < kGasStress * target_.sum();
+  const bool is_gas = stress_.trace() < kGasStress * imposed_.sum();
   const double longest = !resting ? own.time_step : solves_at_once() ? kLongestAtOnce : progress_.rest_length;
   return {.longest_step = longest * time_unit_,
           .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
@@ -161,10 +188,12 @@ ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
 template <int Dim>
 BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   BoundaryLoad<Dim> load;
-  load.stress = target_;
-  load.under_stress.fill(true);
+  load.stress = imposed_;
+  for (int a = 0; a < Dim; ++a) load.under_stress[a] = !load_.strained(a);
   load.cell_mass = options_.cell_mass;
-  load.strain_rate_cap = strain_rate_cap(options_, packing_, target_);
+  // The drag of a cap would bear a part of the stress on sides that dilate.
+  if (progress_.phase != ContactDynamicsProgress::straining)
+    load.strain_rate_cap = strain_rate_cap(options_, packing_, imposed_);
   return load;
 }
 
@@ -179,7 +208,7 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double velocity = kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
-  const double cap = std::min(strain_rate_cap(options_, packing, target_), 1.0 / time_unit_);
+  const double cap = std::min(strain_rate_cap(options_, packing, imposed_), 1.0 / time_unit_);
   return rms_velocity(packing.grains) < velocity &&
          packing.cell.rate().diagonal().cwiseAbs().maxCoeff() < kCalmRate * cap;
 }
@@ -194,6 +223,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   const bool at_rest = progress_.phase == ContactDynamicsProgress::resting;
   ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first, progress_.last_step);
   for (int k = 0; k < n_steps; ++k) {
+    if (progress_.phase == ContactDynamicsProgress::straining && !impose_strain(motion)) break;
     motion.step(at_rest && !chosen.at_once);
     if (!at_rest) progress_.time += motion.last_step();  // steps at rest are no motion in time
     progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
@@ -215,6 +245,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
   if (progress_.phase == ContactDynamicsProgress::resting) return rest();
+  if (progress_.phase == ContactDynamicsProgress::straining) return strain();
   make_steps(kSteps);
   if (progress_.calm_steps >= kCalmSteps) {
     progress_.phase = ContactDynamicsProgress::resting;
@@ -294,7 +325,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     return false;
   }
   const Mat<Dim> stress = static_stress(rested);
-  const Residuals reached = residuals(rested, target_, stress);
+  const Residuals reached = residuals(rested, load_.stress_with(stress), stress);
   if (!reached.within(options_.tolerance)) {
     progress_.obstacle = worst_residual(reached, options_.tolerance, rested.grains.id);
     return false;
@@ -308,6 +339,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   }
   packing_ = std::move(rested);
   stress_ = stress;
+  target_ = load_.stress_with(stress);
   residuals_ = reached;
   const std::string names[] = {"closest", "canonical", "stepped"};
   ending_ = names[static_cast<int>(options_.contact_dynamics.forces)];
@@ -343,7 +375,8 @@ bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) con
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) const {
   ForceBalanceOptions<Dim> options;
-  options.axis_stress = target_;
+  options.axis_stress = imposed_;
+  for (int a = 0; a < Dim; ++a) options.open_axis[a] = load_.strained(a);
   StaticForces<Dim> forces("the packing", packing, options);
   const bool closest = options_.contact_dynamics.forces == RigidForces::closest;
   const BalancedForces<Dim> found = closest ? forces.closest() : forces.canonical();
@@ -362,6 +395,7 @@ void ContactDynamicsRelaxer<Dim>::set_balanced_forces(Packing<Dim>& packing) con
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::measure() {
   stress_ = static_stress(packing_);
+  target_ = load_.stress_with(stress_);
   residuals_ = residuals(packing_, target_, stress_);
 }
 
@@ -370,13 +404,17 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   RelaxationReport report;
   report.residuals = residuals_;
   report.ending = ending_;
+  report.motion = motion_;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;
   report.phase = resting ? "finishing" : "moving";
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
   report.counts = {progress_.n_steps, progress_.n_sweeps, progress_.n_unfinished, progress_.deepest_overlap};
+  if (ending_ == "closed") report.blocking = closed_cell();
   if (!ending_.empty()) return report;
-  if (resting)
+  if (progress_.phase == ContactDynamicsProgress::straining)
+    report.blocking = "the imposed strain is not reached yet";
+  else if (resting)
     report.blocking =
         progress_.obstacle.empty() ? "the net forces on the grains are not small yet" : progress_.obstacle;
   else

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "floc/relaxation/blocking_criterion.h"
 #include "floc/relaxation/equilibrator.h"
+#include "floc/relaxation/imposed_strain.h"
 #include "floc/rigid/contact_dynamics.h"
 
 namespace floc {
@@ -13,8 +16,9 @@ namespace floc {
 /// Progress of the relaxation of rigid grains. Together with the packing it determines how the relaxation continues.
 struct ContactDynamicsProgress {
   enum Phase {
-    moving,   ///< the grains move under the load
-    resting,  ///< all velocities are set to zero before each step
+    moving,     ///< the grains move under the load
+    resting,    ///< all velocities are set to zero before each step
+    straining,  ///< the cell is strained at an imposed rate
   };
   int phase = moving;
   std::int64_t n_steps = 0;   ///< number of time steps so far
@@ -30,7 +34,10 @@ struct ContactDynamicsProgress {
   int next_trial = 0;  ///< number of steps of the phase `resting` at which balanced forces are sought next
   double rest_length = 0.0;  ///< longest time step of the phase `resting` (T)
   int rest_sweeps = 0;       ///< largest number of sweeps in a time step of the phase `resting`
-  std::string obstacle;      ///< reason why no balanced forces were found last; empty before the first trial
+  /// Sides of the cell, and offset of the lattice vector that a shear tilts, before the strain (length).
+  std::vector<double> side_before;
+  double offset_before = 0.0;
+  std::string obstacle;  ///< reason why no balanced forces were found last; empty before the first trial
 };
 
 /// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell, in three phases:
@@ -41,10 +48,15 @@ struct ContactDynamicsProgress {
 /// corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
 /// 3. With the grains held, forces are sought that balance all grains and the stress and satisfy Coulomb's conditions
 /// (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 goes on.
+/// Sides of the cell with an imposed length that do not change are held, and the stress on them follows.
+///
+/// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a constant
+/// rate (ContactDynamicsOptions::inertial_number), and the packing at the imposed strain is recorded as it moves, with the
+/// forces of the time step that begins there (MotionRecord).
 template <int Dim>
 class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  public:
-  /// @throws InputError if the load imposes a length or a shear of the cell, or no pressure
+  /// @throws InputError if the load imposes no positive stress on any axis
   ContactDynamicsRelaxer(const RelaxationOptions& options, Packing<Dim> packing, const LoadTarget<Dim>& load,
                          const std::string& progress = "");
 
@@ -60,6 +72,12 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
 
  private:
   bool solves_at_once() const;
+  void begin_strain();
+  ImposedStrain<Dim> imposed_strain() const;
+  bool impose_strain(ContactDynamics<Dim>& motion) const;
+  RelaxationStatus strain();
+  void record_motion();
+  std::string closed_cell() const;
   ContactDynamicsSettings settings() const;
   BoundaryLoad<Dim> boundary_load() const;
   double gap_tolerance() const;
@@ -76,11 +94,15 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
 
   RelaxationOptions options_;
   Packing<Dim> packing_;
-  Vec<Dim> target_;  ///< stress imposed on each axis (force/length^(Dim-1))
+  LoadTarget<Dim> load_;
+  /// Stress imposed on each axis, and the mean of these on axes with an imposed length (force/length^(Dim-1)).
+  Vec<Dim> imposed_;
+  Vec<Dim> target_;  ///< stress on each axis, imposed or carried (force/length^(Dim-1))
   ContactDynamicsProgress progress_;
   Mat<Dim> stress_;  ///< static stress of the packing (force/length^(Dim-1))
   Residuals residuals_;
   std::string ending_;
+  std::optional<MotionRecord> motion_;
   double time_unit_;  ///< T = sqrt(m/(P d^(Dim-2))) (time)
   MotionObserver<Dim> observer_;
 };

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "floc/elasticity/stability.h"
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/load_target.h"
+#include "floc/packing/motion_record.h"
 #include "floc/packing/step_counts.h"
 #include "floc/relaxation/motion_observer.h"
 #include "floc/relaxation/relaxation_options.h"
@@ -28,7 +30,8 @@ struct RelaxationReport {
   int n_mechanisms = -1;
   /// Word for the end of the relaxation. After a success: "polished" (equilibrium by Newton steps after dynamics),
   /// "dynamic" (by dynamics alone), "static" (by Newton steps alone) or "stopped" (packing between walls, recorded
-  /// without equilibrium). After a failure: "diverged" (the time step was too large), "lost" (grains and walls no
+  /// without equilibrium); of rigid grains "closest", "canonical" or "stepped" (RigidForces), or "moving" (recorded in
+  /// motion at an imposed strain). After a failure: "diverged" (the time step was too large), "lost" (grains and walls no
   /// longer form a packing), "unloaded" (at its imposed lengths the packing carries no stress) or "closed" (the imposed
   /// lengths are too short). Empty while the relaxation runs, and if it was given up because it took too long.
   std::string ending;
@@ -36,9 +39,10 @@ struct RelaxationReport {
   /// Decay rate of the force residual (1/time), positive if the residual falls; computed only while the residual is
   /// above its tolerance.
   double decay_rate = 0.0;
-  std::string phase;         ///< present phase: "moving" or "finishing"
-  double time = 0.0;         ///< simulated time of this relaxation so far (time)
-  std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
+  std::string phase;                        ///< present phase: "moving" or "finishing"
+  double time = 0.0;                        ///< simulated time of this relaxation so far (time)
+  std::int64_t n_steps = 0;                 ///< number of time steps of this relaxation so far
+  std::optional<MotionRecord> motion = {};  ///< step from a packing that is recorded in motion
   StepCounts
       counts;  ///< time steps of contact dynamics of this relaxation so far; all zero for elastic contacts
 };

@@ -282,16 +282,50 @@ Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
     out.cell.matrix(wall.axis, wall.axis) += wall.side * dt * wall.velocity;
     out.cell.velocity(wall.axis, wall.axis) += wall.side * wall.velocity;
   }
-  for (Contact<Dim>& c : out.contacts) c.normal_force = c.elastic_force = 0.0, c.shear_force.setZero();
+  set_forces(trial, dt, out);
+  return out;
+}
+
+/// Gives the contacts of a packing the forces of a step.
+template <int Dim>
+void ContactDynamics<Dim>::set_forces(const Trial& trial, double dt, Packing<Dim>& packing) const {
+  for (Contact<Dim>& c : packing.contacts) c.normal_force = c.elastic_force = 0.0, c.shear_force.setZero();
   for (std::size_t k = 0; k < trial.contacts.size(); ++k) {
     const StepContact<Dim>& from = trial.contacts[k];
-    Contact<Dim>& c = out.contacts[static_cast<std::size_t>(trial.source[k])];
+    Contact<Dim>& c = packing.contacts[static_cast<std::size_t>(trial.source[k])];
     c.elastic_force = from.impulse[0] / dt;
     c.normal_force = (from.impulse[0] - from.adhesion) / dt;
     c.shear_force = -(from.frame * from.impulse - from.impulse[0] * c.normal) / dt;
-    c.sliding = mobilised(out.law_of(c), c, kAtLimit).sliding;
+    c.sliding = mobilised(packing.law_of(c), c, kAtLimit).sliding;
   }
-  return out;
+}
+
+template <int Dim>
+SweepResult ContactDynamics<Dim>::find_forces() {
+  const Method swept{.at_rest = false, .at_once = false};
+  while (true) {
+    const Trial trial = solve(time_step_, swept);
+    if (largest_share_moved(trial, time_step_, swept) > 1.0) {
+      time_step_ *= 0.5;
+      continue;
+    }
+    set_forces(trial, time_step_, packing_);
+    last_step_ = time_step_;
+    return trial.sweeps;
+  }
+}
+
+template <int Dim>
+double ContactDynamics<Dim>::error_of_forces() const {
+  BodyMotion<Dim> motion = free_motion(time_step_, false);
+  std::vector<int> source;
+  std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source);
+  // Adhesion is that of the recorded forces: whether it acts across a gap depends on the step before.
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact<Dim>& c = packing_.contacts[static_cast<std::size_t>(source[k])];
+    contacts[k].adhesion = time_step_ * std::max(0.0, c.elastic_force - c.normal_force);
+  }
+  return GaussSeidel<Dim>(motion, contacts).residual();
 }
 
 /// Returns the deepest overlap of contacts over the diameter of the smaller grain, and sets `where` to its contact.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -63,6 +64,18 @@ class ContactDynamics {
   /// @throws NoResult if they are too deep after this step, too
   void step(bool at_rest);
 
+  /// Sets the velocity of the cell (length/time). Sides under stress start the next step with it, others keep it.
+  void set_cell_velocity(const Mat<Dim>& velocity) { packing_.cell.velocity = velocity; }
+  /// Shortens the next step to a length (time).
+  void shorten_next_step(double longest) { time_step_ = std::min(time_step_, longest); }
+
+  /// Finds the forces of the next step, with which the grains do not move yet. The contacts then carry them, and
+  /// time_step() is the length of that step.
+  SweepResult find_forces();
+  /// Returns the error of the forces of the contacts as those of the next step, as SweepResult::residual. The velocities at
+  /// its end are computed from them.
+  double error_of_forces() const;
+
   /// Sets the force that acts on each grain in addition to its contacts, such as its weight (force); empty for none.
   void set_external_force(std::vector<Vec<Dim>> force) { external_force_ = std::move(force); }
 
@@ -96,6 +109,7 @@ class ContactDynamics {
   Trial solve(double dt, const Method& method) const;
   double largest_share_moved(const Trial& trial, double dt, const Method& method) const;
   Packing<Dim> moved(const Trial& trial, double dt) const;
+  void set_forces(const Trial& trial, double dt, Packing<Dim>& packing) const;
   double deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const;
 
   Packing<Dim> packing_;

@@ -171,6 +171,8 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
     if (value && !(*value > 0.0 && std::isfinite(*value)))
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
+  if (!axis_stress && std::ranges::count(open_axis, true) > 0)
+    faults.emplace_back("open_axis: expected a stress on the other axes beside it");
   if (stress && axis_stress) faults.emplace_back("axis_stress: expected no stress beside it");
   if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
   return faults;
@@ -218,6 +220,9 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
       coefficient.template tail<Dim - 1>() *= u.friction;
       if (coefficient.template lpNorm<Eigen::Infinity>() / rows.scale(row) > kNoCoefficient) number[row] = 0;
     });
+  for (int a = 0; a < Dim; ++a)
+    if (options.open_axis[a])
+      number[rows.first_of_boundary() + a] = -1, load[rows.first_of_boundary() + a] = 0.0;
   std::vector<double> scaled_load;
   int last_group = -1;
   for (int row = 0; row < rows.n_rows(); ++row) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct ForceBalanceOptions {
   /// Stress on each axis that the forces transmit, compression positive (force/length^(Dim-1)), while shear stresses
   /// are free; absent: `stress`. Only one of the two may be given.
   std::optional<Vec<Dim>> axis_stress;
+  /// With `axis_stress`: axes whose length is held, so that the forces may transmit any stress along them.
+  std::array<bool, Dim> open_axis = {};
 
   /// Every fault as "key = value: requirement"; empty when the options can be used.
   std::vector<std::string> validate() const;

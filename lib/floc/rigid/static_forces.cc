@@ -161,11 +161,13 @@ double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g
 }
 
 template <int Dim>
-std::optional<double> force_freedom(const Packing<Dim>& packing, const Vec<Dim>& axis_stress) {
+std::optional<double> force_freedom(const State<Dim>& state) {
+  if (state.motion) return std::nullopt;
   ForceBalanceOptions<Dim> options;
-  options.axis_stress = axis_stress;
+  options.axis_stress = state.stress.diagonal();
+  for (int a = 0; a < Dim; ++a) options.open_axis[a] = state.target_side[a] > 0.0;
   try {
-    StaticForces<Dim> forces("the state", packing, options);
+    StaticForces<Dim> forces("the state", state.packing, options);
     return force_distance(forces.present(), forces.canonical());
   } catch (const NoResult&) {
     return std::nullopt;
@@ -178,7 +180,7 @@ template class StaticForces<2>;
 template class StaticForces<3>;
 template double force_distance(const BalancedForces<2>&, const BalancedForces<2>&);
 template double force_distance(const BalancedForces<3>&, const BalancedForces<3>&);
-template std::optional<double> force_freedom(const Packing<2>&, const Vec<2>&);
-template std::optional<double> force_freedom(const Packing<3>&, const Vec<3>&);
+template std::optional<double> force_freedom(const State<2>&);
+template std::optional<double> force_freedom(const State<3>&);
 
 }  // namespace floc

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "floc/packing/packing.h"
+#include "floc/packing/state.h"
 #include "floc/rigid/force_balance.h"
 #include "floc/rigid/interior_point.h"
 
@@ -71,10 +72,10 @@ class StaticForces {
 template <int Dim>
 double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g);
 
-/// Returns the relative distance of the forces of a packing from the forces of least elastic energy on its geometry that
-/// transmit the given stress; absent if no forces balance it, or if no contact carries a force.
-/// @param axis_stress  stress on each axis, compression positive (force/length^(Dim-1))
+/// Returns the relative distance of the forces of a state from the forces of least elastic energy on its geometry that
+/// transmit its stress, as floc forces prints it; absent for a state of motion, if no forces balance the state, or if no
+/// contact carries a force.
 template <int Dim>
-std::optional<double> force_freedom(const Packing<Dim>& packing, const Vec<Dim>& axis_stress);
+std::optional<double> force_freedom(const State<Dim>& state);
 
 }  // namespace floc

@@ -62,6 +62,7 @@ std::vector<std::string> columns_of(int dimension, bool boxed, bool rigid) {
     for (const char* name : {"z_pairs", "n_sweeps", "n_unfinished", "deepest_overlap", "force_freedom"})
       columns.emplace_back(name);
   columns.insert(columns.end(), {"P_driven", "P_driven_star"});
+  if (rigid) columns.insert(columns.end(), {"inertial_number", "step_residual"});
   return columns;
 }
 
@@ -124,7 +125,7 @@ void add_rigid(const State<Dim>& state, std::vector<TableValue>& row) {
   row.emplace_back(counts.n_sweeps);
   row.emplace_back(counts.n_unfinished);
   row.emplace_back(counts.deepest_overlap);
-  row.push_back(or_undefined(force_freedom<Dim>(state.packing, state.stress.diagonal())));
+  row.push_back(or_undefined(force_freedom(state)));
 }
 
 }  // namespace
@@ -175,6 +176,10 @@ std::string path_row(const State<Dim>& state, const PathReference<Dim>& referenc
   if (rigid) add_rigid(state, table.rows[0]);
   const double driven = stress_on_driven_axis<Dim>(state, state.target_stress);
   table.rows[0].insert(table.rows[0].end(), {driven, reduced_pressure(state.packing, driven)});
+  if (rigid)
+    table.rows[0].insert(table.rows[0].end(),
+                         {state.motion ? TableValue{state.motion->inertial_number} : TableValue{},
+                          state.motion ? TableValue{state.motion->residual} : TableValue{}});
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   std::string line;

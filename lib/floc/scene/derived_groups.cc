@@ -193,7 +193,13 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
     before = here;
   };
   add_part(scene.assembly.cell, " at assembly");
-  for (const LoadStage& stage : scene.load) add_part(stage.cell, fmt::format(" during stage '{}'", stage.name));
+  for (const LoadStage& stage : scene.load) {
+    const std::string where = fmt::format(" during stage '{}'", stage.name);
+    add_part(stage.cell, where);
+    if (scene.law.is_rigid() && stage.largest_strain() > 0.0)
+      groups.push_back({"I_strain", before.contact_dynamics.inertial_number,
+                        "inertial number at which the cell is strained" + where});
+  }
   if (scene.assembly.agitation > 0.0)
     groups.push_back(
         {"V0/V_star", scene.assembly.agitation,

@@ -94,19 +94,25 @@ void refuse_smooth_dynamics(TableReader& root) {
   for (const KeyInPlace& k : kRefusedInEquilibrium) refuse(equilibrium, k);
 }
 
-/// Records a fault for each stage of the load path that does not impose a pressure on all axes.
+/// Records a fault for each stage of the load path that imposes the lengths of all axes: forces of rigid grains have no
+/// scale then.
 void check_stages(TableReader& root, const Scene& scene) {
   if (scene.load.empty()) return;
   std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
   for (std::size_t k = 0; k < std::min(stages.size(), scene.load.size()); ++k) {
     TableReader& t = stages[k];
     const LoadStage& stage = scene.load[k];
-    if (!stage.is_isotropic())
+    const bool all_strained =
+        !stage.is_isotropic() &&
+        std::ranges::all_of(stage.axes, [](const AxisLoad& axis) { return axis.kind == AxisLoad::strain; });
+    if (all_strained)
       t.fault(
           "control",
-          fmt::format("{} = \"{}\": rigid grains are loaded by a pressure on all axes only in this version of "
-                      "floc; expected control = \"isotropic\"",
-                      t.path_of("control"), stage.control));
+          fmt::format(
+              "{} = \"{}\": this stage imposes the lengths of all axes, but rigid grains need a stress on one "
+              "axis at least, because their forces have no scale otherwise; expected a stage that keeps or "
+              "imposes a stress",
+              t.path_of("control"), stage.control));
   }
 }
 

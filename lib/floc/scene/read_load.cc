@@ -161,13 +161,6 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
   stage.axes = read_test(t, stage.control, stage.axis, dimension);
 }
 
-double largest_strain(const LoadStage& stage) {
-  double largest = std::abs(stage.shear);
-  for (const AxisLoad& axis : stage.axes)
-    if (axis.kind == AxisLoad::strain) largest = std::max(largest, std::abs(axis.end));
-  return largest;
-}
-
 /// Whether the key steps_per_decade determines the number of steps of a stage. It does if every imposed stress is
 /// positive at the end of the stage, and positive and known before the run at its start.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
@@ -186,7 +179,7 @@ bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
 void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
   const auto strain_step =
       t.number("strain_step", {positive, "a positive number (strain of one step)"}, Need::optional);
-  const double strain = largest_strain(stage);
+  const double strain = stage.largest_strain();
   const int given = (stage.steps ? 1 : 0) + (stage.steps_per_decade ? 1 : 0) + (strain_step ? 1 : 0);
   if (given > 1)
     t.fault("steps", fmt::format("{}: the number of steps is given more than once; expected only one of steps, "
@@ -334,6 +327,24 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
   }
 }
 
+/// Reads the rate at which a stage strains rigid grains.
+void read_strain_rate(TableReader& t, const Law& law, LoadStage& stage) {
+  constexpr const char* kKey = "inertial_number";
+  if (!law.is_rigid())
+    return t.refuse(
+        kKey, fmt::format("{} is not allowed here: it is the rate at which rigid grains are strained, but the "
+                          "contacts are elastic; expected inertial_number_cap in its place",
+                          t.path_of(kKey)));
+  stage.cell.inertial_number = t.number(
+      kKey,
+      {[](double x) { return x > 0 && x <= 0.1; },
+       "a number in (0, 0.1] (strain rate of the stage times sqrt(m/(P a^(d-2))), with the mass m and the "
+       "diameter a of the largest grain, the mean P of the imposed stresses and the dimension d)"},
+      Need::optional);
+  if (t.has(kKey) && stage.largest_strain() == 0.0)
+    t.fault(kKey, fmt::format("{} is not allowed here: the stage imposes no strain", t.path_of(kKey)));
+}
+
 /// Reads one stage of the load path.
 /// @param scene  scene, whose contact law, assembly and box have been read
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
@@ -379,6 +390,7 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
   stage.name = t.text("name", "a string", Need::optional).value_or(default_name(from, stage));
   stage.set = t.flat_numbers("set");
   stage.cell = read_cell_response(t, box.has_value());
+  read_strain_rate(t, law, stage);
   if (box) check_walls(t, *box, stage);
   apply_changes(t, stage, law);
   if (stage.cell.strain_rate_cap && !law.adheres())

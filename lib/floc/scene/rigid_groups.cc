@@ -74,9 +74,15 @@ double cost_of_rigid_grains(const Scene& scene, int n_loaded) {
       scene.grains.shape ? (scene.dimension == 2 ? 1e-4 : 5e-4) : (scene.dimension == 2 ? 2e-5 : 6e-5);
   // Number of time steps of the assembly and of each later equilibrium, with the default time step.
   constexpr double kAssembling = 1200.0, kLoading = 300.0;
+  double straining = 0.0;
+  for (const LoadStage& stage : scene.load) {
+    const ContactDynamicsOptions& o = stage.cell.applied_to(scene.relaxation).contact_dynamics;
+    const double steps = stage.largest_strain() / (o.inertial_number * ContactDynamicsOptions{}.time_step);
+    if (steps > 0.0) straining += steps - kLoading * stage.steps.value_or(1);
+  }
   const double first = scene.starts_from_state() ? kLoading : kAssembling;
   const double shorter = ContactDynamicsOptions{}.time_step / scene.relaxation.contact_dynamics.time_step;
-  return per_grain_step * scene.grains.count * (first + kLoading * n_loaded) * shorter;
+  return per_grain_step * scene.grains.count * (first + kLoading * n_loaded + straining) * shorter;
 }
 
 }  // namespace floc

@@ -222,6 +222,8 @@ std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
   columns.emplace_back("seconds_row", [](const ModuliRow& r) { return r.seconds_row; });
   columns.emplace_back("P_driven", [](const ModuliRow& r) { return r.driven_stress; });
   columns.emplace_back("P_driven_star", [](const ModuliRow& r) { return r.reduced_driven_stress; });
+  columns.emplace_back("kn_named", [](const ModuliRow& r) { return or_undefined(r.kn_named); });
+  columns.emplace_back("kt_named", [](const ModuliRow& r) { return or_undefined(r.kt_named); });
   return columns;
 }
 

@@ -46,6 +46,8 @@ struct ModuliRow {
   std::optional<double> B_prestress;
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
+  std::optional<double> kn_named,
+      kt_named;  ///< stiffnesses named for the contacts of rigid grains (force/length)
   MeanFieldEstimates mean_field;
   double seconds;            ///< processor time that the moduli took (s)
   double seconds_row = 0.0;  ///< processor time that the whole row took, including reading the state (s)

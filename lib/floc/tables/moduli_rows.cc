@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "floc/base/error.h"
 #include "floc/base/free_memory.h"
@@ -13,6 +14,7 @@
 #include "floc/elasticity/modes.h"
 #include "floc/packing/balance.h"
 #include "floc/packing/equilibrium.h"
+#include "floc/packing/law/named_stiffness.h"
 #include "floc/packing/law/stiffness_check.h"
 #include "floc/packing/require_elastic.h"
 #include "floc/packing/wall_forces.h"
@@ -42,6 +44,31 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   row.reduced_driven_stress = reduced_pressure(packing, row.driven_stress);
   row.wall_pressure = mean_wall_pressure(packing);
   return row;
+}
+
+/// Sentence for states of rigid grains without named stiffnesses, as require_elastic() takes it.
+const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
+
+/// Returns a state of rigid grains with the stiffnesses that the options name, and says that they are no property of it.
+template <int Dim>
+State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const ModuliTableOptions& options,
+                                const Remarks& remarks) {
+  if (state.motion)
+    throw InputError(
+        file,
+        "this state is one of motion, whose forces do not balance: moduli are computed for states at "
+        "rest");
+  try {
+    state.packing =
+        with_named_stiffness(std::move(state.packing), {options.kn.value_or(0.0), options.kt.value_or(0.0)});
+  } catch (const InputError& error) {
+    throw InputError(file, error.what());
+  }
+  remarks.warn(file,
+               "the grains are rigid: these moduli are those of springs --kn and --kt in the contacts of the "
+               "state, and are "
+               "no property of the grains");
+  return state;
 }
 
 /// Warns if rounding of the grain positions in a state causes residual forces or stresses that reach the tolerances of
@@ -204,7 +231,18 @@ std::vector<Moduli> ModuliRows::compute(const std::string& file, const State<Dim
 template <int Dim>
 std::vector<ModuliRow> ModuliRows::of(const std::string& file, const State<Dim>& state, Table* increments,
                                       const Remarks& remarks) {
-  require_elastic(state.packing, "moduli are computed", file);
+  if (!options_.kn && !options_.kt) return of_elastic(file, state, increments, remarks);
+  std::vector<ModuliRow> rows =
+      of_elastic(file, with_named_stiffness(file, state, options_, remarks), increments, remarks);
+  for (ModuliRow& row : rows) row.kn_named = options_.kn, row.kt_named = options_.kt;
+  return rows;
+}
+
+/// Computes the rows of one state of elastic contacts.
+template <int Dim>
+std::vector<ModuliRow> ModuliRows::of_elastic(const std::string& file, const State<Dim>& state,
+                                              Table* increments, const Remarks& remarks) {
+  require_elastic(state.packing, kNeedsStiffness, file);
   const ModuliRow description = described(file, state);
   warn_of_rounding(file, state, remarks);
   warn_of_stiffnesses(file, state, remarks);
@@ -235,7 +273,9 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
                                             const ModuliTableOptions& asked, ParallelSolver& solver,
                                             const Remarks& remarks) {
   const double began = processor_seconds();
-  require_elastic(state.packing, "moduli are computed", file);
+  if (asked.kn || asked.kt)
+    state = with_named_stiffness(file, std::move(state), asked, solver.rank() == 0 ? remarks : Remarks{});
+  require_elastic(state.packing, kNeedsStiffness, file);
   ModuliOptions options = asked.moduli;
   options.unloaded = state.target_stress.isZero(0.0);
   const bool speaks = solver.rank() == 0;
@@ -257,6 +297,7 @@ std::vector<ModuliRow> parallel_moduli_rows(const std::string& file, State<Dim> 
     require_moduli(file, row.moduli);
     row.seconds = processor_seconds() - start;
     row.rolling_stiffness = rolling;
+    row.kn_named = asked.kn, row.kt_named = asked.kt;
     row.mean_field = mean_field_estimates(network, description.z, description.solid_fraction);
     if (speaks)
       for (const std::string& warning : row.moduli.warnings) remarks.warn(file, warning, first_number(warning));
@@ -278,6 +319,10 @@ std::vector<std::string> ModuliTableOptions::validate() const {
         "increments: expected at most one value of --rolling-stiffness, because the file contains one set of "
         "forces for each "
         "contact");
+  for (const auto& [name, value] : {std::pair{"kn", kn}, {"kt", kt}})
+    if (value && !(*value > 0.0 && std::isfinite(*value)))
+      faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
+  if (kt && !kn) faults.push_back("kt: expected a normal stiffness, --kn, beside it");
   if (accuracy)
     for (const std::string& fault : accuracy->validate()) faults.push_back(fault);
   if (increments && accuracy) faults.push_back("increments: needs --method factor in place of --accuracy");

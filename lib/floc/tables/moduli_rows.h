@@ -34,6 +34,8 @@ struct ModuliTableOptions {
   /// Memory that a Cholesky factor of the stiffness matrix may take with ModuliSolver::automatic (bytes). If absent,
   /// 0.7 of the free memory.
   std::optional<double> memory;
+  /// Stiffnesses named for the contacts of rigid grains (force/length); needed for such states, refused for others.
+  std::optional<double> kn, kt;
   bool increments = false;  ///< adds a table of the force increments of every contact
 
   /// Returns the faults of the options, each as "name of the option: requirement", some with the value of the option.
@@ -63,6 +65,9 @@ class ModuliRows {
                             const Remarks& remarks = {});
 
  private:
+  template <int Dim>
+  std::vector<ModuliRow> of_elastic(const std::string& file, const State<Dim>& state, Table* increments,
+                                    const Remarks& remarks);
   template <int Dim>
   std::vector<Moduli> compute(const std::string& file, const State<Dim>& state, ModuliOptions& options,
                               const Remarks& remarks);

@@ -115,6 +115,69 @@ std::vector<Column<NetworkRow>> mechanics_columns() {
           {"units", [](const Row& r) { return r.units; }}};
 }
 
+/// Columns of the kinds of contacts of grains with corners, which are empty for round grains.
+std::vector<Column<NetworkRow>> kind_columns() {
+  using Row = NetworkRow;
+  std::vector<Column<Row>> columns = {
+      {"z_pairs_star", [](const Row& r) { return r.kinds ? TableValue{r.kinds->z} : TableValue{}; }}};
+  constexpr const char* kKinds[] = {"vertex_face", "edge_edge", "edge_face", "face_face"};
+  for (const auto& [name, part] :
+       {std::pair{"pairs", &ContactKinds::share}, std::pair{"force", &ContactKinds::force}})
+    for (std::size_t k = 0; k < std::size(kKinds); ++k)
+      columns.emplace_back(fmt::format("{}_{}", name, kKinds[k]), [k, part = part](const Row& r) {
+        return r.kinds ? TableValue{((*r.kinds).*part)[k]} : TableValue{};
+      });
+  return columns;
+}
+
+std::vector<Column<NetworkRow>> anisotropy_columns() {
+  std::vector<Column<NetworkRow>> columns;
+  for (const auto& [name, number] : {std::pair{"a_normals", &ContactAnisotropy::normals},
+                                     std::pair{"a_normal_force", &ContactAnisotropy::normal_force},
+                                     std::pair{"a_tangential_force", &ContactAnisotropy::tangential_force},
+                                     std::pair{"a_branch_normal", &ContactAnisotropy::branch_normal},
+                                     std::pair{"a_branch_tangential", &ContactAnisotropy::branch_tangential},
+                                     std::pair{"stress_ratio", &ContactAnisotropy::stress_ratio},
+                                     std::pair{"stress_ratio_predicted", &ContactAnisotropy::predicted_ratio}})
+    columns.emplace_back(name, [number = number](const NetworkRow& r) {
+      return r.anisotropy ? TableValue{(*r.anisotropy).*number} : TableValue{};
+    });
+  return columns;
+}
+
+/// Returns the name of a column by points, or that by pairs: alpha, alpha_pairs, alpha_error, alpha_pairs_error.
+std::string with_pairs(const std::string& name, bool by_pairs) {
+  if (!by_pairs) return name;
+  const std::size_t at = name.find("_error");
+  return at == std::string::npos ? name + "_pairs" : name.substr(0, at) + "_pairs_error";
+}
+
+/// Columns of the distribution of forces, by points and by pairs, and of the long axes.
+std::vector<Column<NetworkRow>> force_shape_columns() {
+  using Row = NetworkRow;
+  std::vector<Column<Row>> columns;
+  for (const bool by_pairs : {false, true}) {
+    const auto add = [&](const std::string& name, const auto& value) {
+      columns.emplace_back(with_pairs(name, by_pairs), [by_pairs, value](const Row& r) {
+        if (by_pairs) return r.force_by_pairs ? value(*r.force_by_pairs) : TableValue{};
+        return value(r.force_by_points);
+      });
+    };
+    add("below_mean", [](const ForceShape& f) { return TableValue{f.below_mean}; });
+    for (const auto& [name, number] :
+         {std::pair{"alpha", &ForceShape::alpha}, std::pair{"alpha_error", &ForceShape::alpha_error},
+          std::pair{"beta", &ForceShape::beta}, std::pair{"beta_error", &ForceShape::beta_error}})
+      add(name, [number = number](const ForceShape& f) { return or_undefined(f.*number); });
+  }
+  columns.emplace_back("mobilisation", [](const Row& r) { return or_undefined(r.mobilisation); });
+  columns.emplace_back("long_axes_order", [](const Row& r) { return or_undefined(r.long_axes_order); });
+  for (std::size_t a = 0; a < 3; ++a)
+    columns.emplace_back(fmt::format("long_axis{}", a + 1), [a](const Row& r) {
+      return a < r.long_axis.size() ? TableValue{r.long_axis[a]} : TableValue{};
+    });
+  return columns;
+}
+
 }  // namespace
 
 std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& options) {
@@ -127,6 +190,8 @@ std::vector<Column<NetworkRow>> network_columns(const NetworkTableOptions& optio
   columns.emplace_back("P_driven", [](const NetworkRow& r) { return r.driven_stress; });
   columns.emplace_back("P_driven_star", [](const NetworkRow& r) { return r.reduced_driven_stress; });
   columns.emplace_back("n_solid_bonds", [](const NetworkRow& r) { return count(r.n_bonds); });
+  for (const auto& more : {kind_columns(), anisotropy_columns(), force_shape_columns()})
+    columns.insert(columns.end(), more.begin(), more.end());
   return columns;
 }
 

@@ -10,6 +10,7 @@
 #include "floc/packing/equilibrium.h"
 #include "floc/packing/wall_forces.h"
 #include "floc/structure/elastic_energy.h"
+#include "floc/structure/long_axes.h"
 #include "floc/structure/particle_stress.h"
 #include "floc/tables/equilibrium_warning.h"
 
@@ -75,6 +76,29 @@ void add_contacts_and_stress(const Packing<Dim>& packing, NetworkRow& row) {
   }
   const Vec<Dim> stress = static_stress(packing).diagonal();
   row.stress_spread = stress.maxCoeff() - stress.minCoeff();
+}
+
+/// Adds kinds of contacts, anisotropies and the distribution of forces of the force-carrying structure `held`.
+template <int Dim>
+void add_contact_statistics(const Packing<Dim>& packing, const CarryingStructure& held, NetworkRow& row) {
+  std::vector<double> by_points, by_pairs;
+  for (const int k : held.contacts) {
+    const Contact<Dim>& c = packing.contacts[k];
+    if (!packing.is_wall(c.j) && c.normal_force > 0.0) by_points.push_back(c.normal_force);
+  }
+  row.force_by_points = force_shape(by_points);
+  row.anisotropy = contact_anisotropy(packing, held);
+  row.mobilisation = mean_mobilisation(packing, held);
+  if (packing.grains.are_round()) return;
+  const std::vector<ContactPair> pairs = contact_pairs(packing, held);
+  row.kinds = contact_kinds(pairs, held.n_held());
+  for (const ContactPair& pair : pairs)
+    if (pair.normal_force > 0.0) by_pairs.push_back(pair.normal_force);
+  row.force_by_pairs = force_shape(by_pairs);
+  if (const auto order = long_axes_order(packing)) {
+    row.long_axes_order = order->order;
+    row.long_axis.assign(order->direction.begin(), order->direction.end());
+  }
 }
 
 void add_distribution(const std::string& file, ForceKind kind, const ForceDistribution& d, Table& table,
@@ -183,6 +207,7 @@ NetworkRow network_row(const std::string& file, const State<Dim>& state, const N
   const CarryingStructure held =
       carrying_structure(packing, zero_force, options.least_contacts.value_or(least_contacts(packing)));
   row.carrying = carrying_forces(packing, between_grains(packing, held));
+  add_contact_statistics(packing, held, row);
   if (options.mechanics && packing.walls.empty()) {
     if (packing.law.is_rigid())
       row.rigid_indeterminacy = rigid_indeterminacy(packing, zero_force);

@@ -9,6 +9,7 @@
 #include "floc/elasticity/network_mechanics.h"
 #include "floc/io/state_file.h"
 #include "floc/structure/carrying_forces.h"
+#include "floc/structure/contact_statistics.h"
 #include "floc/structure/coordination.h"
 #include "floc/structure/force_distribution.h"
 #include "floc/structure/force_moments.h"
@@ -68,6 +69,13 @@ struct NetworkRow {
   double stress_spread;
   BondRow bonds;
   double seconds;
+  std::optional<ContactKinds> kinds;  ///< of pairs of grains with corners; absent for round grains
+  std::optional<ContactAnisotropy> anisotropy;
+  ForceShape force_by_points;
+  std::optional<ForceShape> force_by_pairs;  ///< absent for round grains, whose pairs have one point
+  std::optional<double> mobilisation;
+  std::optional<double> long_axes_order;
+  std::vector<double> long_axis;  ///< mean direction of long axes; empty if no grain is elongated
 };
 
 /// Distribution of the contact forces of all states together, for each kind of force: normal, tangential, rolling

@@ -55,7 +55,7 @@ void measure_rigid(const State<Dim>& state, double zero_force, StateMeasures& m)
   const auto n = static_cast<double>(packing.grains.size());
   m.pairs = 2.0 * static_cast<double>(n_touching_pairs(packing)) / n;
   m.indeterminacy = rigid_indeterminacy(packing, zero_force).degree / n;
-  m.force_freedom = force_freedom(packing, Vec<Dim>(state.stress.diagonal())).value_or(kNoValue);
+  m.force_freedom = force_freedom(state).value_or(kNoValue);
 }
 
 template <int Dim>

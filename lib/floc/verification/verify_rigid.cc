@@ -12,6 +12,7 @@
 #include "floc/packing/contact_order.h"
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/liquid/liquid.h"
+#include "floc/rigid/contact_dynamics.h"
 #include "floc/verification/common_criteria.h"
 #include "floc/verification/contact_check.h"
 #include "floc/verification/rigid_geometry.h"
@@ -25,6 +26,8 @@ namespace {
 constexpr double kForceError = 1e-9;
 /// Repulsive forces below this share of the mean are rounding errors of a contact that does not carry a force.
 constexpr double kCarries = 1e-9;
+/// Deepest overlap of grains in motion, over the diameter of the smaller one.
+constexpr double kDeepestInMotion = 5e-2;
 
 /// Returns the mean of the repulsive forces, the unit of errors of forces (force); 1 if no contact carries one.
 template <int Dim>
@@ -201,6 +204,67 @@ Criterion check_power(const State<Dim>& state, const Packing<Dim>& recomputed) {
   return result;
 }
 
+/// Checks a contact list against the contact points that a time step from this packing finds: the geometry of each
+/// contact, to rounding.
+template <int Dim>
+Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Contact<Dim>>& found) {
+  Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
+  Violations violations;
+  for (const Contact<Dim>& c : stored.contacts) {
+    const auto at = std::lower_bound(found.begin(), found.end(), c, precedes<Contact<Dim>>);
+    if (at == found.end() || precedes(c, *at)) {
+      violations.add(std::numeric_limits<double>::infinity(),
+                     pair_name(stored, c) + ", which have no contact point there");
+      continue;
+    }
+    const double error =
+        std::max({std::abs(c.gap - at->gap), (c.normal - at->normal).norm() * branch(stored, c).norm(),
+                  (c.arm_i - at->arm_i).norm()});
+    result.value = std::max(*result.value, error);
+    if (!(error <= result.limit))
+      violations.add(error, fmt::format("{} by {:.2g}", pair_name(stored, c), error));
+    else if (c.type != at->type)
+      violations.add(0.0,
+                     fmt::format("{}, recorded as a contact of the type {} instead of {}", pair_name(stored, c),
+                                 contact_type_name(c.type), contact_type_name(at->type)));
+  }
+  result.where = violations.worst_first();
+  result.holds = result.where.empty();
+  result.by_value = !(result.value <= result.limit);
+  return result;
+}
+
+/// Returns the packing of a state in motion as the beginning of a time step, with all contact points within its reach.
+template <int Dim>
+ContactDynamics<Dim> step_from(const State<Dim>& state) {
+  const MotionRecord& motion = *state.motion;
+  BoundaryLoad<Dim> load;
+  load.stress = state.target_stress;
+  for (int a = 0; a < Dim; ++a) load.under_stress[a] = state.target_side[a] == 0.0;
+  load.cell_mass = motion.cell_mass;
+  const ContactDynamicsSettings settings{.longest_step = motion.time_step,
+                                         .sweep_tolerance = motion.sweep_tolerance,
+                                         .max_sweeps = 1,
+                                         .restitution = motion.restitution,
+                                         .slow_impact = motion.slow_impact};
+  return {state.packing, load, settings, motion.time_step, motion.time_step};
+}
+
+/// Checks that the recorded forces are those of the time step that begins at the state.
+template <int Dim>
+Criterion check_step(const State<Dim>& state, double error) {
+  constexpr double kRounding = 1e-6;  // of the forces that the file holds, over the mean normal force
+  const MotionRecord& motion = *state.motion;
+  const double limit = std::max(motion.sweep_tolerance, motion.residual) + kRounding;
+  const bool holds = error <= limit && std::abs(error - motion.residual) <= kRounding + 1e-2 * motion.residual;
+  return {"step", error, limit, holds,
+          holds ? ""
+                : fmt::format(
+                      "with the recorded forces, the velocities at the end of the time step {:.3g} violate the "
+                      "conditions of contact by {:.3g} of the mean normal force, but {:.3g} is recorded",
+                      motion.time_step, error, motion.residual)};
+}
+
 /// Names the grain with the largest kinetic energy, in words.
 template <int Dim>
 std::string fastest_grain(const Grains<Dim>& grains) {
@@ -219,7 +283,34 @@ double default_gap_tolerance(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
+std::vector<Criterion> verify_motion(const State<Dim>& state) {
+  ContactDynamics<Dim> step = step_from(state);
+  Packing<Dim> recomputed = state.packing;
+  recomputed.contacts.clear();
+  RigidGeometry<Dim> geometry;
+  for (const Contact<Dim>& c : step.packing().contacts) {
+    if (c.elastic_force != 0.0 || c.normal_force != 0.0) recomputed.contacts.push_back(c);
+    const double overlap = -c.gap / (2.0 * smaller_radius(recomputed, c));
+    geometry.deepest = std::max(geometry.deepest, overlap);
+    if (overlap > kDeepestInMotion) geometry.overlapping.push_back(c);
+  }
+  std::vector<Criterion> criteria = {check_step_geometry(state.packing, step.packing().contacts),
+                                     check_list(state.packing, geometry), check_law(state.packing),
+                                     check_cone(state.packing)};
+  criteria.push_back(check_step(state, step.error_of_forces()));
+  criteria.push_back(
+      {"overlap", geometry.deepest, kDeepestInMotion, geometry.overlapping.empty(),
+       geometry.overlapping.empty() ? "" : "grains overlap more deeply than a time step allows"});
+  add_lengths(state, criteria);
+  const Mat<Dim> stress = static_stress(recomputed);
+  criteria.push_back(check_recorded_stress(state, recomputed, stress));
+  criteria.push_back(check_record(state, recomputed, stress, std::nullopt));
+  return criteria;
+}
+
+template <int Dim>
 std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_tolerance) {
+  if (state.motion) return verify_motion(state);
   const RigidGeometry<Dim> geometry = rigid_geometry(state.packing, gap_tolerance);
   Packing<Dim> recomputed = state.packing;
   recomputed.contacts = geometry.recorded;
@@ -236,8 +327,9 @@ std::vector<Criterion> verify_rigid(const State<Dim>& state, double gap_toleranc
   return criteria;
 }
 
-#define FLOC_INSTANTIATE(Dim)                                 \
-  template double default_gap_tolerance(const Packing<Dim>&); \
+#define FLOC_INSTANTIATE(Dim)                                       \
+  template double default_gap_tolerance(const Packing<Dim>&);       \
+  template std::vector<Criterion> verify_motion(const State<Dim>&); \
   template std::vector<Criterion> verify_rigid(const State<Dim>&, double);
 FLOC_INSTANTIATE(2)
 FLOC_INSTANTIATE(3)

@@ -12,7 +12,17 @@ namespace floc {
 template <int Dim>
 double default_gap_tolerance(const Packing<Dim>& packing);
 
-/// Tests whether a state of rigid grains is in equilibrium. The forces of rigid contacts do not follow from positions:
+/// Tests a state of rigid grains in motion (State::motion): whether the recorded forces are those of the time step that
+/// begins at it. The criteria that differ from those of verify_rigid() are
+///   geometry     as there, for the contact points within reach of the step
+///   step         error of the recorded forces in Signorini's and Coulomb's conditions for the velocities at the end of
+///                the step, over the mean normal force; these velocities are computed from the recorded ones and the forces
+///   overlap      deepest overlap over the diameter of the smaller grain
+/// @pre state.motion
+template <int Dim>
+std::vector<Criterion> verify_motion(const State<Dim>& state);
+
+/// Tests whether a state of rigid grains is in equilibrium, or, if it is one of motion, calls verify_motion(). The forces of rigid contacts do not follow from positions:
 /// the recorded forces are tested. In general they are one of many sets of forces that pass. The criteria, with the
 /// unit of their values, are
 ///   geometry     largest difference between the stored gaps, normals and contact points and those that follow from

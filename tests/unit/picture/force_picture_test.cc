@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "floc/base/error.h"
 #include "floc/elasticity/moduli.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/packing/tile.h"
 #include "support/contact_laws.h"
 #include "support/lattices.h"
+#include "support/rigid_states.h"
 
 namespace floc {
 namespace {
@@ -137,6 +140,20 @@ TEST(IncrementForces, OfACubicLatticeAreTheStressTimesTheFace) {
     EXPECT_EQ(line.kind, LineKind::compression);
     EXPECT_NEAR(line.force, 0.98 * 0.98, 1e-12);
   }
+}
+
+/// In a running bond all grains meet along sides; with one point idle, one pair meets at a vertex.
+TEST(ContactKindsOf, ColoursGoByCarryingPoints) {
+  Packing<2> packing = test::brick_bond(1.0, 0.3).packing;
+  PackingPicture<2> picture = contact_kinds_of(packing, 1e-6);
+  ASSERT_EQ(picture.lines.size(), 72u);
+  for (const ContactLine<2>& line : picture.lines) EXPECT_EQ(line.kind, LineKind::tension);
+  EXPECT_EQ(picture.tension_name, "two sides");
+  packing.contacts[0].normal_force = packing.contacts[0].elastic_force = 0.0;
+  picture = contact_kinds_of(packing, 1e-6);
+  ASSERT_EQ(picture.lines.size(), 71u);
+  EXPECT_EQ(std::ranges::count(picture.lines, LineKind::compression, &ContactLine<2>::kind), 1);
+  EXPECT_THROW(contact_kinds_of(test::triangular_crystal(1.0, 0.3).packing, 1e-6), InputError);
 }
 
 }  // namespace

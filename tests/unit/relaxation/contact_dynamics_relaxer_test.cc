@@ -34,21 +34,6 @@ TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {
   expect_isostatic<3>(std::nullopt, 3);
 }
 
-/// Expects that two relaxations ended with the same bits.
-template <int Dim>
-void expect_same(const RigidEnd<Dim>& a, const RigidEnd<Dim>& b) {
-  EXPECT_EQ(a.status, b.status);
-  EXPECT_EQ(a.progress, b.progress);
-  ASSERT_EQ(a.packing.contacts.size(), b.packing.contacts.size());
-  for (std::size_t k = 0; k < a.packing.contacts.size(); ++k) {
-    const Contact<Dim>&c = a.packing.contacts[k], &d = b.packing.contacts[k];
-    EXPECT_TRUE(c.i == d.i && c.j == d.j && c.key == d.key && c.gap == d.gap &&
-                c.normal_force == d.normal_force && c.shear_force == d.shear_force);
-  }
-  EXPECT_TRUE(a.packing.grains.position == b.packing.grains.position);
-  EXPECT_TRUE(a.packing.cell.matrix == b.packing.cell.matrix);
-}
-
 /// Expects the same bits for several numbers of threads, and if the relaxer is made anew after each chunk.
 template <int Dim>
 void expect_repeatable(const RigidGas& gas) {

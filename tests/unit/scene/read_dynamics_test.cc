@@ -197,18 +197,38 @@ std::string stage_faults(const std::string& stage) {
   return dynamics_faults(kRigidScene.substr(0, kRigidScene.find("to = 2.0")) + stage);
 }
 
-TEST(ReadDynamics, StagesWithADirectionAreRefused) {
-  const std::pair<const char*, const char*> stages[] = {
-      {"triaxial", "strain = 0.1\nsteps = 5\n"},
-      {"oedometric", "to = 2.0\nsteps = 5\n"},
-      {"constant_volume", "strain = 0.1\nsteps = 5\n"},
-      {"simple_shear", "strain = 0.1\nsteps = 5\n"},
-      {"axes", "axes = [{stress = 1.0}, {stress = 2.0}]\nsteps = 5\n"}};
-  for (const auto& [control, keys] : stages)
+TEST(ReadDynamics, StagesWithADirectionKeepAStress) {
+  struct Stage {
+    const char *control, *keys;
+    bool keeps_a_stress;
+  };
+  constexpr Stage kStages[] = {{"triaxial", "strain = 0.1\nsteps = 5\n", true},
+                               {"triaxial", "to = 2.0\nsteps = 5\n", true},
+                               {"oedometric", "to = 2.0\nsteps = 5\n", true},
+                               {"oedometric", "strain = 0.1\nsteps = 5\n", false},
+                               {"constant_volume", "strain = 0.1\nsteps = 5\n", false},
+                               {"simple_shear", "strain = 0.1\nsteps = 5\n", true},
+                               {"axes", "axes = [{stress = 1.0}, {stress = 2.0}]\nsteps = 5\n", true},
+                               {"axes", "axes = [{strain = 0.1}, {stress = 2.0}]\nsteps = 5\n", true},
+                               {"axes", "axes = [{strain = 0.1}, {strain = 0.2}]\nsteps = 5\n", false}};
+  for (const auto& [control, keys, keeps_a_stress] : kStages)
     EXPECT_EQ(stage_faults(std::string("control = \"") + control + "\"\n" + keys),
-              std::string("s.toml:16: load.0.control = \"") + control +
-                  "\": rigid grains are loaded by a pressure on all axes only in this version of floc; "
-                  "expected control = \"isotropic\"");
+              keeps_a_stress
+                  ? ""
+                  : std::string("s.toml:16: load.0.control = \"") + control +
+                        "\": this stage imposes the lengths of all axes, but rigid grains need a stress on "
+                        "one axis at least, because their forces have no scale otherwise; expected a stage "
+                        "that keeps or imposes a stress");
+}
+
+TEST(ReadDynamics, StrainRatesAreThoseOfRigidGrains) {
+  const std::string shear = "control = \"simple_shear\"\nstrain = 0.1\nsteps = 5\n";
+  EXPECT_EQ(stage_faults(shear + "inertial_number = 1e-3\n"), "");
+  EXPECT_THAT(stage_faults(shear + "inertial_number = 0.2\n"), HasSubstr("expected a number in (0, 0.1]"));
+  EXPECT_THAT(stage_faults("to = 2.0\nsteps = 1\ninertial_number = 1e-3\n"),
+              HasSubstr("the stage imposes no strain"));
+  EXPECT_THAT(dynamics_faults(kElasticScene + "[[load]]\n" + shear + "inertial_number = 1e-3\n"),
+              HasSubstr("expected inertial_number_cap in its place"));
 }
 
 TEST(ReadDynamics, EqualStressesOnAllAxesAreAPressure) {

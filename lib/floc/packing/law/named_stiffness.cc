@@ -1,0 +1,38 @@
+#include "floc/packing/law/named_stiffness.h"
+
+#include "floc/base/error.h"
+#include "floc/contact/law_parameters.h"
+
+namespace floc {
+
+template <int Dim>
+Packing<Dim> with_named_stiffness(Packing<Dim> packing, const NamedStiffness& named) {
+  if (!packing.law.is_rigid())
+    throw InputError("--kn",
+                     "the contacts of this packing are elastic and have stiffnesses of their own; expected no "
+                     "stiffness beside them");
+  const double mu = packing.law.friction_coefficient();
+  if (!(named.normal > 0.0)) throw InputError("--kn", "expected a positive stiffness (force/length)");
+  if (packing.law.resists_sliding() != (named.tangential > 0.0))
+    throw InputError("--kt",
+                     packing.law.resists_sliding()
+                         ? "the contacts have friction: expected a positive tangential stiffness (force/length)"
+                         : "the contacts have no friction: expected no tangential stiffness");
+  LawParameters law = packing.law.parameters();
+  law.normal = LinearRepulsion{named.normal};
+  if (packing.law.resists_sliding())
+    law.friction = CoulombFriction{mu, named.tangential};
+  else
+    law.friction = NoFriction{};
+  packing.law = law;
+  for (Contact<Dim>& c : packing.contacts) {
+    c.kn = named.normal;
+    c.kt = named.tangential;
+  }
+  return packing;
+}
+
+template Packing<2> with_named_stiffness(Packing<2>, const NamedStiffness&);
+template Packing<3> with_named_stiffness(Packing<3>, const NamedStiffness&);
+
+}  // namespace floc

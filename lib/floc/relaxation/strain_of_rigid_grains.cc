@@ -1,0 +1,148 @@
+// Member functions of class ContactDynamicsRelaxer for cells that are strained at an imposed rate.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "floc/packing/balance.h"
+#include "floc/packing/grain_sizes.h"
+#include "floc/relaxation/contact_dynamics_relaxer.h"
+
+namespace floc {
+namespace {
+
+/// Number of time steps by which a strain advances at once.
+constexpr int kStrainingSteps = 20;
+/// Largest number of sweeps of the step whose forces a state in motion records, over that of other steps.
+constexpr int kSweepsOfRecord = 50;
+/// Repulsive force, over the mean, below which a contact carries nothing in a recorded motion.
+constexpr double kIdle = 1e-9;
+/// Side below which a cell counts as closed, in diameters of the largest grain.
+constexpr double kClosedSide = 0.5;
+
+}  // namespace
+
+/// Records the lengths from which the cell is strained, and stops the sides that are held.
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::begin_strain() {
+  const Mat<Dim>& matrix = packing_.cell.matrix;
+  for (int a = 0; a < Dim; ++a) progress_.side_before.push_back(matrix(a, a));
+  if (load_.offset) progress_.offset_before = matrix(load_.offset->axis, 0);
+  if (imposed_strain().size() > 0.0) progress_.phase = ContactDynamicsProgress::straining;
+  Mat<Dim> rate = packing_.cell.rate();
+  bool moves = false;
+  for (int a = 0; a < Dim; ++a)
+    for (int b = 0; b < Dim; ++b) {
+      if (a == b && !load_.strained(a)) continue;
+      moves = moves || rate(a, b) != 0.0;
+      rate(a, b) = 0.0;
+    }
+  if (moves) packing_.cell.velocity = matrix * rate.transpose();
+}
+
+template <int Dim>
+ImposedStrain<Dim> ContactDynamicsRelaxer<Dim>::imposed_strain() const {
+  ImposedStrain<Dim> strain;
+  for (int a = 0; a < Dim; ++a) strain.from[a] = progress_.side_before[a];
+  strain.to = load_.side;
+  for (int a = 0; a < Dim; ++a) strain.is_imposed[a] = load_.strained(a);
+  if (load_.offset) {
+    strain.sheared_axis = load_.offset->axis;
+    strain.offset_from = progress_.offset_before;
+    strain.offset_to = load_.offset->offset;
+  }
+  strain.duration = strain.size() * time_unit_ / options_.contact_dynamics.inertial_number;
+  return strain;
+}
+
+/// Gives the cell the velocity that leads it along the imposed strain in the next step, which is shortened so that the last
+/// step ends at the whole strain.
+/// @return whether the strain is not complete
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::impose_strain(ContactDynamics<Dim>& motion) const {
+  const ImposedStrain<Dim> strain = imposed_strain();
+  if (strain.over(progress_.time)) return false;
+  const double left = strain.duration - progress_.time;
+  motion.shorten_next_step(left / std::ceil(left / motion.time_step()));
+  const double dt = motion.time_step();
+  const Cell<Dim>& cell = motion.packing().cell;
+  // A step takes the matrix Q of the lattice vectors to Q (1 + dt L'), with the velocity gradient L.
+  Mat<Dim> next = cell.matrix;
+  strain.set_lattice(progress_.time + dt, next);
+  const Vec<Dim> before = cell.rate().diagonal();
+  Vec<Dim> stretch;
+  for (int a = 0; a < Dim; ++a)
+    stretch[a] = load_.strained(a) ? (next(a, a) / cell.matrix(a, a) - 1.0) / dt : before[a];
+  Mat<Dim> rate = stretch.asDiagonal();
+  if (const int axis = strain.sheared_axis; axis > 0)
+    rate(0, axis) = ((next(axis, 0) - cell.matrix(axis, 0)) / dt - cell.matrix(axis, 0) * stretch[0]) /
+                    cell.matrix(axis, axis);
+  motion.set_cell_velocity(cell.matrix * rate.transpose());
+  return true;
+}
+
+template <int Dim>
+std::string ContactDynamicsRelaxer<Dim>::closed_cell() const {
+  const double a = largest_diameter(packing_.grains);
+  for (int k = 0; k < Dim; ++k)
+    if (load_.strained(k) && load_.side[k] < kClosedSide * a)
+      return fmt::format(
+          "the cell closes: axis {} is to be {:.4g} long, which is too short for the largest grain, whose "
+          "diameter is {:.4g}; impose a smaller strain",
+          k + 1, load_.side[k], a);
+  return "";
+}
+
+/// Strains the cell by some steps, and records the motion at the end of the strain.
+template <int Dim>
+RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
+  if (!closed_cell().empty()) {
+    ending_ = "closed";
+    return RelaxationStatus::gave_up;
+  }
+  make_steps(kStrainingSteps);
+  if (!imposed_strain().over(progress_.time)) return RelaxationStatus::running;
+  record_motion();
+  return RelaxationStatus::converged;
+}
+
+/// Gives the contacts the forces of the time step that begins at the present positions and velocities.
+template <int Dim>
+void ContactDynamicsRelaxer<Dim>::record_motion() {
+  imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);  // exact, without rounding of the steps
+  ContactDynamicsSettings chosen = settings();
+  chosen.longest_step = progress_.time_step;
+  chosen.max_sweeps =
+      kSweepsOfRecord * std::min(chosen.max_sweeps, std::numeric_limits<int>::max() / kSweepsOfRecord);
+  ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, progress_.time_step,
+                              progress_.last_step);
+  const SweepResult found = motion.find_forces();
+  progress_.n_sweeps += found.n_sweeps;
+  motion_ = {.time_step = motion.time_step(),
+             .cell_mass = options_.cell_mass,
+             .restitution = chosen.restitution,
+             .slow_impact = chosen.slow_impact,
+             .sweep_tolerance = chosen.sweep_tolerance,
+             .residual = found.residual,
+             .inertial_number = options_.contact_dynamics.inertial_number};
+  packing_ = motion.release_packing();
+  const double least = kIdle * mean_repulsive_force(packing_);
+  std::erase_if(packing_.contacts,
+                [&](const Contact<Dim>& c) { return !(c.elastic_force > least) && c.normal_force >= 0.0; });
+  measure();
+  ending_ = "moving";
+}
+
+#define FLOC_INSTANTIATE(Dim)                                                            \
+  template void ContactDynamicsRelaxer<Dim>::begin_strain();                             \
+  template ImposedStrain<Dim> ContactDynamicsRelaxer<Dim>::imposed_strain() const;       \
+  template bool ContactDynamicsRelaxer<Dim>::impose_strain(ContactDynamics<Dim>&) const; \
+  template std::string ContactDynamicsRelaxer<Dim>::closed_cell() const;                 \
+  template RelaxationStatus ContactDynamicsRelaxer<Dim>::strain();                       \
+  template void ContactDynamicsRelaxer<Dim>::record_motion();
+FLOC_INSTANTIATE(2)
+FLOC_INSTANTIATE(3)
+#undef FLOC_INSTANTIATE
+
+}  // namespace floc

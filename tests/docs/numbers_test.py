@@ -537,6 +537,30 @@ class Test:
                 self.number(mean, statistics.mean(found), what)
                 self.number(deviation, scatter, what + ", scatter")
 
+    def softening(self):
+        points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/softening/points.csv"))))
+
+        def values(factor, name):
+            return [float(r[name]) for r in points if r["softening"] == factor]
+
+        def change(shown, factor, name, what, scale=1.0):
+            base, other = values("1", name), values(factor, name)
+            error = 2 * (statistics.variance(base) / len(base) + statistics.variance(other) / len(other)) ** 0.5
+            mean, deviation = shown.split(" +- ")
+            self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), what)
+            self.number(deviation, scale * error, what + ", two standard errors")
+
+        for factor, pressure, samples, strict, soft, phi, z, B in self.claim_table("| s | P* | samples |"):
+            what = f"softening {factor}, P* = {pressure}"
+            self.number(samples, len(values(factor, "seed")), what + ", samples")
+            self.mean_and_scatter(strict, values("1", "Phi_" + pressure), what + ", strict")
+            self.mean_and_scatter(soft, values(factor, "Phi_" + pressure), what + ", soft")
+            change(phi, factor, "Phi_" + pressure, what + ", change of Phi")
+            change(z, factor, "z_" + pressure, what + ", change of z")
+            if B:
+                name = "B_" + pressure
+                change(B, factor, name, what + ", change of B", 100.0 / statistics.mean(values("1", name)))
+
     def compaction(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/points.csv"))))
         for cells in self.claim_table("| eta* | spheres | e | published law |"):
@@ -995,7 +1019,7 @@ class Test:
                 for check in (self.demo_moduli, self.fit_of_demo_tables, self.demo_results, self.progress, self.scene_check,
                               self.scene_faults, self.rolling_stiffness, self.network, self.compare, self.crystal,
                               self.preconsolidation, self.measured_tables, self.conversions, self.python, self.python_package, self.spheres,
-                              self.spheres_of_lammps, self.quasistatic, self.compaction, self.compaction_variants,
+                              self.spheres_of_lammps, self.quasistatic, self.softening, self.compaction, self.compaction_variants,
                               self.compaction_moduli, self.compaction_sweep, self.powder2d, self.wet, self.loads, self.compression_laws,
                               self.lattice, self.tradeoff, self.names_of_tradeoff, self.settings_that_matter, self.kinds_of_shapes, self.shapes_of_states):
                     try:

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Load paths of loose cohesive packings whose grains rearrange on softer springs: a row a path.
+"""Load paths of loose cohesive packings that collapse on softer springs: a row a path.
 
-  study.py FLOC DIRECTORY [--seeds A..B] [--softening S,...] [--count N]
+  study.py FLOC DIRECTORY [--seeds A..B] [--softening S:T,...] [--count N]
 
-runs data/scenes/type2_no_rolling.toml up to P* = 13.33 in DIRECTORY/softening-S/seed-SEED, once for each factor S by which
-springs are softer (1: as they are), and computes the moduli at P* = 1 and 13.33. Runs that are there already are resumed or kept.
+runs path.toml in DIRECTORY/soft-S-T/seed-SEED, once for each pair of factors by which springs are softer: S up to P* = 1, T beyond
+(1: as they are), and computes the moduli at P* = 1 and 13.33. Runs that are there already are resumed or kept.
 Writes DIRECTORY/points.csv.
 """
 import argparse
@@ -12,25 +12,20 @@ import csv
 import glob
 import os
 import re
-import resource
 import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SCENE = os.path.join(HERE, "..", "..", "scenes", "type2_no_rolling.toml")
+SCENE = os.path.join(HERE, "path.toml")
 STEPS = {"0.01": 1, "0.1": 9, "1": 17, "13.33": 26}  # number of the state at each P*
-COLUMNS = (["softening", "seed"] + ["Phi_" + p for p in STEPS] + ["z_" + p for p in STEPS] +
-           ["B_1", "B_13.33", "million_steps", "seconds"])
+COLUMNS = (["softening", "beyond", "seed"] + ["Phi_" + p for p in STEPS] + ["z_" + p for p in STEPS] +
+           ["B_1", "B_13.33", "million_steps"])
 
 
 def run(floc, directory, *arguments):
-    """Processor time of a run, kept beside it."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    command = [floc, "run", SCENE, "-o", directory, "--threads", "1", "--resume", "--until", str(STEPS["13.33"]), *arguments]
+    command = [floc, "run", SCENE, "-o", directory, "--threads", "1", "--resume", *arguments]
     if subprocess.run(command, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL).returncode != 0:
         sys.exit("failed: " + " ".join(command))
-    with open(os.path.join(directory, "processor_seconds"), "a") as file:
-        file.write(f"{resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before}\n")
 
 
 def bulk_moduli(floc, directory):
@@ -40,14 +35,12 @@ def bulk_moduli(floc, directory):
 
 
 def point(floc, directory):
-    softening, seed = re.search(r"softening-([^/]+)/seed-(\d+)$", directory).groups()
+    factors = re.search(r"soft-([^-/]+)-([^-/]+)/seed-(\d+)$", directory).groups()
     with open(os.path.join(directory, "path.csv")) as file:
         rows = {int(row["step"]): row for row in csv.DictReader(file)}
-    with open(os.path.join(directory, "processor_seconds")) as file:
-        seconds = sum(float(line) for line in file)
     ends = [rows[step] for step in STEPS.values()]
-    return ([softening, seed] + [row["phi"] for row in ends] + [row["z"] for row in ends] + bulk_moduli(floc, directory) +
-            [f"{int(ends[-1]['n_steps']) / 1e6:g}", f"{seconds:.1f}"])
+    return ([*factors] + [row["phi"] for row in ends] + [row["z"] for row in ends] + bulk_moduli(floc, directory) +
+            [f"{int(ends[-1]['n_steps']) / 1e6:g}"])
 
 
 def main():
@@ -55,21 +48,22 @@ def main():
     parser.add_argument("floc")
     parser.add_argument("directory")
     parser.add_argument("--seeds", default="1..24")
-    parser.add_argument("--softening", default="1,3,10")
+    parser.add_argument("--softening", default="1:1,10:1,10:10")
     parser.add_argument("--count", default="1400")
     options = parser.parse_args()
     floc = os.path.abspath(options.floc) if os.sep in options.floc else options.floc
     first, _, last = options.seeds.partition("..")
     for seed in range(int(first), int(last or first) + 1):
-        for softening in options.softening.split(","):
-            directory = os.path.join(options.directory, f"softening-{softening}", f"seed-{seed}")
-            run(floc, directory, "--seed", str(seed), "--set", f"equilibrium.softening={softening}",
+        for pair in options.softening.split(","):
+            softening, beyond = pair.split(":")
+            run(floc, os.path.join(options.directory, f"soft-{softening}-{beyond}", f"seed-{seed}"), "--seed", str(seed),
+                "--set", f"equilibrium.softening={softening}", "--set", f"load.1.softening={beyond}",
                 "--set", f"grains.count={options.count}")
-    points = [point(floc, d) for d in glob.glob(os.path.join(options.directory, "softening-*", "seed-*"))]
+    points = [point(floc, d) for d in glob.glob(os.path.join(options.directory, "soft-*", "seed-*"))]
     with open(os.path.join(options.directory, "points.csv"), "w", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(COLUMNS)
-        table.writerows(sorted(points, key=lambda p: (float(p[0]), int(p[1]))))
+        table.writerows(sorted(points, key=lambda p: (float(p[0]), float(p[1]), int(p[2]))))
 
 
 if __name__ == "__main__":

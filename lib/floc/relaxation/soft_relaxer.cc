@@ -1,7 +1,5 @@
 #include "floc/relaxation/soft_relaxer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

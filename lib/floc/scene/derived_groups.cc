@@ -166,8 +166,8 @@ void add_law(const Scene& scene, double a, Groups& groups) {
         {"zeta", damping_ratio(damping.get<ViscousDamping>().restitution), "fraction of critical damping"});
 }
 
-/// Adds the caps on the strain rate of the cell, and its mass, in one part of a run (the assembly, or a stage of the
-/// load path), if they differ from those in another part.
+/// Adds the caps on the strain rate of the cell, its mass, and the softening in one part of a run (the assembly, or a
+/// stage of the load path), if they differ from those in another part.
 /// @param r  options in this part
 /// @param other  options in the part with which this one is compared
 /// @param where  words for this part of the run, for example " at assembly"
@@ -180,6 +180,9 @@ void add_cell(const RelaxationOptions& r, const RelaxationOptions& other, const 
   if (r.cell_mass != other.cell_mass)
     groups.push_back(
         {"cell_mass", r.cell_mass, "mass of the cell's sides over the mass of all grains" + where});
+  if (r.softening != other.softening)
+    groups.push_back(
+        {"softening", r.softening, "factor by which springs are softer while a packing collapses" + where});
 }
 
 void add_rates(const Scene& scene, double a, double m, Groups& groups) {

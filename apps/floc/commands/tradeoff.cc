@@ -153,7 +153,7 @@ int run_tradeoff(TradeoffCommand& command) {
   require_observables(command.observables, scene, subject);
   command.options.progress = [](const std::string& message) { std::cerr << message << '\n'; };
   const Tradeoff tradeoff = study(command, scene);
-  if (subject == Subject::states)
+  if (subject == Subject::states && !scene.law.is_rigid())
     std::cerr << "floc tradeoff does not vary two settings: power control, which equilibrium.finish = dynamic "
                  "switches on, and the precision in which forces are computed, which is always double\n";
   for (const std::string& message : tradeoff.left_out)

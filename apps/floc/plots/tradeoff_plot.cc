@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 #include "plots/gnuplot.h"
@@ -25,10 +26,26 @@ bool is_compared(const MeasuredSetting& m, Observable observable) {
   return std::isfinite(single_state_error(m.errors[observable]));
 }
 
-/// Returns the observable of the second panel: the bulk modulus or, for grains without one, the coordination number.
-Observable second_observable(const Tradeoff& tradeoff) {
-  const auto has_modulus = [](const MeasuredSetting& m) { return is_compared(m, kB); };
-  return std::any_of(tradeoff.settings.begin(), tradeoff.settings.end(), has_modulus) ? kB : kZ;
+/// Returns the first of several observables of which errors of states were compared; the last one if there is none.
+Observable first_compared(const Tradeoff& tradeoff, std::initializer_list<Observable> candidates) {
+  for (const Observable candidate : candidates)
+    if (std::any_of(tradeoff.settings.begin(), tradeoff.settings.end(),
+                    [&](const MeasuredSetting& m) { return is_compared(m, candidate); }))
+      return candidate;
+  return *std::prev(candidates.end());
+}
+
+/// Observables of the two panels.
+struct Panels {
+  Observable first, second;
+};
+
+Panels panels_of(const Tradeoff& tradeoff) {
+  return {first_compared(tradeoff, {kPhi, kLatticeE}), first_compared(tradeoff, {kB, kZ, kTailGrain})};
+}
+
+std::string title_of(Observable observable) {
+  return observable == kPhi ? "Phi" : declared_observables()[observable].name;
 }
 
 std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff, Observable observable) {
@@ -46,9 +63,9 @@ std::vector<ParameterCurve> curves_of(const Tradeoff& tradeoff, Observable obser
   return curves;
 }
 
-/// Returns a plot with one block of data per curve. Each row of a block has the relative cost, the error of Phi and the
-/// error of the observable of the second panel for one value of the parameter.
-Plot blocks_of(const std::vector<ParameterCurve>& curves, Observable second) {
+/// Returns a plot with one block of data per curve. Each row of a block has the relative cost and the errors of
+/// the observables of the two panels for one value of the parameter.
+Plot blocks_of(const std::vector<ParameterCurve>& curves, const Panels& panels) {
   const auto drawn = [](const MeasuredSetting& m, Observable k) {
     return std::max(single_state_error(m.errors[k]), kSmallest);
   };
@@ -56,9 +73,11 @@ Plot blocks_of(const std::vector<ParameterCurve>& curves, Observable second) {
   for (const ParameterCurve& c : curves) {
     std::vector<std::vector<double>> rows;
     for (const MeasuredSetting* m : c.settings)
-      rows.push_back({m->cost_ratio, drawn(*m, kPhi), drawn(*m, second)});
-    plot.add(fmt::format("{}: cost_ratio error_phi error_{}", c.parameter, declared_observables()[second].name),
-             rows);
+      rows.push_back({m->cost_ratio, drawn(*m, panels.first), drawn(*m, panels.second)});
+    const auto name = [](Observable k) { return declared_observables()[k].name; };
+    plot.add(
+        fmt::format("{}: cost_ratio error_{} error_{}", c.parameter, name(panels.first), name(panels.second)),
+        rows);
   }
   return plot;
 }
@@ -75,9 +94,9 @@ std::string panel(const std::vector<ParameterCurve>& curves, int column) {
 }  // namespace
 
 void plot_tradeoff(const std::string& file, const Tradeoff& tradeoff) {
-  const Observable second = second_observable(tradeoff);
-  const std::vector<ParameterCurve> curves = curves_of(tradeoff, second);
-  Plot plot = blocks_of(curves, second);
+  const Panels panels = panels_of(tradeoff);
+  const std::vector<ParameterCurve> curves = curves_of(tradeoff, panels.second);
+  Plot plot = blocks_of(curves, panels);
   plot.width = 960;
   plot.script = fmt::format(R"(set multiplot layout 1,2
 set logscale xy
@@ -85,16 +104,17 @@ set format y '%.0e'
 set yrange [{0}/2:*]
 set xlabel 'processor time of a sample, relative to the strict settings'
 set ylabel 'relative error of a state (at least {0})'
-set title 'Phi'
+set title '{4}' noenhanced
 set key off
 {1}
-set title '{3}'
+set title '{3}' noenhanced
 unset ylabel
 set key bottom right samplen 1.5 font ',10' noenhanced
 {2}
 unset multiplot
 )",
-                            kSmallest, panel(curves, 2), panel(curves, 3), declared_observables()[second].name);
+                            kSmallest, panel(curves, 2), panel(curves, 3), title_of(panels.second),
+                            title_of(panels.first));
   write_plot(file, plot);
 }
 

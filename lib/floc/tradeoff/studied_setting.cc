@@ -96,12 +96,22 @@ void add_finish(const Scene&, const StudiedSetting& base, Settings& list) {
       base, "finish", "static", [](StudiedSetting& s) { s.numerical.finish = Finish::statics; }, list);
 }
 
+std::string name_of(RigidForces forces) {
+  return forces == RigidForces::closest ? "closest" : forces == RigidForces::canonical ? "canonical" : "none";
+}
+
+std::string name_of(LatticeMethod method) {
+  return method == LatticeMethod::factor      ? "factor"
+         : method == LatticeMethod::iterative ? "iterative"
+                                              : "automatic";
+}
+
 void add_forces(const Scene& scene, const StudiedSetting& base, Settings& list) {
-  for (const auto& [value, forces] :
-       {std::pair("closest", RigidForces::closest), std::pair("canonical", RigidForces::canonical)})
+  for (const RigidForces forces : {RigidForces::closest, RigidForces::canonical})
     if (forces != scene.relaxation.contact_dynamics.forces)
       add(
-          base, "finish", value, [&](StudiedSetting& s) { s.contact_dynamics.forces = forces; }, list);
+          base, "finish", name_of(forces), [&](StudiedSetting& s) { s.contact_dynamics.forces = forces; },
+          list);
 }
 
 /// The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. Newton steps
@@ -296,10 +306,9 @@ std::vector<StudiedSetting> lattice_settings(const Scene& scene) {
     add(
         base, "tolerance", fmt::format("{:.0e}", t), [&](StudiedSetting& s) { s.lattice->tolerance = t; },
         list);
-  for (const auto& [value, method] :
-       {std::pair("factor", LatticeMethod::factor), std::pair("iterative", LatticeMethod::iterative)})
+  for (const LatticeMethod method : {LatticeMethod::factor, LatticeMethod::iterative})
     add(
-        base, "method", value, [&](StudiedSetting& s) { s.lattice->method = method; }, list);
+        base, "method", name_of(method), [&](StudiedSetting& s) { s.lattice->method = method; }, list);
   if (has_any_number_of_grains(scene)) add_count(scene, base, list);
   return list;
 }
@@ -318,13 +327,9 @@ double patience_of(const StudiedSetting& setting) {
 }
 
 std::string finish_of(const Scene& scene, const StudiedSetting& setting) {
-  if (setting.lattice)
-    return setting.lattice->method == LatticeMethod::factor      ? "factor"
-           : setting.lattice->method == LatticeMethod::iterative ? "iterative"
-                                                                 : "automatic";
-  if (!scene.law.is_rigid()) return finish_name(setting.numerical.finish);
-  const RigidForces forces = setting.contact_dynamics.forces;
-  return forces == RigidForces::closest ? "closest" : forces == RigidForces::canonical ? "canonical" : "none";
+  if (setting.lattice) return name_of(setting.lattice->method);
+  return scene.law.is_rigid() ? name_of(setting.contact_dynamics.forces)
+                              : finish_name(setting.numerical.finish);
 }
 
 RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::uint64_t seed) {

@@ -103,6 +103,7 @@ CALLS = {
     "report": ({"DIR": "made"}, "-o=out/{n}.html"),
     # A scene that the study refuses, but only after it has looked at its options.
     "tradeoff": ({"SCENE": "saved.toml"}, ""),
+    "plan": ({"SCENE": "scene.toml"}, "--budget=1h --pilot"),
     "demo": ({"DIR": "demo-{n}"}, ""),
     "export": ({"STATE": "disks.h5"}, "--grains=out/{n}.csv"),
     "campaign new": ({"NAME": "campaign-{n}"}, ""),
@@ -122,6 +123,8 @@ INSTEAD = {
     ("draw", "--columns"): "-o=out/{n}.png",
     ("draw", "--steps"): "-o=out/{n}.png",
     ("plot", "--steps"): "-o=out/{n}.svg",
+    ("plan", "--budget"): "--pilot",
+    ("plan", "--check"): "",
     ("lattice", "--curve"): "--matrix=0.05 --per-diameter=3 --strength=grain=1e-9",
     ("lattice", "--cracks"): "--matrix=0.05 --per-diameter=3 --strength=grain=1e-9",
 }
@@ -150,6 +153,7 @@ TEXTS = {
     ("convert", "--contacts"): "in", ("convert", "--stress"): "{},1", ("help columns", "TABLE"): "words",
     ("campaign new", "--scene"): "words", ("campaign collect", "--table"): "words",
     ("campaign run", "--set"): "equilibrium.force={}",
+    "--prices": "in", "--budget": "{}s", "--want": "phi={}", "--observables": "words", "--check": "dir",
     ("tradeoff", "--plot"): "words",  # it is written after a study of minutes
 }
 # Paths that files name, and where.

@@ -15,7 +15,7 @@
 namespace floc {
 namespace {
 
-/// A shipped scene of a kind, with parameters that differ from those with which its table was made.
+/// A shipped scene of a kind (in the list below the quickest first), with parameters that differ from those with which its table was made.
 struct HeldOutScene {
   const char* file;
   std::vector<std::string> changes;
@@ -23,20 +23,20 @@ struct HeldOutScene {
 
 const std::vector<HeldOutScene>& held_out_scenes() {
   static const std::vector<HeldOutScene> scenes = {
-      {"type2_no_rolling", {"grains.count=150", "load.0.steps_per_decade=3", "load.1.steps_per_decade=1"}},
-      {"cohesionless_cycle", {"grains.count=120", "load.0.steps_per_decade=2", "load.1.steps_per_decade=1"}},
-      {"spheres_demo", {"grains.count=160", "load.0.to=1e6"}},
-      {"powder3d",
-       {"grains.count=120", "load.0.to=1", "load.0.steps_per_decade=2", "load.1.steps_per_decade=1"}},
-      {"wet_demo", {"grains.count=120"}},
       {"compaction_demo", {"grains.count=120"}},
+      {"constant_volume", {"grains.count=120", "load.0.strain=0.05", "load.0.strain_step=2.5e-3"}},
+      {"cohesionless_cycle", {"grains.count=120", "load.0.steps_per_decade=2", "load.1.steps_per_decade=1"}},
+      {"biaxial_dense", {"grains.count=120", "load.0.strain=0.1", "load.0.strain_step=5e-3"}},
+      {"wet_demo", {"grains.count=120"}},
+      {"rigid_disks_demo", {"grains.count=120"}},
+      {"spheres_demo", {"grains.count=160", "load.0.to=1e6"}},
+      {"type2_no_rolling", {"grains.count=150", "load.0.steps_per_decade=3", "load.1.steps_per_decade=1"}},
       {"oedometer",
        {"grains.count=120", "load.0.steps_per_decade=3", "load.1.steps_per_decade=3",
         "load.2.steps_per_decade=3"}},
-      {"biaxial_dense", {"grains.count=120", "load.0.strain=0.1", "load.0.strain_step=5e-3"}},
       {"biaxial_cohesive", {"grains.count=120", "load.0.steps_per_decade=1", "load.1.strain_step=1e-2"}},
-      {"constant_volume", {"grains.count=120", "load.0.strain=0.05", "load.0.strain_step=2.5e-3"}},
-      {"rigid_disks_demo", {"grains.count=120"}}};
+      {"powder3d",
+       {"grains.count=120", "load.0.to=1", "load.0.steps_per_decade=2", "load.1.steps_per_decade=1"}}};
   return scenes;
 }
 

@@ -16,6 +16,7 @@
 #include "floc/base/read_text.h"
 #include "floc/contact/law_description.h"
 #include "floc/prices/numerical_settings.h"
+#include "floc/prices/price_table.h"
 #include "floc/scene/cell_defaults.h"
 #include "floc/scene/check_resolution.h"
 #include "floc/scene/check_softening.h"
@@ -357,6 +358,8 @@ std::string as_text(const toml::table& root) {
 
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
                   const std::vector<std::string>& overrides, const std::string& prices) {
+  // A table that is not valid is refused even if the scene does not choose by it.
+  if (!prices.empty()) (void)read_price_table(read_text(prices), prices);
   SceneSource source(text, place, overrides);
   TableReader root(source);
   Scene scene;

@@ -47,7 +47,7 @@ TEST_P(GravityRun, MakesBedsThatVerifyAndHaveModuli) {
     ASSERT_EQ(made.code, 0) << made.err;
     const Outcome verified = floc("verify " + out + "/state-0000.h5");
     EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
-    for (const char* command : {"info", "network", "moduli", "structure --profile 2"})
+    for (const char* command : {"info", "network", "moduli", "structure --profile profile.csv"})
       EXPECT_EQ(floc(std::string(command) + " " + out + "/state-0000.h5").code, 0) << command;
   }
   EXPECT_EQ(floc("verify out-lid/state-0001.h5").code, 0);

@@ -57,7 +57,8 @@ const Case kCommands[] = {
     {"lattice S --matrix 0.2", false, true},
     {"export S --grains g.csv --contacts e.csv", false, true},
     {"convert S copy.h5 --overwrite", true, true},
-    {"convert S copy.vtu --overwrite", false, true},
+    {"convert S copy.vtu --overwrite", true, true},
+    {"convert S copy.vtkhdf --overwrite", false, true},
     {"convert S copy.xyz --overwrite", false, true},
 };
 

@@ -15,11 +15,6 @@ ListedSpace space_of_fields(const FieldArrays& arrays) {
   if (numbers.size() != 9)
     throw InputError(space.place, fmt::format("the array has {} numbers, expected 9", numbers.size()));
   for (int a = 0; a < 3; ++a) space.cell.emplace_back(&numbers[3 * a], &numbers[3 * a] + 3);
-  if (arrays.has("corners"))
-    throw InputError(
-        arrays.place("corners"),
-        "the grains of this file have corners; floc writes such files for pictures and cannot read them: "
-        "convert from the state file or from a configuration of Rockable");
   if (arrays.has("dimension")) {
     const std::vector<double> dimension = arrays.read("dimension");
     if (dimension != std::vector<double>{2.0} && dimension != std::vector<double>{3.0})

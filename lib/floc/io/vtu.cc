@@ -67,6 +67,11 @@ bool is_vtp(const std::string& path) {
 
 Imported read_vtu(const std::string& path, const ImportOptions& options) {
   const VtkArrays arrays(path, read_file(path));
+  if (arrays.has("FieldData", "corners"))
+    throw InputError(
+        arrays.place("FieldData", "corners"),
+        "the grains of this file have corners; floc writes such files for pictures and cannot read them: "
+        "convert from the state file or from a configuration of Rockable");
   PointCloud cloud;
   cloud.path = path;
   cloud.x = arrays.read("Points", "");

@@ -248,7 +248,8 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
     if (scene.assembly.solid_fraction > 0.0)
       groups.push_back({"e_i", 1.0 / scene.assembly.solid_fraction - 1.0, "void ratio of the gas"});
   }
-  groups.push_back({"m_w/m", box.mass, "mass of a wall over that of the largest grain"});
+  if (any_wall_moves(box, scene.dimension))
+    groups.push_back({"m_w/m", box.mass, "mass of a wall over that of the largest grain"});
   groups.push_back({"f_w/F0", sc > 0.0 ? box.adhesion / scene.law.pull_off_force() : 0.0,
                     "pull-off force of grains from walls over that between grains"});
   groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});

@@ -172,8 +172,11 @@ TEST(VtuOfShapes, OutlinesPolygonsAndLeadsLinesThroughContactPoints) {
 TEST(VtuOfShapes, AreNotTakenForSpheresWhenTheyAreRead) {
   const test::ScratchDirectory scratch;
   test::write_text(scratch.file("p.vtu"), vtu_text(AnyState(test::angular_packing_with_forces<2>({"p", "p"}))));
-  EXPECT_THAT([&] { test::read_packing<2>(scratch.file("p.vtu")); },
-              ThrowsMessage<InputError>(HasSubstr("the grains of this file have corners")));
+  ImportOptions with_cell;
+  with_cell.cell = {{4.0, 0.0}, {0.0, 4.0}};
+  for (const ImportOptions& options : {ImportOptions{}, with_cell})
+    EXPECT_THAT([&] { test::read_packing<2>(scratch.file("p.vtu"), options); },
+                ThrowsMessage<InputError>(HasSubstr("the grains of this file have corners")));
 }
 
 }  // namespace

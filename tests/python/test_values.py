@@ -57,6 +57,7 @@ class Values(unittest.TestCase):
             "run": (self.run_scene, {"scene": samples.scene_file("powder")}),
             "read": (floc.read, {"path": samples.last_state("powder")}),
             "columns": (floc.columns, {"table": "moduli"}),
+            "State.vertices": (disks.vertices, {"grain": 0}),
             "State.write": (disks.write, {"path": samples.directory() / "written.h5"}),
             "Run.__init__": (floc.Run, {"directory": samples.run("powder").directory}),
             "Packing.from_arrays": (packing, {}),

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 
 #include "floc/base/random.h"
+#include "floc/packing/balance.h"
 #include "support/rigid_gas.h"
 
 /// Small scenes of rigid grains with parameters anywhere in their ranges.
@@ -39,6 +42,37 @@ std::optional<ShapeOptions> random_shape(RandomStream& random) {
   }
 }
 
+/// Strains a packing by a shear or by another length of an axis, and expects a verified motion at the imposed strain or a
+/// reason in words.
+template <int Dim>
+void strain_at_random(std::uint64_t seed, const Packing<Dim>& packing, RelaxationOptions options) {
+  RandomStream random(seed, 2);
+  LoadTarget<Dim> load = LoadTarget<Dim>::normal_stress(Vec<Dim>::Ones());
+  const Mat<Dim>& cell = packing.cell.matrix;
+  load.side[0] = cell(0, 0);
+  const double strain = random.uniform(-0.02, 0.02);
+  if (random.uniform() < 0.5)
+    load.offset = ImposedOffset{Dim - 1, cell(Dim - 1, 0) + strain * cell(Dim - 1, Dim - 1)};
+  else
+    load.side[0] *= std::exp(strain);
+  options.contact_dynamics.inertial_number = std::pow(10.0, random.uniform(-2.0, -1.0));
+  const RigidEnd<Dim> end = relaxed_under<Dim>(load, packing, options, false, 4000);
+  for (const Vec<Dim>& x : end.packing.grains.position) EXPECT_TRUE(x.allFinite());
+  if (end.status != RelaxationStatus::converged) {
+    EXPECT_GT(end.reason.size(), 20U);
+    return;
+  }
+  State<Dim> state;
+  state.packing = end.packing;
+  state.target_side = load.side;
+  state.target_offset = load.offset;
+  state.target_stress = load.stress_with(static_stress(end.packing));
+  state.motion = end.report.motion;
+  measure(state);
+  for (const Criterion& criterion : verify_motion(state))
+    EXPECT_TRUE(criterion.holds) << criterion.name << ": " << criterion.where;
+}
+
 template <int Dim>
 void relax_random_scene(RandomStream& random, std::uint64_t seed) {
   constexpr std::array kSpans{1.0, 0.5, 0.2, 1.0 / 49.0};
@@ -55,7 +89,9 @@ void relax_random_scene(RandomStream& random, std::uint64_t seed) {
                                   << gas.least << ", friction " << gas.friction << ", restitution "
                                   << options.contact_dynamics.restitution << ", adhesion "
                                   << gas.adhesion.value_or(0.0));
-  expect_at_rest_or_reason(relaxed(make_rigid_gas<Dim>(gas), options, false, 2000));
+  const RigidEnd<Dim> rest = relaxed(make_rigid_gas<Dim>(gas), options, false, 2000);
+  expect_at_rest_or_reason(rest);
+  if (rest.status == RelaxationStatus::converged) strain_at_random(seed, rest.packing, options);
 }
 
 /// Relaxes random scenes, as many in 2D as in 3D. Each ends at rest in a state that meets all criteria, or with a reason.

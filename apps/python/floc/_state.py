@@ -1,4 +1,5 @@
 """States and packings."""
+import operator
 import os
 import pathlib
 import tempfile
@@ -98,7 +99,13 @@ class State(_core.State):
         -------
         ndarray, (k, d)
             Vertices of its core (length), in the order of ``shapes``; none for a disk or sphere.
+
+        Raises
+        ------
+        InputError
+            If there is no grain of this index.
         """
+        grain = _index("grain", grain, self.n_grains)
         if self.shapes is None:
             return np.zeros((0, self.dimension))
         local = self.scale[grain] * self.shapes[self.shape[grain]]["vertices"]
@@ -281,6 +288,17 @@ def number(name, value):
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise InputError(f"{name} = {value!r}: expected a number") from None
+
+
+def _index(name, value, n):
+    """Converts any whole number of Python to an index below n."""
+    try:
+        index = operator.index(value)
+    except TypeError:
+        index = -1
+    if not 0 <= index < n:
+        raise InputError(f"{name} = {value!r}: expected a whole number from 0 to {n - 1}")
+    return index
 
 
 def _numbers(name, values):

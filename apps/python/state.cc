@@ -137,7 +137,7 @@ py::dict path_of(const State<Dim>& state) {
 
 /// Returns numbers as a one-dimensional array, a copy.
 template <class Number>
-py::array_t<Number> array_of(const std::vector<Number>& numbers) {
+py::array_t<Number> copied_array(const std::vector<Number>& numbers) {
   return py::array_t<Number>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
 }
 
@@ -152,11 +152,11 @@ py::object shapes_of(const Packing<Dim>& packing) {
       for (int a = 0; a < Dim; ++a) vertices.mutable_at(static_cast<py::ssize_t>(k), a) = shape.vertices[k][a];
     py::list faces;
     for (int f = 0; f < shape.n_faces(); ++f)
-      faces.append(array_of(std::vector<int>(shape.loop(f).begin(), shape.loop(f).end())));
+      faces.append(copied_array(std::vector<int>(shape.loop(f).begin(), shape.loop(f).end())));
     py::dict words;
     words["vertices"] = vertices, words["faces"] = faces;
     words["rounding"] = shape.rounding, words["volume"] = shape.volume;
-    words["inertia"] = array_of(std::vector<double>(shape.inertia.begin(), shape.inertia.end()));
+    words["inertia"] = copied_array(std::vector<double>(shape.inertia.begin(), shape.inertia.end()));
     words["outer_radius"] = shape.outer_radius;
     shapes.append(words);
   }
@@ -290,11 +290,11 @@ void bind_words(py::class_<NamedState>& bound) {
                              property([](const py::object&, const auto& s) { return shapes_of(s.packing); }))
       .def_property_readonly("shape", property([](const py::object&, const auto& s) -> py::object {
                                if (s.packing.grains.are_round()) return py::none();
-                               return array_of(s.packing.grains.shape);
+                               return copied_array(s.packing.grains.shape);
                              }))
       .def_property_readonly("scale", property([](const py::object&, const auto& s) -> py::object {
                                if (s.packing.grains.are_round()) return py::none();
-                               return array_of(s.packing.grains.scale);
+                               return copied_array(s.packing.grains.scale);
                              }))
       .def_property_readonly("motion", property([](const py::object&, const auto& s) { return motion_of(s); }))
       .def_property_readonly("scene",

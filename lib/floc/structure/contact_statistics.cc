@@ -52,7 +52,7 @@ double maximum(const Function& f, double low, double high) {
 }
 
 template <int Dim>
-Mat<Dim> deviator(const Mat<Dim>& m) {
+Mat<Dim> deviatoric_part(const Mat<Dim>& m) {
   const Mat<Dim> symmetric = 0.5 * (m + m.transpose());
   return symmetric - symmetric.trace() / Dim * Mat<Dim>::Identity();
 }
@@ -144,13 +144,13 @@ std::optional<ContactAnisotropy> contact_anisotropy(const Packing<Dim>& packing,
     stress += (c.normal_force * normal - c.shear_force) * r.transpose();
   }
   if (n == 0 || !(sum_force > 0.0) || !(sum_length > 0.0)) return std::nullopt;
-  const Mat<Dim> deviatoric = deviator<Dim>(stress);
+  const Mat<Dim> deviatoric = deviatoric_part<Dim>(stress);
   const double size = deviatoric.norm();
   if (!(stress.trace() > 0.0) || size < kIsotropic * stress.trace() / Dim) return std::nullopt;
   // Norm of the tensor that belongs to an anisotropy of one.
   const double unit = Dim == 2 ? std::sqrt(2.0) : std::sqrt(6.0);
   const auto along = [&](const Mat<Dim>& m) {
-    return deviator<Dim>(m).cwiseProduct(deviatoric).sum() / (size * unit);
+    return deviatoric_part<Dim>(m).cwiseProduct(deviatoric).sum() / (size * unit);
   };
   // <n n> = (1 + 2 A/(D + 2))/D, and <t n> = C/(D + 2) for the tangential part t of a vector.
   constexpr double kOfNormals = 0.5 * Dim * (Dim + 2), kOfTangents = Dim == 2 ? 4.0 : 1.5 * 5.0;

@@ -23,7 +23,7 @@ LoadTarget<Dim> held_aside(const Packing<Dim>& packing) {
 }
 
 template <int Dim>
-LoadTarget<Dim> sheared(const Packing<Dim>& packing, double strain) {
+LoadTarget<Dim> under_shear(const Packing<Dim>& packing, double strain) {
   LoadTarget<Dim> load = held_aside(packing);
   load.offset =
       ImposedOffset{Dim - 1, packing.cell.matrix(Dim - 1, 0) + strain * packing.cell.matrix(Dim - 1, Dim - 1)};
@@ -54,7 +54,7 @@ template <int Dim>
 void expect_sheared(const RigidGas& gas, double strain) {
   const RigidEnd<Dim> rest = relaxed<Dim>(make_rigid_gas<Dim>(gas));
   ASSERT_EQ(rest.status, RelaxationStatus::converged) << rest.reason;
-  const LoadTarget<Dim> load = sheared(rest.packing, strain);
+  const LoadTarget<Dim> load = under_shear(rest.packing, strain);
   const RigidEnd<Dim> end = relaxed_under<Dim>(load, rest.packing);
   ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
   EXPECT_EQ(end.report.ending, "moving");
@@ -91,7 +91,7 @@ TEST(StrainOfRigidGrains, CarriesAGasAlong) {
   Packing<2> gas = make_rigid_gas<2>({.count = 10});
   gas.cell.matrix *= 4.0;
   for (Vec<2>& x : gas.grains.position) x *= 4.0;
-  LoadTarget<2> load = sheared(gas, 0.02);
+  LoadTarget<2> load = under_shear(gas, 0.02);
   load.side[0] *= std::exp(0.01);
   RelaxationOptions options = rigid_options();
   options.contact_dynamics.inertial_number = 0.05;
@@ -111,7 +111,7 @@ TEST(StrainOfRigidGrains, CarriesAGasAlong) {
 /// the step are those at which the disks neither part nor overlap.
 TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
-  const LoadTarget<2> load = sheared(rest.packing, 0.02);
+  const LoadTarget<2> load = under_shear(rest.packing, 0.02);
   const RigidEnd<2> end = relaxed_under<2>(load, rest.packing);
   ASSERT_TRUE(end.report.motion);
   const double dt = end.report.motion->time_step;
@@ -141,7 +141,7 @@ TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
 
 TEST(StrainOfRigidGrains, VerificationFindsWrongForcesAndVelocities) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
-  const LoadTarget<2> load = sheared(rest.packing, 0.02);
+  const LoadTarget<2> load = under_shear(rest.packing, 0.02);
   const State<2> state = state_of(relaxed_under<2>(load, rest.packing), load);
   const auto fails = [](const State<2>& spoiled) {
     std::string names;

@@ -108,7 +108,8 @@ TEST_F(PlanCommand, ExtremeBudgetsGiveWordsAndNoHang) {
 }
 
 TEST_F(PlanCommand, WritesACampaignWhoseRunsItChecks) {
-  ASSERT_EQ(plan(kQuick + "--want phi=0.03,B=0.5 -o p.toml").code, 0);
+  ASSERT_EQ(plan(kQuick + "--set grains.count=70 --set grains.count=60 --want phi=0.03,B=0.5 -o p.toml").code,
+            0);
   const Outcome made = run_floc("campaign plan p.toml -o p", scratch_.path());
   ASSERT_EQ(made.code, 0) << made.err;
   EXPECT_THAT(plan("--check p").err, HasSubstr("0 of 4 samples are done: expected at least two"));

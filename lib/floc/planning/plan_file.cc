@@ -121,8 +121,15 @@ bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& 
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
                       const PlanSource& source, const std::string& output) {
   std::vector<std::string> changes = source.overrides;
-  if (plan.n_grains != scene.grains.count) changes.push_back(fmt::format("grains.count={}", plan.n_grains));
-  for (const std::string& change : changes_of(plan.settings, scene)) changes.push_back(change);
+  // The changes of the plan replace those of the user for the same key: a table has each key once.
+  const auto set = [&](const std::string& change) {
+    const std::string key = change.substr(0, change.find('=') + 1);
+    std::erase_if(changes, [&](const std::string& c) { return c.starts_with(key); });
+    changes.push_back(change);
+  };
+  for (const std::string& change : source.overrides) set(change);
+  if (plan.n_grains != scene.grains.count) set(fmt::format("grains.count={}", plan.n_grains));
+  for (const std::string& change : changes_of(plan.settings, scene)) set(change);
   if (plan.n_samples == 1)
     return fmt::format(
         "# One sample, as floc plan chose it for {}: run floc run {} -o DIR. Promised: {:.4g} s of processor "

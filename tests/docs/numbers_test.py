@@ -540,26 +540,29 @@ class Test:
     def softening(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/softening/points.csv"))))
 
-        def values(factor, name):
-            return [float(r[name]) for r in points if r["softening"] == factor]
+        def values(factors, name):
+            return [float(r[name]) for r in points if (r["softening"], r["beyond"]) == factors]
 
-        def change(shown, factor, name, what, scale=1.0):
-            base, other = values("1", name), values(factor, name)
+        strict_ones = ("1", "1")
+
+        def change(shown, factors, name, what, scale=1.0):
+            base, other = values(strict_ones, name), values(factors, name)
             error = 2 * (statistics.variance(base) / len(base) + statistics.variance(other) / len(other)) ** 0.5
             mean, deviation = shown.split(" +- ")
             self.number(mean, scale * (statistics.mean(other) - statistics.mean(base)), what)
             self.number(deviation, scale * error, what + ", two standard errors")
 
-        for factor, pressure, samples, strict, soft, phi, z, B in self.claim_table("| s | P* | samples |"):
-            what = f"softening {factor}, P* = {pressure}"
-            self.number(samples, len(values(factor, "seed")), what + ", samples")
-            self.mean_and_scatter(strict, values("1", "Phi_" + pressure), what + ", strict")
-            self.mean_and_scatter(soft, values(factor, "Phi_" + pressure), what + ", soft")
-            change(phi, factor, "Phi_" + pressure, what + ", change of Phi")
-            change(z, factor, "z_" + pressure, what + ", change of z")
+        for factor, beyond, pressure, samples, strict, soft, phi, z, B in self.claim_table("| s | beyond | P* | samples |"):
+            factors = (factor, beyond)
+            what = f"softening {factor} and {beyond}, P* = {pressure}"
+            self.number(samples, len(values(factors, "seed")), what + ", samples")
+            self.mean_and_scatter(strict, values(strict_ones, "Phi_" + pressure), what + ", strict")
+            self.mean_and_scatter(soft, values(factors, "Phi_" + pressure), what + ", soft")
+            change(phi, factors, "Phi_" + pressure, what + ", change of Phi")
+            change(z, factors, "z_" + pressure, what + ", change of z")
             if B:
                 name = "B_" + pressure
-                change(B, factor, name, what + ", change of B", 100.0 / statistics.mean(values("1", name)))
+                change(B, factors, name, what + ", change of B", 100.0 / statistics.mean(values(strict_ones, name)))
 
     def compaction(self):
         points = list(csv.DictReader(open(os.path.join(self.source, "data/tables/compaction/points.csv"))))

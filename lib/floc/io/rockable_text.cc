@@ -97,9 +97,9 @@ ShapeText text_of_plate(const Packing<3>& packing, int axis, double radius) {
 class DensityGroups {
  public:
   int group(double density) {
-    constexpr double kRounding = 1e-14;
-    const auto at = groups_.lower_bound(density * (1.0 - kRounding));
-    if (at != groups_.end() && at->first <= density * (1.0 + kRounding)) return at->second;
+    constexpr double kSameDensity = 1e-14;
+    const auto at = groups_.lower_bound(density * (1.0 - kSameDensity));
+    if (at != groups_.end() && at->first <= density * (1.0 + kSameDensity)) return at->second;
     const int next = static_cast<int>(groups_.size()) + 1;
     return groups_.emplace(density, next).first->second;
   }

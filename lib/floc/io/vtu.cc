@@ -22,8 +22,8 @@
 namespace floc {
 namespace {
 
-constexpr int kVertex = 1;
-constexpr int kLine = 3;
+constexpr int kVertexCell = 1;
+constexpr int kLineCell = 3;
 constexpr int kPolygon = 7;
 constexpr int kPolyhedron = 42;
 
@@ -36,7 +36,7 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
     const std::vector<double> offsets = arrays.read("Cells", "offsets");
     const std::vector<double> connectivity = arrays.read("Cells", "connectivity");
     for (std::size_t k = 0; k < types.size(); ++k) {
-      if (types[k] != kVertex) continue;
+      if (types[k] != kVertexCell) continue;
       const double at = k < offsets.size() ? offsets[k] - 1.0 : -1.0;
       const bool listed = at >= 0.0 && at < static_cast<double>(connectivity.size());
       const double point = listed ? connectivity[static_cast<std::size_t>(at)] : -1.0;
@@ -153,7 +153,7 @@ class Drawing {
     if (!grains.id.empty()) id_.type = "Int64";
     for (int i = 0; i < grains.size(); ++i) {
       add_point(in_space<Dim>(grains.position[i]), grains.radius[i], grains.mass[i], grains.name(i));
-      add_cell(kVertex, {i});
+      add_cell(kVertexCell, {i});
       add_contact_data(Contact<Dim>());
     }
     for (int i = 0; i < grains.size() && has_corners_; ++i) add_shape(grains, i);
@@ -241,7 +241,7 @@ class Drawing {
   template <int Dim>
   void add_contact(const Packing<Dim>& packing, const Contact<Dim>& c) {
     const auto add_half = [&](int grain, const Vec<Dim>& end) {
-      add_cell(kLine, {grain, add_point(in_space<Dim>(end), 0.0, 0.0, -1)});
+      add_cell(kLineCell, {grain, add_point(in_space<Dim>(end), 0.0, 0.0, -1)});
       add_contact_data(c);
     };
     if (has_corners_) {
@@ -251,12 +251,12 @@ class Drawing {
     }
     if (packing.is_wall(c.j)) {
       const Vec<Dim> foot = packing.grains.position[c.i] + branch(packing, c);
-      add_cell(kLine, {c.i, add_point(in_space<Dim>(foot), 0.0, 0.0, -1)});
+      add_cell(kLineCell, {c.i, add_point(in_space<Dim>(foot), 0.0, 0.0, -1)});
       add_contact_data(c);
       return;
     }
     if (c.image.isZero()) {
-      add_cell(kLine, {c.i, c.j});
+      add_cell(kLineCell, {c.i, c.j});
       add_contact_data(c);
       return;
     }

@@ -94,15 +94,15 @@ double twice_energy(const ConeProgram<Dim>& program, const Point<Dim>& at) {
 
 /// Residuals of the homogeneous embedding at a point.
 template <int Dim>
-struct Residuals {
+struct EmbeddingResiduals {
   Blocks<Dim> dual;        // Q x + c tau - A' y - z
   Eigen::VectorXd primal;  // A x + (S + s) y - b tau
   double gap;              // -(x' Q x + y' (S + s) y)/tau - c' x + b' y - kappa
 };
 
 template <int Dim>
-Residuals<Dim> residuals(const ConeProgram<Dim>& program, const Point<Dim>& at) {
-  Residuals<Dim> out{program.relative_motion(at.y),
+EmbeddingResiduals<Dim> residuals(const ConeProgram<Dim>& program, const Point<Dim>& at) {
+  EmbeddingResiduals<Dim> out{program.relative_motion(at.y),
                      program.balance(at.x) + softened(program, at.y) - at.tau * program.load, 0.0};
   for (std::size_t k = 0; k < at.x.size(); ++k)
     out.dual[k] =
@@ -177,7 +177,7 @@ struct InteriorPoint<Dim>::Iteration {
   InteriorPoint& method;
   const ConeProgram<Dim>& program;
   const Point<Dim>& at;
-  Residuals<Dim> residual;
+  EmbeddingResiduals<Dim> residual;
   std::vector<cone::Scaling<Dim>> scaling;
   Blocks<Dim> scaled;                 // lambda = W z
   std::vector<Mat<Dim>> flexibility;  // G = (Q + W^-2)^-1

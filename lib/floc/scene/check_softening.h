@@ -6,7 +6,7 @@
 namespace floc {
 
 /// Records a fault for every softening of a scene that is not possible: of packings between walls, of stages that impose
-/// a length, and of contacts that are too soft for it (softening_fault()).
+/// a length, beside [accuracy], and of contacts that are too soft for it (softening_limit()).
 /// @param root  reader of the root table of the scene
 void check_softening(TableReader& root, const SceneSource& source, const Scene& scene);
 

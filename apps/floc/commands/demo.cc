@@ -45,10 +45,11 @@ int step(const std::string& about, const std::vector<std::string>& arguments, bo
 /// of six larger samples, which are installed with floc. A parameter that the sample of the demonstration does not determine
 /// is left empty.
 void print_laws(const std::string& directory, const std::string& tables) {
-  fmt::print(stderr,
-             "\n== Parameters of the consolidation law, fitted to the mean of six samples of 5600 disks, and to "
-             "this sample\n   floc fit consolidation {}\n   floc fit consolidation {}\n",
-             tables, directory);
+  fmt::print(
+      stderr,
+      "\n== Parameters of the consolidation law, fitted to the mean of six samples of 5600 disks, and to "
+      "this sample\n   floc fit consolidation {}\n   floc fit consolidation {}\n",
+      tables, directory);
   const ConsolidationFit six = consolidation_fit({tables}), one = consolidation_fit({directory});
   Table table{{"parameter", "six samples", "stderr", "this sample"}, {}};
   for (const FittedParameter& p : six.parameters) {

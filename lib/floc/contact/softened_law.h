@@ -15,7 +15,7 @@ Law softened(const Law& law, double s);
 /// Largest factor by which springs may be softened, and why.
 struct SofteningLimit {
   double largest;      ///< largest factor; at most 1 if no softening is possible
-  std::string reason;  ///< what a larger factor would cause, in words
+  std::string reason;  ///< consequence of a larger factor, in words
 
   /// Returns why springs cannot be softer by a factor s, in words that name the largest factor; empty if they can.
   std::string fault(double s) const;

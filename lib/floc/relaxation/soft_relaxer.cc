@@ -117,7 +117,7 @@ Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
   if (progress_.stage != SoftProgress::stiff) {
     options.finish = Finish::dynamic;  // Newton steps would solve for an equilibrium of the soft springs
   } else if (progress_.n_collapses > 0 && progress_.relaxation.empty()) {
-    // What remains of the motion after the springs have been restored is removed at once.
+    // The motion that remains after the springs have been restored is removed at once.
     progress.phase = RelaxationProgress::finishing;
     progress.finishing_since_phi = progress_.begun_phi;
     progress.next_refinement = 1;

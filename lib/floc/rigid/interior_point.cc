@@ -103,7 +103,7 @@ struct EmbeddingResiduals {
 template <int Dim>
 EmbeddingResiduals<Dim> residuals(const ConeProgram<Dim>& program, const Point<Dim>& at) {
   EmbeddingResiduals<Dim> out{program.relative_motion(at.y),
-                     program.balance(at.x) + softened(program, at.y) - at.tau * program.load, 0.0};
+                              program.balance(at.x) + softened(program, at.y) - at.tau * program.load, 0.0};
   for (std::size_t k = 0; k < at.x.size(); ++k)
     out.dual[k] =
         program.compliance[k].cwiseProduct(at.x[k]) + program.linear[k] * at.tau - out.dual[k] - at.z[k];

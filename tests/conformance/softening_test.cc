@@ -16,12 +16,12 @@ using test::parameters_of;
 using test::slip_by;
 
 constexpr double kSofter = 8.0;
-constexpr double kOverlap = 1e-4;
+constexpr double kStiffOverlap = 1e-4;
 
-/// Overlap at which a softened contact has the elastic force of a contact with the overlap kOverlap.
+/// Overlap at which a softened contact has the elastic force of a contact with the overlap kStiffOverlap.
 template <class Law>
 double softer_overlap() {
-  return kOverlap * std::pow(kSofter, 1.0 / force_exponent<typename Law::NormalModel>());
+  return kStiffOverlap * std::pow(kSofter, 1.0 / force_exponent<typename Law::NormalModel>());
 }
 
 /// Calls check(law, softened law, dimension) for every law of springs.
@@ -38,7 +38,7 @@ void for_each_softened_law(const Check& check) {
 TEST(Softening, KeepsForcesOfOverlapsThatAreLargerByTheCompliance) {
   for_each_softened_law([](const auto& law, const auto& soft, auto) {
     using Law = std::decay_t<decltype(law)>;
-    const auto stiff_response = law.normal(pair_at(-kOverlap));
+    const auto stiff_response = law.normal(pair_at(-kStiffOverlap));
     const auto soft_response = soft.normal(pair_at(-softer_overlap<Law>()));
     EXPECT_NEAR(soft_response.elastic, stiff_response.elastic, 1e-12 * stiff_response.elastic);
     EXPECT_EQ(soft_response.adhesive, stiff_response.adhesive);
@@ -48,8 +48,8 @@ TEST(Softening, KeepsForcesOfOverlapsThatAreLargerByTheCompliance) {
 TEST(Softening, DividesStiffnessesAtTheForceByOneFactor) {
   for_each_softened_law([](const auto& law, const auto& soft, auto) {
     using Law = std::decay_t<decltype(law)>;
-    const double elastic = law.normal(pair_at(-kOverlap)).elastic;
-    const ContactStiffness stiff_k = law.stiffness_at_force(pair_at(-kOverlap), elastic);
+    const double elastic = law.normal(pair_at(-kStiffOverlap)).elastic;
+    const ContactStiffness stiff_k = law.stiffness_at_force(pair_at(-kStiffOverlap), elastic);
     const ContactStiffness soft_k = soft.stiffness_at_force(pair_at(-softer_overlap<Law>()), elastic);
     const double ratio = std::pow(kSofter, 1.0 / force_exponent<typename Law::NormalModel>());
     EXPECT_NEAR(soft_k.normal * ratio, stiff_k.normal, 1e-12 * stiff_k.normal);
@@ -71,7 +71,7 @@ TEST(Softening, KeepsTheCapsOfSprings) {
       motion.twist = 100.0;
       return of.respond(motion, history);
     };
-    const auto p = yielded(law, -kOverlap), q = yielded(soft, -softer_overlap<Law>());
+    const auto p = yielded(law, -kStiffOverlap), q = yielded(soft, -softer_overlap<Law>());
     EXPECT_NEAR(q.shear.norm(), p.shear.norm(), 1e-12 * p.shear.norm());
     EXPECT_NEAR(q.rolling.norm(), p.rolling.norm(), 1e-12 * p.rolling.norm());
     EXPECT_NEAR(q.twisting, p.twisting, 1e-12 * std::abs(p.twisting));

@@ -55,7 +55,7 @@ Table table_of(const PlanChoice& choice, const std::string& kind) {
     const Plan& plan = choice.plans[p];
     const NumericalSettings& s = plan.settings.settings;
     for (std::size_t k = 0; k < choice.observables.size(); ++k) {
-      const ErrorBudget& error = plan.errors[k];
+      const PricedError& error = plan.errors[k];
       table.rows.push_back({static_cast<std::int64_t>(p + 1), choice.observables[k].name, error.total(),
                             std::int64_t{plan.n_grains}, std::int64_t{plan.n_samples}, plan.settings.parameter,
                             plan.settings.value, plan.core_seconds / kSecondsPerHour,

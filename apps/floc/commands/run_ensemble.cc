@@ -73,14 +73,14 @@ class Ensemble {
 }  // namespace
 
 SeedRange parse_seeds(const std::string& text) {
-  constexpr std::uint64_t kMostSamples = 1'000'000;
+  constexpr std::uint64_t kMostSeeds = 1'000'000;
   const auto range = seed_range_of(text);
-  if (range && range->last - range->first < kMostSamples) return *range;
+  if (range && range->last - range->first < kMostSeeds) return *range;
   throw InputError(
       "--seeds " + text,
       fmt::format(
           "this is not a range of seeds: expected A..B with two whole numbers, A <= B, and at most {} seeds",
-          kMostSamples));
+          kMostSeeds));
 }
 
 int run_ensemble(const ClaimedDirectory& claim, const std::string& directory, const SeedRange& seeds, int jobs,

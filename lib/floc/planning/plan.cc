@@ -110,7 +110,7 @@ class PlanSearch {
 
   static double mean_log_error(const Plan& plan) {
     double sum = 0.0;
-    for (const ErrorBudget& error : plan.errors) sum += std::log(error.total());
+    for (const PricedError& error : plan.errors) sum += std::log(error.total());
     return sum / static_cast<double>(plan.errors.size());
   }
 
@@ -137,7 +137,7 @@ class PlanSearch {
   int samples_for_wants(const PricedSettings& settings, int n_grains) const {
     double needed = 1.0;
     for (const auto& [k, wanted] : wanted_) {
-      const ErrorBudget one = model_.error(observables_[k], settings, n_grains, 1);
+      const PricedError one = model_.error(observables_[k], settings, n_grains, 1);
       const double left = wanted - one.settings - one.size;
       if (!(left > 0.0)) return 0;
       needed = std::max(needed, std::ceil(std::pow(one.scatter / left, 2) * (1.0 - 1e-12)));

@@ -29,7 +29,7 @@ struct Plan {
   double core_seconds = 0.0;        ///< processor time of all samples (s)
   double wall_seconds = 0.0;        ///< wall time of all samples on the cores of the request (s)
   double memory_mb = 0.0;           ///< largest memory of the samples that run at the same time (MB)
-  std::vector<ErrorBudget> errors;  ///< one for each of PlanChoice::observables
+  std::vector<PricedError> errors;  ///< one for each of PlanChoice::observables
 };
 
 /// The best plans for a request, the best first, each with other settings.

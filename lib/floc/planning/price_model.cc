@@ -225,9 +225,9 @@ double PriceModel::size_error(const ObservablePrice& observable, double n_grains
   return observable.size ? *observable.size * std::pow(n_grains, -size_exponent_) : 0.0;
 }
 
-ErrorBudget PriceModel::error(const ObservablePrice& observable, const PricedSettings& settings,
+PricedError PriceModel::error(const ObservablePrice& observable, const PricedSettings& settings,
                               double n_grains, double n_samples) const {
-  ErrorBudget error;
+  PricedError error;
   if (table_) {
     error.settings = settings_error(settings, observable.name);
     for (const PricedSettings& cell : cells_) error.settings += settings_error(cell, observable.name);

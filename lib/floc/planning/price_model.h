@@ -12,7 +12,7 @@ namespace floc {
 
 /// Parts of the error of a mean over states and samples, or of a fit to a path. All are relative half widths of 95 %
 /// intervals.
-struct ErrorBudget {
+struct PricedError {
   double settings = 0.0;  ///< error that the numerical settings cause, as far as the table of prices shows one
   double size = 0.0;      ///< error that the finite number of grains causes
   double scatter = 0.0;   ///< error by the scatter between samples
@@ -78,7 +78,7 @@ class PriceModel {
   /// Returns the largest memory of a run (MB) of `n_grains` grains.
   double memory_mb(double n_grains) const;
   /// Returns the error of an observable. It is infinite if the table does not say what error the settings cause.
-  ErrorBudget error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
+  PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
   /// Returns the settings of the table that are those of the scene, or those of the row "scene" with the processor time
   /// of the scene's time step.

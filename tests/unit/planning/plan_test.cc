@@ -79,7 +79,7 @@ TEST_F(Plans, PricesFollowTheLawsOfTheModel) {
   // 0.5 s at 25 grains and 2 s at 100: the power is one.
   EXPECT_NEAR(model_.core_seconds(plain, 100), 2.0, 1e-12);
   EXPECT_NEAR(model_.core_seconds(plain, 400), 8.0, 1e-12);
-  const ErrorBudget one = model_.error(phi, plain, 100, 1), many = model_.error(phi, plain, 400, 16);
+  const PricedError one = model_.error(phi, plain, 100, 1), many = model_.error(phi, plain, 400, 16);
   EXPECT_NEAR(one.scatter, student_t_95(8) * 0.02, 1e-12);
   EXPECT_NEAR(many.scatter, one.scatter / 8.0, 1e-12) << "sqrt(4 x 16) as small";
   // 0.02 = c (1/25 - 1/100), so that c/100 = 0.02/3.

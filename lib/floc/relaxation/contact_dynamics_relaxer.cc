@@ -42,6 +42,7 @@ constexpr int kMostRestingSweeps = 9600;
 constexpr int kSweptSteps = 2600;
 constexpr int kMostGrainsAtOnce = 1000;
 constexpr double kLongestAtOnce = 3.0;
+constexpr double kLongestWithPlates = 30.0;
 constexpr double kGapAtOnce = 1e-6;
 /// Error of the impulses at which the sweeps of a step at rest end, over the mean normal impulse.
 constexpr double kRestingTolerance = 1e-8;
@@ -169,12 +170,24 @@ bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
          (progress_.resting_steps >= kSweptSteps && grains.size() <= kMostGrainsAtOnce);
 }
 
+/// Returns whether the steps at rest have separating plates: those of frictionless polyhedra.
+template <int Dim>
+bool ContactDynamicsRelaxer<Dim>::has_plates() const {
+  const auto has_faces = [](const auto& shape) { return shape.n_faces() > 0; };
+  return Dim == 3 && solves_at_once() && packing_.law.friction_coefficient() == 0.0 &&
+         !packing_.grains.are_round() && std::ranges::any_of(*packing_.grains.shapes, has_faces);
+}
+
 template <int Dim>
 ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
   const ContactDynamicsOptions& own = options_.contact_dynamics;
   const bool resting = progress_.phase == ContactDynamicsProgress::resting;
   const bool is_gas = stress_.trace() < kGasStress * imposed_.sum();
-  const double longest = !resting ? own.time_step : solves_at_once() ? kLongestAtOnce : progress_.rest_length;
+  const bool plates = has_plates();
+  const double longest = !resting           ? own.time_step
+                         : plates           ? kLongestWithPlates
+                         : solves_at_once() ? kLongestAtOnce
+                                            : progress_.rest_length;
   return {.longest_step = longest * time_unit_,
           .sweep_tolerance = resting ? std::min(kRestingTolerance, own.sweep_tolerance)
                                      : (is_gas ? kGasTolerance : 1.0) * own.sweep_tolerance,
@@ -182,7 +195,8 @@ ContactDynamicsSettings ContactDynamicsRelaxer<Dim>::settings() const {
           .restitution = resting ? 0.0 : own.restitution,
           .slow_impact = kSlowImpact * own.time_step * largest_diameter(packing_.grains) / time_unit_,
           .threads = options_.threads,
-          .at_once = solves_at_once()};
+          .at_once = solves_at_once(),
+          .plates = plates};
 }
 
 template <int Dim>
@@ -224,7 +238,7 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   ContactDynamics<Dim> motion(std::move(packing_), boundary_load(), chosen, first, progress_.last_step);
   for (int k = 0; k < n_steps; ++k) {
     if (progress_.phase == ContactDynamicsProgress::straining && !impose_strain(motion)) break;
-    motion.step(at_rest && !chosen.at_once);
+    motion.step(at_rest && (!chosen.at_once || chosen.plates));
     if (!at_rest) progress_.time += motion.last_step();  // steps at rest are no motion in time
     progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
     if (observer_.callback && k + 1 < n_steps) observer_.callback(motion.packing(), progress_.time);

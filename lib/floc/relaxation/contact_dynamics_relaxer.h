@@ -72,6 +72,7 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
 
  private:
   bool solves_at_once() const;
+  bool has_plates() const;
   void begin_strain();
   ImposedStrain<Dim> imposed_strain() const;
   bool impose_strain(ContactDynamics<Dim>& motion) const;

@@ -52,12 +52,23 @@ struct ConeProgram {
     if (softness.size() > 0) out = softness.cwiseProduct(y);
     if (block_softness.empty()) return out;
     const double* value = block_softness.data();
-    for (int k = 0; k < n_blocks(); ++k)
-      for (int e = first[k]; e < first[k + 1]; ++e)
-        for (int f = first[k]; f <= e; ++f, ++value) {
-          out[row[e]] += *value * y[row[f]];
-          if (f != e) out[row[f]] += *value * y[row[e]];
+    std::vector<double> given, product;  // of the rows of one block
+    for (int k = 0; k < n_blocks(); ++k) {
+      const int n = first[k + 1] - first[k];
+      given.clear();
+      for (int e = 0; e < n; ++e) given.push_back(y[row[first[k] + e]]);
+      product.assign(n, 0.0);
+      for (int e = 0; e < n; ++e) {
+        double sum = 0.0;
+        for (int f = 0; f < e; ++f) {
+          sum += value[f] * given[f];
+          product[f] += value[f] * given[e];
         }
+        product[e] += sum + value[e] * given[e];
+        value += e + 1;
+      }
+      for (int e = 0; e < n; ++e) out[row[first[k] + e]] += product[e];
+    }
     return out;
   }
 

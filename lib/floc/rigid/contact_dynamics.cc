@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -14,6 +13,7 @@
 #include "floc/packing/grain_sizes.h"
 #include "floc/packing/law/contact_forces.h"
 #include "floc/rigid/implicit_step.h"
+#include "floc/rigid/separating_plates.h"
 
 namespace floc {
 namespace {
@@ -166,6 +166,13 @@ double ContactDynamics<Dim>::restitution(const Contact<Dim>& c) const {
   return -gap_rate(c) > settings_.slow_impact ? settings_.restitution : 0.0;
 }
 
+/// Returns the time that the removal of an overlap takes in a step. Shorter steps remove an overlap as slowly as steps of
+/// a certain length. Otherwise its removal would make grains fast, and fast grains shorten the steps.
+template <int Dim>
+double ContactDynamics<Dim>::removal_time(double dt) const {
+  return std::max(dt, kShortestRemoval * settings_.longest_step);
+}
+
 /// Returns the contact points as contacts of a step, with impulses of the last step. If impacts are elastic, points
 /// across a gap do not take part: they could close to a gap of zero, where the approach speed of the impact is lost.
 template <int Dim>
@@ -190,9 +197,7 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
     k.friction = law.friction_coefficient();
     k.adhesion = sticks(c) ? dt * law.pull_off_force() : 0.0;
     k.bias = k.frame.transpose() * (shear * k.branch);
-    // Shorter steps remove an overlap as slowly as steps of this length. Otherwise its removal would make grains fast,
-    // and fast grains shorten the steps.
-    const double removal = std::max(dt, kShortestRemoval * settings_.longest_step);
+    const double removal = removal_time(dt);
     if (elastic_impact)
       k.bias[0] +=
           restitution(c) * std::min(0.0, gap_rate(c)) +
@@ -207,9 +212,7 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
   return out;
 }
 
-/// Returns the change of the momenta of both grains of each contact of a step by the turn of its normal impulse P, for
-/// unit velocities: -dt P times the second derivatives of the gap. Negative eigenvalues are replaced by zero, so that the
-/// step is a convex program.
+/// Returns the change of the momenta of both grains of each contact of a step by the turn of its normal impulse.
 template <int Dim>
 std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& trial, double dt) const {
   std::vector<PairMatrix<Dim>> out;
@@ -218,13 +221,27 @@ std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& tria
       out.push_back(PairMatrix<Dim>::Zero());
       continue;
     }
-    const PairMatrix<Dim> curvature =
-        gap_curvature(packing_, packing_.contacts[static_cast<std::size_t>(trial.source[k])]);
-    const Eigen::SelfAdjointEigenSolver<PairMatrix<Dim>> modes(-dt * trial.contacts[k].impulse[0] * curvature);
-    const auto positive = modes.eigenvalues().cwiseMax(0.0);
-    out.push_back(modes.eigenvectors() * positive.asDiagonal() * modes.eigenvectors().transpose());
+    const Contact<Dim>& c = packing_.contacts[static_cast<std::size_t>(trial.source[k])];
+    out.push_back(convex_stiffness<Dim>(gap_curvature(packing_, c), dt * trial.contacts[k].impulse[0]));
   }
   return out;
+}
+
+/// Solves a step of frictionless polyhedra with separating plates.
+/// @return whether it was solved; otherwise `trial` is unchanged
+template <>
+bool ContactDynamics<3>::solve_with_plates(double dt, const Method& method, Trial& trial) const {
+  std::vector<double> gaps;
+  for (const int at : trial.source) gaps.push_back(packing_.contacts[static_cast<std::size_t>(at)].gap);
+  SeparatingPlates plates(packing_, trial.motion, trial.contacts, gaps, reach(),
+                          {.closing = 1.0 / dt, .opening = method.removed / removal_time(dt)});
+  trial.sweeps.converged = plates.solve(dt, trial.motion, trial.contacts);
+  return trial.sweeps.converged;
+}
+/// The sides of polygons need no plates: they are closest at two points.
+template <>
+bool ContactDynamics<2>::solve_with_plates(double, const Method&, Trial&) const {
+  return false;
 }
 
 template <int Dim>
@@ -232,6 +249,7 @@ auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial
   Trial trial;
   trial.motion = free_motion(dt, method.at_rest);
   trial.contacts = step_contacts(dt, method.at_once ? method.removed : kStabilisation, trial.source);
+  if (method.at_once && settings_.plates && solve_with_plates(dt, method, trial)) return trial;
   if (method.at_once && solve_at_once(trial.motion, trial.contacts, stiffnesses(trial, dt))) {
     trial.sweeps.converged = true;
     return trial;
@@ -345,6 +363,7 @@ void ContactDynamics<Dim>::step(bool at_rest) {
   double allowed = std::max(kDeepest, deepest_overlap(packing_, where));
   Method method{at_rest, settings_.at_once};
   double dt = time_step_;
+  bool rescues = false;
   for (int halvings = 0;;) {
     const Trial trial = solve(dt, method);
     const double share = largest_share_moved(trial, dt, method);
@@ -360,12 +379,13 @@ void ContactDynamics<Dim>::step(bool at_rest) {
     if (deepest > allowed) {
       dt *= 0.5;
       if (++halvings <= kMostHalvings && dt > kShortestStep * settings_.longest_step) continue;
-      if (method.at_rest && method.at_once)
+      if (rescues)
         throw NoResult(
             fmt::format("{} would overlap by {:.2g} of the smaller diameter in a time step, even after "
                         "the step was halved {} times; the largest overlap allowed is {:.2g}",
                         pair_name(next, *where), deepest, kMostHalvings, allowed));
       // Sweeps end with errors that shorter steps do not remove.
+      rescues = true;
       method = {.at_rest = true, .at_once = true};
       allowed = std::max(allowed, kDeepestAtRest);
       dt = settings_.longest_step;

@@ -39,6 +39,9 @@ struct ContactDynamicsSettings {
   /// in one step. The velocities of all grains are set to zero when the grains turn back: this leads them to
   /// rest faster than setting them to zero before each step.
   bool at_once = false;
+  /// Whether steps in 3D that are solved at once have separating plates (separating_plates.h). Grains must be
+  /// frictionless and have corners.
+  bool plates = false;
 };
 
 /// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). The impulses of all
@@ -106,6 +109,8 @@ class ContactDynamics {
   double restitution(const Contact<Dim>& contact) const;
   std::vector<StepContact<Dim>> step_contacts(double dt, double removed, std::vector<int>& source) const;
   std::vector<PairMatrix<Dim>> stiffnesses(const Trial& trial, double dt) const;
+  double removal_time(double dt) const;
+  bool solve_with_plates(double dt, const Method& method, Trial& trial) const;
   Trial solve(double dt, const Method& method) const;
   double largest_share_moved(const Trial& trial, double dt, const Method& method) const;
   Packing<Dim> moved(const Trial& trial, double dt) const;

@@ -56,14 +56,6 @@ Vec<Dim> surface_arm(const Packing<Dim>& packing, int body, const Vec<Dim>& midw
   return is_ball ? Vec<Dim>(packing.grains.radius[body] * outward) : midway;
 }
 
-/// Returns the second derivatives of v . (w x (w x n))/2 with respect to w.
-inline Mat<1> turn_curvature(const Vec<2>& v, const Vec<2>& n) {
-  return Mat<1>(-v.dot(n));
-}
-inline Mat<3> turn_curvature(const Vec<3>& v, const Vec<3>& n) {
-  return 0.5 * (v * n.transpose() + n * v.transpose()) - v.dot(n) * Mat<3>::Identity();
-}
-
 /// Returns the matrix that turns a rotation vector w into the tangential components of w x arm.
 template <int Dim>
 Eigen::Matrix<double, Dim - 1, kRotations<Dim>> turn(const Tangents<Dim>& tangents, const Vec<Dim>& arm) {
@@ -109,6 +101,15 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   return 0.5 * (out + out.transpose());  // rounding of the large radii
 }
 
+template <int Dim>
+PairMatrix<Dim> convex_stiffness(const PairMatrix<Dim>& curvature, double weight) {
+  const Eigen::SelfAdjointEigenSolver<PairMatrix<Dim>> modes(-weight * curvature);
+  const auto positive = modes.eigenvalues().cwiseMax(0.0);
+  return modes.eigenvectors() * positive.asDiagonal() * modes.eigenvectors().transpose();
+}
+
+template PairMatrix<2> convex_stiffness<2>(const PairMatrix<2>&, double);
+template PairMatrix<3> convex_stiffness<3>(const PairMatrix<3>&, double);
 template PairMatrix<2> gap_curvature(const Packing<2>&, const Contact<2>&);
 template PairMatrix<3> gap_curvature(const Packing<3>&, const Contact<3>&);
 

@@ -23,4 +23,19 @@ using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
 template <int Dim>
 PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
+/// Returns the second derivatives of v . (w x (w x n))/2 with respect to a rotation vector w.
+inline Mat<1> turn_curvature(const Vec<2>& v, const Vec<2>& n) {
+  return Mat<1>(-v.dot(n));
+}
+inline Mat<3> turn_curvature(const Vec<3>& v, const Vec<3>& n) {
+  return 0.5 * (v * n.transpose() + n * v.transpose()) - v.dot(n) * Mat<3>::Identity();
+}
+
+/// Returns the change of the momenta of the two grains of a contact in a step by the turn of its normal force N, for
+/// unit velocities: -dt^2 N times the second derivatives of the gap (mass). Negative eigenvalues are replaced by zero, so
+/// that the step is a convex program.
+/// @param weight  dt^2 N
+template <int Dim>
+PairMatrix<Dim> convex_stiffness(const PairMatrix<Dim>& curvature, double weight);
+
 }  // namespace floc

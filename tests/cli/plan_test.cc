@@ -23,10 +23,6 @@ const std::string kQuick =
     source_directory() +
     "/data/scenes/type1_rolling_small.toml --set load.0.to=0.1 --set load.0.steps_per_decade=2 ";
 
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream(path) << text;
-}
-
 class PlanCommand : public testing::Test {
  protected:
   const ScratchDirectory scratch_;

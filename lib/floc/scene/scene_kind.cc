@@ -50,6 +50,7 @@ std::string scene_kind(const Scene& scene) {
   std::vector<std::string> words = {grains_word(scene)};
   if (const std::string word = cohesion_word(scene); !word.empty()) words.push_back(word);
   if (scene.assembly.box) words.emplace_back("walls");
+  if (scene.assembly.box && !scene.assembly.box->gravity.isZero(0.0)) words.emplace_back("gravity");
   for (const LoadStage& stage : scene.load) {
     if (stage.is_isotropic() && stage.shear == 0.0) continue;
     const std::string word = load_word(stage.control, scene.dimension);

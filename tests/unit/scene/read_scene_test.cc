@@ -512,7 +512,7 @@ TEST(ShippedScenes, AllAreValidAndNamedAfterTheirFiles) {
     EXPECT_EQ(s.load.back().to, s.assembly.pressure);
     ++n_cycles;
   }
-  EXPECT_EQ(n, 31);
+  EXPECT_EQ(n, 34);
   EXPECT_EQ(n_cycles, 18);
 }
 

@@ -23,6 +23,7 @@ std::string kind_of(const std::string& name, const std::vector<std::string>& ove
 
 const std::map<std::string, std::string>& kinds_of_shipped_scenes() {
   static const std::map<std::string, std::string> kinds = {
+      {"bed_demo", "disks-cohesionless-walls-gravity"},
       {"biaxial_cohesive", "disks-cohesive-biaxial"},
       {"biaxial_dense", "disks-cohesionless-biaxial"},
       {"biaxial_loose", "disks-cohesionless-biaxial"},
@@ -33,8 +34,11 @@ const std::map<std::string, std::string>& kinds_of_shipped_scenes() {
       {"compaction_demo", "spheres-cohesive-walls"},
       {"constant_volume", "disks-cohesionless-constant-volume"},
       {"demo", "disks-cohesive"},
+      {"disks_shear_demo", "rigid-disks-simple-shear"},
       {"oedometer", "disks-cohesive-oedometer"},
+      {"pentagons", "rigid-polygons-simple-shear"},
       {"pentagons_demo", "rigid-polygons"},
+      {"pentagons_shear_demo", "rigid-polygons-simple-shear"},
       {"polyhedra_demo", "rigid-polyhedra"},
       {"powder3d", "spheres-cohesive"},
       {"rigid_disks_demo", "rigid-disks"},

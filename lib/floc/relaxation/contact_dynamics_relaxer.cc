@@ -25,6 +25,8 @@ constexpr int kSteps = 20;
 constexpr int kCalmSteps = 40;
 constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
+/// Factor of both for frictionless polyhedra, which move on for long as their corners take turns in contact.
+constexpr double kJitter = 4.0;
 /// Rate of approach below which impacts are not elastic, over the velocity a/T^2 dt that the pressure gives to a grain in a
 /// time step.
 constexpr double kSlowImpact = 2.0;
@@ -99,6 +101,13 @@ double rms_velocity(const Grains<Dim>& grains) {
 }
 
 template <int Dim>
+bool are_frictionless_polyhedra(const Packing<Dim>& packing) {
+  const auto has_faces = [](const auto& shape) { return shape.n_faces() > 0; };
+  return Dim == 3 && packing.law.friction_coefficient() == 0.0 && !packing.grains.are_round() &&
+         std::ranges::any_of(*packing.grains.shapes, has_faces);
+}
+
+template <int Dim>
 void stop(Packing<Dim>& packing) {
   stop_grains(packing);
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
@@ -170,12 +179,10 @@ bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
          (progress_.resting_steps >= kSweptSteps && grains.size() <= kMostGrainsAtOnce);
 }
 
-/// Returns whether the steps at rest have separating plates: those of frictionless polyhedra.
+/// Returns whether the steps at rest have separating plates.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::has_plates() const {
-  const auto has_faces = [](const auto& shape) { return shape.n_faces() > 0; };
-  return Dim == 3 && solves_at_once() && packing_.law.friction_coefficient() == 0.0 &&
-         !packing_.grains.are_round() && std::ranges::any_of(*packing_.grains.shapes, has_faces);
+  return solves_at_once() && are_frictionless_polyhedra(packing_);
 }
 
 template <int Dim>
@@ -221,10 +228,11 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
 /// it is proportional to the difference from the imposed stress, and the errors of single impulses cancel in it.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
-  const double velocity = kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
+  const double jitter = are_frictionless_polyhedra(packing) ? kJitter : 1.0;
+  const double velocity = jitter * kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
   const double cap = std::min(strain_rate_cap(options_, packing, imposed_), 1.0 / time_unit_);
   return rms_velocity(packing.grains) < velocity &&
-         packing.cell.rate().diagonal().cwiseAbs().maxCoeff() < kCalmRate * cap;
+         packing.cell.rate().diagonal().cwiseAbs().maxCoeff() < jitter * kCalmRate * cap;
 }
 
 /// Makes time steps. Grains are then moved into the cell, so that a relaxation that was stopped continues from the same

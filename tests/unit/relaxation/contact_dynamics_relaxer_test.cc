@@ -30,6 +30,11 @@ TEST(ContactDynamicsRelaxer, FrictionlessPentagonsAreIsostatic) {
   expect_isostatic<2>(ShapeOptions{.kind = PolygonOptions{5}}, 3, 40);
 }
 
+/// `ctest -L long` has twenty.
+TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraAreIsostatic) {
+  expect_isostatic<3>(ShapeOptions{.kind = CutOptions{}}, 6, 8);
+}
+
 TEST(ContactDynamicsRelaxer, FrictionlessSpheresAreIsostatic) {
   expect_isostatic<3>(std::nullopt, 3);
 }

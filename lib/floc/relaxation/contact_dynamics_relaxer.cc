@@ -25,7 +25,7 @@ constexpr int kSteps = 20;
 constexpr int kCalmSteps = 40;
 constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
-/// Factor of both for frictionless polyhedra, which move on for long as their corners take turns in contact.
+/// Factor of both for polyhedra without friction, which move on for long as their corners take turns in contact.
 constexpr double kJitter = 4.0;
 /// Rate of approach below which impacts are not elastic, over the velocity a/T^2 dt that the pressure gives to a grain in a
 /// time step.
@@ -100,11 +100,12 @@ double rms_velocity(const Grains<Dim>& grains) {
   return std::sqrt(sum / mass);
 }
 
+/// Returns whether grains are polyhedra without friction and adhesion.
 template <int Dim>
-bool are_frictionless_polyhedra(const Packing<Dim>& packing) {
+bool are_smooth_polyhedra(const Packing<Dim>& packing) {
   const auto has_faces = [](const auto& shape) { return shape.n_faces() > 0; };
-  return Dim == 3 && packing.law.friction_coefficient() == 0.0 && !packing.grains.are_round() &&
-         std::ranges::any_of(*packing.grains.shapes, has_faces);
+  return Dim == 3 && packing.law.friction_coefficient() == 0.0 && packing.law.pull_off_force() == 0.0 &&
+         !packing.grains.are_round() && std::ranges::any_of(*packing.grains.shapes, has_faces);
 }
 
 template <int Dim>
@@ -182,7 +183,7 @@ bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
 /// Returns whether the steps at rest have separating plates.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::has_plates() const {
-  return solves_at_once() && are_frictionless_polyhedra(packing_);
+  return solves_at_once() && are_smooth_polyhedra(packing_);
 }
 
 template <int Dim>
@@ -228,7 +229,7 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
 /// it is proportional to the difference from the imposed stress, and the errors of single impulses cancel in it.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
-  const double jitter = are_frictionless_polyhedra(packing) ? kJitter : 1.0;
+  const double jitter = are_smooth_polyhedra(packing) ? kJitter : 1.0;
   const double velocity = jitter * kCalmVelocity * largest_diameter(packing.grains) / time_unit_;
   const double cap = std::min(strain_rate_cap(options_, packing, imposed_), 1.0 / time_unit_);
   return rms_velocity(packing.grains) < velocity &&

@@ -40,7 +40,7 @@ struct ContactDynamicsSettings {
   /// rest faster than setting them to zero before each step.
   bool at_once = false;
   /// Whether steps in 3D that are solved at once have separating plates (separating_plates.h). Grains must be
-  /// frictionless and have corners.
+  /// without friction and adhesion, and have corners.
   bool plates = false;
 };
 

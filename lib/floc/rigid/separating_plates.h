@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// The contacts of frictionless grains with corners in a time step that is solved at once (implicit_step.h), in a form
+/// The contacts of grains with corners, without friction and adhesion, in a time step that is solved at once (implicit_step.h), in a form
 /// that does not depend on the features that are closest. Two convex bodies do not overlap if and only if a plane
 /// separates them. A light plate between the grains of each pair therefore moves and turns freely, and each vertex that
 /// is close to the plate stays on its side of it.

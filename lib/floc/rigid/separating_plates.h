@@ -9,10 +9,10 @@
 
 namespace floc {
 
-/// The contacts of grains with corners, without friction and adhesion, in a time step that is solved at once (implicit_step.h), in a form
-/// that does not depend on the features that are closest. Two convex bodies do not overlap if and only if a plane
-/// separates them. A light plate between the grains of each pair therefore moves and turns freely, and each vertex that
-/// is close to the plate stays on its side of it.
+/// The contacts of grains with corners, without friction and adhesion, in a time step that is solved at once
+/// (implicit_step.h), in a form that does not depend on the features that are closest. Two convex bodies do not overlap if
+/// and only if a plane separates them. A light plate between the grains of each pair therefore moves and turns freely, and
+/// each vertex that is close to the plate stays on its side of it.
 ///
 /// The points of a manifold (manifold.h) hold for the features that are closest at the start of a step. Two faces that
 /// are nearly parallel are closest at one of their corners, and at another one after the step, so that such steps do

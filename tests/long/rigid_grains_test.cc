@@ -14,10 +14,6 @@ TEST(RigidGrains, TwoHundredFrictionlessPentagonsAreIsostatic) {
   expect_isostatic<2>(ShapeOptions{.kind = PolygonOptions{5}}, 3);
 }
 
-TEST(RigidGrains, TwentyFrictionlessPolyhedraAreIsostatic) {
-  expect_isostatic<3>(ShapeOptions{.kind = CutOptions{}}, 6, 20);
-}
-
 TEST(RigidGrains, ThirtyKillsLeaveNoTrace) {
   kill_and_resume(30, 23, rigid_scene(""), 4);
   kill_and_resume(30, 24, rigid_scene(kPentagons), 4);

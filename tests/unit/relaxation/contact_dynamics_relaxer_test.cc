@@ -30,7 +30,6 @@ TEST(ContactDynamicsRelaxer, FrictionlessPentagonsAreIsostatic) {
   expect_isostatic<2>(ShapeOptions{.kind = PolygonOptions{5}}, 3, 40);
 }
 
-/// `ctest -L long` has twenty.
 TEST(ContactDynamicsRelaxer, FrictionlessPolyhedraAreIsostatic) {
   expect_isostatic<3>(ShapeOptions{.kind = CutOptions{}}, 6, 8);
 }

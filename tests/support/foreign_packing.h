@@ -1,7 +1,9 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 #include <string>
@@ -117,6 +119,21 @@ Eigen::Vector3d in_space(const Vec<Dim>& v) {
 template <int Dim>
 Vec<Dim> force_on_first(const Contact<Dim>& c) {
   return c.shear_force - c.normal_force * c.normal;
+}
+
+/// A number as Fortran writes it.
+inline std::string fortran_number(double x) {
+  std::string text = fmt::format("{:.16e}", x);
+  std::replace(text.begin(), text.end(), 'e', 'D');
+  return text;
+}
+
+/// Exchanges a part of the text of a file, which it has to have, for another.
+inline void change_file(const std::string& path, const std::string& from, const std::string& to) {
+  std::string text = content_of(path);
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  write_text(path, text.replace(at, from.size(), to));
 }
 
 }  // namespace floc::test

@@ -62,14 +62,7 @@ void strain_at_random(std::uint64_t seed, const Packing<Dim>& packing, Relaxatio
     EXPECT_GT(end.reason.size(), 20U);
     return;
   }
-  State<Dim> state;
-  state.packing = end.packing;
-  state.target_side = load.side;
-  state.target_offset = load.offset;
-  state.target_stress = load.stress_with(static_stress(end.packing));
-  state.motion = end.report.motion;
-  measure(state);
-  for (const Criterion& criterion : verify_motion(state))
+  for (const Criterion& criterion : verify_motion(state_in_motion(end, load)))
     EXPECT_TRUE(criterion.holds) << criterion.name << ": " << criterion.where;
 }
 

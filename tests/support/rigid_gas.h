@@ -9,6 +9,7 @@
 
 #include "floc/assembly/shaped_gas.h"
 #include "floc/base/error.h"
+#include "floc/packing/balance.h"
 #include "floc/relaxation/contact_dynamics_relaxer.h"
 #include "floc/verification/verify_rigid.h"
 #include "support/rigid_states.h"
@@ -141,6 +142,19 @@ void expect_at_rest_or_reason(const RigidEnd<Dim>& end) {
   EXPECT_GT(end.reason.size(), 20U);
   for (const Vec<Dim>& x : end.packing.grains.position) EXPECT_TRUE(x.allFinite());
   EXPECT_TRUE(end.packing.cell.matrix.allFinite());
+}
+
+/// Returns the state of a packing in motion at the end of a relaxation under a load that imposes a strain.
+template <int Dim>
+State<Dim> state_in_motion(const RigidEnd<Dim>& end, const LoadTarget<Dim>& load) {
+  State<Dim> state;
+  state.packing = end.packing;
+  state.target_side = load.side;
+  state.target_offset = load.offset;
+  state.target_stress = load.stress_with(static_stress(end.packing));
+  state.motion = end.report.motion;
+  measure(state);
+  return state;
 }
 
 }  // namespace floc::test

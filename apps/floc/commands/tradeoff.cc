@@ -32,10 +32,14 @@ struct TradeoffCommand {
   double stiffness_ratio = LatticeStudyOptions{}.stiffness_ratio;
 };
 
+TableValue or_undefined_number(double value) {
+  return std::isfinite(value) ? TableValue{value} : TableValue{};
+}
+
 /// Returns the table cell of an error that was found by comparing n values. The cell is undefined if n is 0 or the
 /// error is not finite.
 TableValue of_compared(int n, double value) {
-  return n > 0 && std::isfinite(value) ? TableValue{value} : TableValue{};
+  return n > 0 ? or_undefined_number(value) : TableValue{};
 }
 
 /// Scene that was run, with what each row of the table says of it.
@@ -47,10 +51,6 @@ struct StudiedScene {
   /// pull-off force, P: pressure); undefined for rigid contacts.
   TableValue kappa;
 };
-
-TableValue or_undefined_number(double value) {
-  return std::isfinite(value) ? TableValue{value} : TableValue{};
-}
 
 /// One row of the table: the errors of an observable with a setting.
 struct TradeoffRow {

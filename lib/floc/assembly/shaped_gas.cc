@@ -9,6 +9,7 @@
 #include "floc/assembly/draw_shapes.h"
 #include "floc/assembly/random_streams.h"
 #include "floc/base/error.h"
+#include "floc/packing/grain_sizes.h"
 
 namespace floc {
 namespace {
@@ -41,13 +42,6 @@ std::vector<int> random_order(int n, RandomStream& random) {
   return order;
 }
 
-template <int Dim>
-double volume_of_grains(const Grains<Dim>& grains) {
-  double volume = 0.0;
-  for (int i = 0; i < grains.size(); ++i) volume += grains.volume(i);
-  return volume;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -78,7 +72,7 @@ template <int Dim>
 double share_of_bounding_balls(const Grains<Dim>& grains) {
   double balls = 0.0;
   for (const double radius : grains.radius) balls += Ball<Dim>{radius}.volume();
-  return volume_of_grains(grains) / balls;
+  return total_volume(grains) / balls;
 }
 
 template <int Dim>

@@ -27,10 +27,7 @@ void set_shape_in(const Shape<Dim>& shape, const Eigen::Vector3d& origin, const 
 /// Returns the largest coordinate along a direction of the points of a shape that is placed at the origin (length).
 template <int Dim>
 double reach_of(const Shape<Dim>& shape, const ListedPose& pose, const Vec<Dim>& direction) {
-  const Vec<Dim> own = plane_of<Dim>(pose.axes).transpose() * direction;
-  double furthest = shape.is_round() ? 0.0 : shape.vertices.front().dot(own);
-  for (const Vec<Dim>& vertex : shape.vertices) furthest = std::max(furthest, vertex.dot(own));
-  return pose.scale * (furthest + shape.rounding);
+  return pose.scale * extent<Dim>(shape, plane_of<Dim>(pose.axes).transpose() * direction);
 }
 
 Orientation<2> orientation_of(const Mat<2>& axes) {

@@ -19,20 +19,13 @@
 #include "floc/io/field_space.h"
 #include "floc/io/hdf5_file.h"
 #include "floc/io/point_cloud.h"
+#include "floc/io/vtk_cells.h"
 #include "floc/packing/require_elastic.h"
 
 namespace floc {
 namespace {
 
 const std::string kRoot = "VTKHDF";
-constexpr int kVertex = 1, kLine = 3;  // types of cells
-
-template <int Dim>
-Eigen::Vector3d three_components(const Vec<Dim>& v) {
-  Eigen::Vector3d out = Eigen::Vector3d::Zero();
-  out.head<Dim>() = v;
-  return out;
-}
 
 /// Moment of a rolling spring as a vector; in 2D along z.
 Eigen::Vector3d moment_in_space(const RotationVector<2>& m) {
@@ -60,7 +53,7 @@ class Grid {
     const Grains<Dim>& g = packing.grains;
     n_grains_ = g.size();
     for (int i = 0; i < g.size(); ++i)
-      add_point(three_components<Dim>(g.position[i]), g.radius[i], g.mass[i], g.name(i));
+      add_point(in_space<Dim>(g.position[i]), g.radius[i], g.mass[i], g.name(i));
     for (int i = 0; i < g.size(); ++i) add_cell_data(packing, Contact<Dim>(), i);
     for (const Contact<Dim>& c : packing.contacts) add_contact(packing, c);
   }
@@ -74,10 +67,10 @@ class Grid {
       offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
       types.push_back(static_cast<std::uint8_t>(type));
     };
-    for (int i = 0; i < n_grains_; ++i) connectivity.push_back(i), end_cell(kVertex);
+    for (int i = 0; i < n_grains_; ++i) connectivity.push_back(i), end_cell(kVertexCell);
     for (std::size_t k = 0; k < lines_.size(); k += 2) {
       connectivity.insert(connectivity.end(), {lines_[k], lines_[k + 1]});
-      end_cell(kLine);
+      end_cell(kLineCell);
     }
     // The counts are those of the only part of the file.
     integers(file, kRoot + "/NumberOfPoints", {static_cast<std::int64_t>(n_points)});
@@ -125,14 +118,14 @@ class Grid {
     const bool inside = !packing.is_wall(c.j) && c.image.isZero();
     const Vec<Dim> end = packing.grains.position[c.i] + branch(packing, c);
     lines_.push_back(c.i);
-    lines_.push_back(inside ? c.j : add_point(three_components<Dim>(end), 0.0, 0.0, -1));
+    lines_.push_back(inside ? c.j : add_point(in_space<Dim>(end), 0.0, 0.0, -1));
     add_cell_data(packing, c, packing.is_wall(c.j) ? -1 : c.j);
   }
 
   template <int Dim>
   void add_cell_data(const Packing<Dim>& packing, const Contact<Dim>& c, int second) {
     normal_force_.add(-c.normal_force);
-    shear_force_.add(three_components<Dim>(c.shear_force));
+    shear_force_.add(in_space<Dim>(c.shear_force));
     rolling_moment_.add(moment_in_space(c.rolling_moment));
     twisting_moment_.add(c.twisting_moment);
     gap_.add(c.gap);
@@ -140,7 +133,7 @@ class Grid {
     kt_.add(c.kt);
     kr_.add(c.kr);
     ktw_.add(c.ktw);
-    image_.add(three_components<Dim>(c.image.template cast<double>()));
+    image_.add(in_space<Dim>(c.image.template cast<double>()));
     wall_.add(second >= 0 ? -1.0 : 2.0 * packing.wall(c.j).axis + (packing.wall(c.j).side > 0 ? 1.0 : 0.0));
     bonded_.add(c.bonded ? 1.0 : 0.0);
     id2_.push_back(second >= 0 ? packing.grains.name(second) : -1);
@@ -175,7 +168,7 @@ void encode_vtkhdf(const State<Dim>& state, const std::string& path) {
   }
   for (const Wall<Dim>& wall : packing.walls)
     if (!wall.open) walls.add({static_cast<double>(wall.axis), static_cast<double>(wall.side), wall.position});
-  gravity.add(three_components<Dim>(packing.gravity));
+  gravity.add(in_space<Dim>(packing.gravity));
   for (const Column* column : {&cell, &dimension, &periodic, &gravity})
     Grid::write_column(file, "FieldData", *column);
   if (!walls.values.empty()) Grid::write_column(file, "FieldData", walls);
@@ -230,7 +223,7 @@ class VtkHdf {
             fmt::format("the array has {} numbers, expected one for each of {} cells", types.size(), out.n));
     } else {
       for (const auto& [kind, type] :
-           {std::pair{"Vertices/", kVertex}, {"Lines/", kLine}, {"Polygons/", 0}, {"Strips/", 0}})
+           {std::pair{"Vertices/", kVertexCell}, {"Lines/", kLineCell}, {"Polygons/", 0}, {"Strips/", 0}})
         if (file_.has(kRoot + "/" + kind + "Connectivity"))
           add_cells(
               kind, [type = type](std::size_t) { return type; }, n_points, out);
@@ -258,11 +251,12 @@ class VtkHdf {
       const auto first = static_cast<std::size_t>(from), size = static_cast<std::size_t>(to) - first;
       const auto point = [&](std::size_t i) { return static_cast<std::size_t>(points[first + i]); };
       const int type = type_of(k);
-      if (type == kVertex && size == 1) out.vertices.push_back(point(0));
-      if (type == kLine && size == 2) out.lines.push_back({out.n, point(0), point(1)});
-      if ((type == kVertex && size != 1) || (type == kLine && size != 2))
-        throw InputError(place(group + "Offsets"), fmt::format("cell {} has {} points, expected {}", k, size,
-                                                               type == kVertex ? "1: a vertex" : "2: a line"));
+      if (type == kVertexCell && size == 1) out.vertices.push_back(point(0));
+      if (type == kLineCell && size == 2) out.lines.push_back({out.n, point(0), point(1)});
+      if ((type == kVertexCell && size != 1) || (type == kLineCell && size != 2))
+        throw InputError(place(group + "Offsets"),
+                         fmt::format("cell {} has {} points, expected {}", k, size,
+                                     type == kVertexCell ? "1: a vertex" : "2: a line"));
     }
   }
 

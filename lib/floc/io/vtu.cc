@@ -17,15 +17,11 @@
 #include "floc/io/field_space.h"
 #include "floc/io/point_cloud.h"
 #include "floc/io/vtk_arrays.h"
+#include "floc/io/vtk_cells.h"
 #include "floc/packing/wall_forces.h"
 
 namespace floc {
 namespace {
-
-constexpr int kVertexCell = 1;
-constexpr int kLineCell = 3;
-constexpr int kPolygon = 7;
-constexpr int kPolyhedron = 42;
 
 /// Returns the indices of the points that are grains: the points of the VTK cells of type vertex. If the file has no such
 /// cells, the result is empty, and all points are grains.
@@ -91,13 +87,6 @@ Imported read_vtu(const std::string& path, const ImportOptions& options) {
 }
 
 namespace {
-
-template <int Dim>
-Eigen::Vector3d in_space(const Vec<Dim>& v) {
-  Eigen::Vector3d out = Eigen::Vector3d::Zero();
-  out.head<Dim>() = v;
-  return out;
-}
 
 /// One array of a VTU file: its type, name, number of components, and its numbers as ASCII text.
 struct ArrayText {
@@ -190,7 +179,7 @@ class Drawing {
     offset_ += static_cast<int>(points.size());
     offsets_.add(offset_);
     types_.add(type);
-    face_offsets_.add(type == kPolyhedron ? face_offset_ : -1);
+    face_offsets_.add(type == kPolyhedronCell ? face_offset_ : -1);
     ++n_cells_;
   }
 
@@ -208,7 +197,7 @@ class Drawing {
   void add_shape(const Grains<2>& grains, int i) {
     const std::vector<Vec<2>> points = outline(*grains.placed(i).shape);
     if (points.size() < 3) return;  // a disk
-    add_cell(kPolygon, add_placed(grains, i, points));
+    add_cell(kPolygonCell, add_placed(grains, i, points));
     add_contact_data(Contact<2>());
   }
 
@@ -222,7 +211,7 @@ class Drawing {
       add_to_faces(static_cast<int>(shape.loop(f).size()));
       for (const int vertex : shape.loop(f)) add_to_faces(indices[static_cast<std::size_t>(vertex)]);
     }
-    add_cell(kPolyhedron, indices);
+    add_cell(kPolyhedronCell, indices);
     add_contact_data(Contact<3>());
   }
 

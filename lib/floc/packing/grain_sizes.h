@@ -37,6 +37,20 @@ double largest_mass(const Grains<Dim>& grains) {
   return *std::max_element(grains.mass.begin(), grains.mass.end());
 }
 
+/// Returns the mass of all grains (mass).
+template <int Dim>
+double total_mass(const Grains<Dim>& grains) {
+  return std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0);
+}
+
+/// Returns the volume of all grains, the area of disks (length^Dim). Overlaps count twice.
+template <int Dim>
+double total_volume(const Grains<Dim>& grains) {
+  double volume = 0.0;
+  for (int i = 0; i < grains.size(); ++i) volume += grains.volume(i);
+  return volume;
+}
+
 /// Largest ratio of two diameters in a packing at which the grains count as similar in size. The search for neighbours
 /// and the force scale then use the largest diameter for all grains; above this ratio, they use the diameter of each
 /// grain.

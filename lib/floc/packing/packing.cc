@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "floc/packing/grain_sizes.h"
+
 namespace floc {
 
 template <int Dim>
@@ -56,9 +58,7 @@ void stop_grains(Packing<Dim>& packing) {
 
 template <int Dim>
 double solid_fraction(const Packing<Dim>& packing) {
-  double volume = 0.0;
-  for (int i = 0; i < packing.grains.size(); ++i) volume += packing.grains.volume(i);
-  return volume / packing.cell.volume();
+  return total_volume(packing.grains) / packing.cell.volume();
 }
 
 template <int Dim>

@@ -200,18 +200,21 @@ class PlanSearch {
     return least;
   }
 
+  /// Returns the largest ratio of the error of an observable to the wanted one.
+  double worst_over_wanted(const PricedSettings& settings, int n_grains, int n_samples) const {
+    double worst = 0.0;
+    for (const auto& [k, wanted] : wanted_)
+      worst = std::max(worst, model_.error(observables_[k], settings, n_grains, n_samples).total() / wanted);
+    return worst;
+  }
+
   /// Reports that all wanted errors cannot be had at once, with the nearest that can: the plan whose worst error over
   /// the wanted one is smallest.
   [[noreturn]] void refuse_all_wants() const {
     double nearest = kInfinity;
     for (const PricedSettings& settings : settings_)
-      for (const int n_grains : sizes_) {
-        double worst = 0.0;
-        for (const auto& [k, wanted] : wanted_)
-          worst =
-              std::max(worst, model_.error(observables_[k], settings, n_grains, kMostSamples).total() / wanted);
-        nearest = std::min(nearest, worst);
-      }
+      for (const int n_grains : sizes_)
+        nearest = std::min(nearest, worst_over_wanted(settings, n_grains, kMostSamples));
     throw InputError("--want",
                      "no settings keep all of these errors at once; the nearest that can be had are " +
                          scaled_wants(1.005 * nearest));
@@ -230,12 +233,7 @@ class PlanSearch {
     for (const PricedSettings& settings : settings_)
       for (const int n_grains : sizes_) {
         const int n_samples = samples_in_budget(settings, n_grains);
-        if (n_samples < 1) continue;
-        double worst = 0.0;
-        for (const auto& [k, wanted] : wanted_)
-          worst =
-              std::max(worst, model_.error(observables_[k], settings, n_grains, n_samples).total() / wanted);
-        nearest = std::min(nearest, worst);
+        if (n_samples >= 1) nearest = std::min(nearest, worst_over_wanted(settings, n_grains, n_samples));
       }
     throw InputError(
         "--budget " + duration_in_words(*request_.budget),

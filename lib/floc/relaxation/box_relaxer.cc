@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "floc/base/error.h"
 #include "floc/elasticity/stability.h"
@@ -62,12 +61,9 @@ CompactionProgress parsed(const std::string& text) {
 template <int Dim>
 double height_of_bed(const Packing<Dim>& packing, const Wall<Dim>& floor) {
   const Grains<Dim>& g = packing.grains;
-  double mass = 0.0, sum = 0.0;
-  for (int i = 0; i < g.size(); ++i) {
-    mass += g.mass[i];
-    sum += g.mass[i] * (g.position[i][floor.axis] - floor.position);
-  }
-  return 2.0 * sum / mass;
+  double sum = 0.0;
+  for (int i = 0; i < g.size(); ++i) sum += g.mass[i] * (g.position[i][floor.axis] - floor.position);
+  return 2.0 * sum / total_mass(g);
 }
 
 /// Returns the void ratio of a packing. A bed with a free surface counts as a homogeneous one of the same centre of mass, since
@@ -79,9 +75,7 @@ double void_ratio(const Packing<Dim>& packing) {
     const Wall<Dim>&floor = packing.walls[w], &above = packing.walls[w + 1];
     if (above.open) volume *= height_of_bed(packing, floor) / packing.cell.matrix(above.axis, above.axis);
   }
-  double solid = 0.0;
-  for (int i = 0; i < packing.grains.size(); ++i) solid += packing.grains.volume(i);
-  return volume / solid - 1.0;
+  return volume / total_volume(packing.grains) - 1.0;
 }
 
 /// Moves each open end to the surface of the grain that reaches furthest, and gives the cell the side between the ends.
@@ -103,9 +97,8 @@ void fit_open_ends(Packing<Dim>& packing) {
 template <int Dim>
 bool walls_bear_weight(const Packing<Dim>& packing) {
   if (packing.gravity.isZero(0.0)) return true;
-  const Grains<Dim>& g = packing.grains;
   const Vec<Dim> up = -packing.gravity.normalized();
-  const double weight = std::accumulate(g.mass.begin(), g.mass.end(), 0.0) * packing.gravity.norm();
+  const double weight = total_mass(packing.grains) * packing.gravity.norm();
   double borne = 0.0;
   for (const Contact<Dim>& c : packing.contacts)
     if (packing.is_wall(c.j)) borne += up.dot(c.shear_force - c.normal_force * c.normal);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 namespace floc {
@@ -10,6 +11,9 @@ enum class RigidForces {
   canonical,  ///< the balanced forces of least elastic energy, which do not depend on the history
   stepped,    ///< the forces of the last time step
 };
+
+/// Keywords of a scene for RigidForces, in their order.
+inline constexpr std::array kRigidForcesKeywords = {"closest", "canonical", "none"};
 
 /// Numerical settings of contact dynamics, the implicit time integration of rigid grains (docs/numerics.md).
 struct ContactDynamicsOptions {

@@ -171,10 +171,9 @@ RelaxationStatus Relaxer<Dim>::advance() {
     ending_ = "unloaded";
     return RelaxationStatus::gave_up;
   }
-  auto control = BoundaryControl<Dim>::imposing(
-      load_, target_,
-      options_.cell_mass * std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0),
-      strain_rate_cap(options_, packing_, target_));
+  auto control =
+      BoundaryControl<Dim>::imposing(load_, target_, options_.cell_mass * total_mass(packing_.grains),
+                                     strain_rate_cap(options_, packing_, target_));
   control.ramp = strain_ramp();
   const double pressure = std::max(target_.mean(), 0.0);
   time_step_ = time_step_of(packing_, options_.time_step, pressure);

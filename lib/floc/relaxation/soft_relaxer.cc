@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "floc/base/error.h"
 #include "floc/contact/softened_law.h"
@@ -189,9 +188,8 @@ RelaxationStatus SoftRelaxer<Dim>::restore() {
 template <int Dim>
 bool SoftRelaxer<Dim>::come_to_rest() {
   const Vec<Dim>& stress = load_.stress;
-  const double mass = std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0);
-  const auto control = BoundaryControl<Dim>::normal_stress(stress, options_.cell_mass * mass,
-                                                           strain_rate_cap(options_, packing_, stress));
+  const auto control = BoundaryControl<Dim>::normal_stress(
+      stress, options_.cell_mass * total_mass(packing_.grains), strain_rate_cap(options_, packing_, stress));
   const double pressure = std::max(stress.mean(), 0.0);
   const double time_step = std::min(time_step_of(packing_, options_.time_step, pressure),
                                     cell_time_step_of(packing_, control.mass, options_.time_step, pressure));

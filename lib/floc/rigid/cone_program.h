@@ -52,7 +52,7 @@ struct ConeProgram {
     if (softness.size() > 0) out = softness.cwiseProduct(y);
     if (block_softness.empty()) return out;
     const double* value = block_softness.data();
-    std::vector<double> given, product;  // of the rows of one block
+    std::vector<double> given, product;  // entries in the rows of one block
     for (int k = 0; k < n_blocks(); ++k) {
       const int n = first[k + 1] - first[k];
       given.clear();

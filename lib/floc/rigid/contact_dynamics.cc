@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "floc/base/error.h"
 #include "floc/geometry/frame.h"
@@ -82,7 +81,7 @@ ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<D
       settings_(settings),
       time_step_(time_step),
       last_step_(last_step > 0.0 ? last_step : time_step),
-      grain_mass_(std::accumulate(packing_.grains.mass.begin(), packing_.grains.mass.end(), 0.0)) {
+      grain_mass_(total_mass(packing_.grains)) {
   find_contacts(packing_);
 }
 

@@ -1,8 +1,6 @@
 #include "floc/rigid/separating_plates.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <limits>
 
 #include "floc/geometry/frame.h"
 #include "floc/rigid/implicit_step.h"
@@ -19,18 +17,9 @@ constexpr double kSameGap = 1e-6;
 constexpr int kSharingSweeps = 50;
 constexpr double kEvenly = 1e-3;
 
-/// Calls visit() with the vector from the centre of a grain to each vertex of its core (length).
-template <class Visit>
-void visit_vertices(const PlacedShape<3>& grain, const Visit& visit) {
-  for (int v = 0; v < std::max(1, grain.shape->n_vertices()); ++v)
-    visit(Vec<3>(grain.rotation * (grain.scale * core_vertex<3>(*grain.shape, v))));
-}
-
-/// Returns the extent of a grain from its centre along a direction (length).
-double extent(const PlacedShape<3>& grain, const Vec<3>& direction) {
-  double most = -std::numeric_limits<double>::max();
-  visit_vertices(grain, [&](const Vec<3>& arm) { most = std::max(most, arm.dot(direction)); });
-  return most + grain.rounding();
+/// Returns the extent of a grain from its centre along a unit vector (length).
+double extent_along(const PlacedShape<3>& grain, const Vec<3>& direction) {
+  return grain.scale * extent<3>(*grain.shape, grain.rotation.transpose() * direction);
 }
 
 }  // namespace
@@ -47,10 +36,10 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
       if (contacts[last].i != c.i || contacts[last].j != c.j ||
           (contacts[last].branch - c.branch).norm() > 1e-6 * c.branch.norm())
         break;
-    const int begin = static_cast<int>(contacts_.size());
     if (packing.is_wall(c.j)) {
+      const int begin = static_cast<int>(contacts_.size());
       contacts_.insert(contacts_.end(), contacts.begin() + first, contacts.begin() + last);
-      pairs_.push_back({first, last, begin, begin, begin + last - first});
+      pairs_.push_back({true, first, last, begin, begin + last - first});
       continue;
     }
     const PlacedShape<3> one = packing.grains.placed(c.i), two = packing.grains.placed(c.j);
@@ -62,13 +51,13 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
       impulse += contacts[k].impulse[0];
     }
     // The plate begins midway between both grains.
-    centre += n * (0.5 * (extent(one, n) + n.dot(c.branch) - extent(two, Vec<3>(-n))) - n.dot(centre));
+    centre += n * (0.5 * (extent_along(one, n) + n.dot(c.branch) - extent_along(two, -n)) - n.dot(centre));
     StepContact<3> with_first = c, with_second = c;
     with_first.j = with_second.i = add_plate(c, centre);
     add_vertices(one, with_first, false, centre, impulse);
     const int of_second = static_cast<int>(contacts_.size());
     add_vertices(two, with_second, true, centre, impulse);
-    pairs_.push_back({first, last, begin, of_second, static_cast<int>(contacts_.size())});
+    pairs_.push_back({false, first, last, of_second, static_cast<int>(contacts_.size())});
   }
 }
 
@@ -95,17 +84,18 @@ void SeparatingPlates::add_vertices(const PlacedShape<3>& grain, StepContact<3> 
                                     const Vec<3>& centre, double impulse) {
   const std::size_t begin = contacts_.size();
   const Vec<3> normal = pattern.frame.col(0), branch = pattern.branch;
-  visit_vertices(grain, [&](const Vec<3>& arm) {
+  for (int v = 0; v < std::max(1, grain.shape->n_vertices()); ++v) {
+    const Vec<3> arm = grain.rotation * (grain.scale * core_vertex<3>(*grain.shape, v));
     const Vec<3> from_plate = is_second ? Vec<3>(branch + arm - centre) : Vec<3>(arm - centre);
     const double gap = (is_second ? normal.dot(from_plate) : -normal.dot(from_plate)) - grain.rounding();
-    if (gap > reach_) return;
+    if (gap > reach_) continue;
     pattern.arm_i = is_second ? from_plate : arm;
     pattern.arm_j = is_second ? arm : from_plate;
     pattern.branch = pattern.arm_i - pattern.arm_j;
     pattern.bias.setZero();
     pattern.bias[0] = gap * (gap > 0.0 ? rates_.closing : rates_.opening);
     contacts_.push_back(pattern);
-  });
+  }
   for (std::size_t k = begin; k < contacts_.size(); ++k)
     contacts_[k].impulse = impulse / static_cast<double>(contacts_.size() - begin) * Vec<3>::Unit(0);
 }
@@ -166,14 +156,14 @@ bool SeparatingPlates::solve(double dt, BodyMotion<3>& bodies, std::vector<StepC
 /// Gives the impulse of a pair to those of its contacts that are closest, so that force and moment agree as far as
 /// impulses without attraction can.
 void SeparatingPlates::share_impulse(const Pair& pair, std::vector<StepContact<3>>& contacts) const {
-  if (pair.first_vertex == pair.of_second) {  // a wall
+  if (pair.has_wall) {
     for (int k = pair.first; k < pair.last; ++k)
-      contacts[k].impulse = contacts_[pair.of_second + k - pair.first].impulse;
+      contacts[k].impulse = contacts_[pair.begin + k - pair.first].impulse;
     return;
   }
   double total = 0.0;
   Vec<3> moment = Vec<3>::Zero();
-  for (int k = pair.of_second; k < pair.last_vertex; ++k) {
+  for (int k = pair.begin; k < pair.end; ++k) {
     total += contacts_[k].impulse[0];
     moment += contacts_[k].impulse[0] * contacts_[k].arm_j;
   }
@@ -186,8 +176,8 @@ void SeparatingPlates::share_impulse(const Pair& pair, std::vector<StepContact<3
   }
   // Sweeps over the contacts minimise |sum P a - moment|^2 + length^2 (sum P - total)^2 + kEvenly length^2 sum P^2, each
   // P >= 0; the total is then set exactly.
-  const Mat<3> tangential =
-      Mat<3>::Identity() - contacts[pair.first].frame.col(0) * contacts[pair.first].frame.col(0).transpose();
+  const Vec<3> normal = contacts[pair.first].frame.col(0);
+  const Mat<3> tangential = Mat<3>::Identity() - normal * normal.transpose();
   double sum = 0.0;
   Vec<3> reached = Vec<3>::Zero();
   for (int sweep = 0; sweep < kSharingSweeps; ++sweep)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "floc/packing/packing.h"
@@ -40,11 +39,11 @@ class SeparatingPlates {
   bool solve(double dt, BodyMotion<3>& bodies, std::vector<StepContact<3>>& contacts);
 
  private:
-  /// Contacts of a pair with its plate: the contacts of the step, and those with the plate.
+  /// A pair of bodies.
   struct Pair {
-    int first, last;              ///< range in the contacts of the step
-    int first_vertex, of_second;  ///< in contacts_, of the first and the second grain
-    int last_vertex;
+    bool has_wall;
+    int first, last;  ///< range of its contacts in the contacts of the step
+    int begin, end;   ///< range in contacts_, with a wall or of the second grain with its plate
   };
 
   int add_plate(const StepContact<3>& contact, const Vec<3>& centre);
@@ -58,8 +57,8 @@ class SeparatingPlates {
   std::vector<double> gaps_;
   double reach_;
   Rates rates_;
-  BodyMotion<3> motion_;                  ///< of the bodies, followed by the plates
-  std::vector<StepContact<3>> contacts_;  ///< with plates and walls
+  BodyMotion<3> motion_;                  ///< motion of the bodies, followed by the plates
+  std::vector<StepContact<3>> contacts_;  ///< contacts with plates and walls
   std::vector<Pair> pairs_;
 };
 

@@ -43,9 +43,9 @@ void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
                                   "a number from 0 to 1 (coefficient of restitution of normal impacts)"},
                                  Need::optional)
                             .value_or(options.restitution);
-  constexpr std::array kForces = {RigidForces::closest, RigidForces::canonical, RigidForces::stepped};
-  if (const auto finish = t.choice("finish", {"closest", "canonical", "none"}, Need::optional))
-    options.forces = kForces[*finish];
+  if (const auto finish =
+          t.choice("finish", {kRigidForcesKeywords.begin(), kRigidForcesKeywords.end()}, Need::optional))
+    options.forces = static_cast<RigidForces>(*finish);
   options.gap_tolerance = t.number("gap_tolerance",
                                    {[](double x) { return x > 0 && x <= 0.1; },
                                     "a number in (0, 0.1] (largest gap or overlap of a contact that carries a "

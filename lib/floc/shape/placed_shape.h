@@ -62,4 +62,11 @@ inline int lowest_vertex(const Shape<Dim>& shape, const Vec<Dim>& direction) {
   return lowest;
 }
 
+/// Returns the largest scalar product of a point of a shape with a unit vector given in the axes of the shape, at scale 1.
+template <int Dim>
+inline double extent(const Shape<Dim>& shape, const Vec<Dim>& direction) {
+  const Vec<Dim> furthest = core_vertex(shape, lowest_vertex<Dim>(shape, -direction));
+  return furthest.dot(direction) + shape.rounding;
+}
+
 }  // namespace floc

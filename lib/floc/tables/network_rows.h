@@ -69,7 +69,7 @@ struct NetworkRow {
   double stress_spread;
   BondRow bonds;
   double seconds;
-  std::optional<ContactKinds> kinds;  ///< of pairs of grains with corners; absent for round grains
+  std::optional<ContactKinds> kinds;  ///< kinds of the contacts of grains with corners; absent for round grains
   std::optional<ContactAnisotropy> anisotropy;
   ForceShape force_by_points;
   std::optional<ForceShape> force_by_pairs;  ///< absent for round grains, whose pairs have one point

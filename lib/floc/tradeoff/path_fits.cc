@@ -69,6 +69,12 @@ Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
   return values;
 }
 
+/// Returns the relative differences of values from other values.
+Fitted differences(Fitted values, const Fitted& from) {
+  for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / from[p] - 1.0;
+  return values;
+}
+
 /// Returns differences with the standard error that the jackknife gives: a mean over n samples changes by 1/(n - 1) of
 /// the deviation of a sample if this sample is left out, so that the scatter of fits with one sample left out is
 /// multiplied by n - 1.
@@ -167,22 +173,17 @@ std::array<MeanDifference, 3> compare_fits(const std::vector<const SamplePath*>&
                                            const std::vector<const SamplePath*>& paths,
                                            const PressureWindow& window) {
   return jackknife(references.size(), [&](std::optional<std::size_t> left_out) {
-    const Fitted truth = fit(curve_without(references, left_out), window);
-    Fitted values = fit(curve_without(paths, left_out), window);
-    for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / truth[p] - 1.0;
-    return values;
+    return differences(fit(curve_without(paths, left_out), window),
+                       fit(curve_without(references, left_out), window));
   });
 }
 
 std::array<MeanDifference, 3> sampling_errors_of_fits(const std::vector<const SamplePath*>& paths,
                                                       const PressureWindow& window) {
   const Fitted whole = fitted_consolidation(paths, window);
-  auto errors = jackknife(paths.size(), [&](std::optional<std::size_t> left_out) {
-    Fitted values = fit(curve_without(paths, left_out), window);
-    for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / whole[p] - 1.0;
-    return values;
+  return jackknife(paths.size(), [&](std::optional<std::size_t> left_out) {
+    return differences(fit(curve_without(paths, left_out), window), whole);
   });
-  return errors;
 }
 
 double path_value(int observable, const SamplePath& path) {

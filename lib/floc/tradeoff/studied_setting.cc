@@ -97,7 +97,7 @@ void add_finish(const Scene&, const StudiedSetting& base, Settings& list) {
 }
 
 std::string name_of(RigidForces forces) {
-  return forces == RigidForces::closest ? "closest" : forces == RigidForces::canonical ? "canonical" : "none";
+  return kRigidForcesKeywords[static_cast<std::size_t>(forces)];
 }
 
 std::string name_of(LatticeMethod method) {

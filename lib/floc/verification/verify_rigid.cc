@@ -36,31 +36,48 @@ double mean_force(const Packing<Dim>& packing) {
   return mean > 0.0 ? mean : 1.0;
 }
 
+/// Ends a criterion with what violates it.
+Criterion concluded(Criterion criterion, Violations& violations) {
+  criterion.where = violations.worst_first();
+  criterion.holds = criterion.where.empty();
+  criterion.by_value = !(criterion.value <= criterion.limit);
+  return criterion;
+}
+
+/// Compares the geometry and the type of a stored contact with those that were found.
+template <int Dim>
+void compare_contact(const Packing<Dim>& stored, const Contact<Dim>& c, const Contact<Dim>& found,
+                     Criterion& result, Violations& violations) {
+  const double error =
+      std::max({std::abs(c.gap - found.gap), (c.normal - found.normal).norm() * branch(stored, c).norm(),
+                (c.arm_i - found.arm_i).norm()});
+  result.value = std::max(*result.value, error);
+  if (!(error <= result.limit))
+    violations.add(error, fmt::format("{} by {:.2g}", pair_name(stored, c), error));
+  else if (c.type != found.type)
+    violations.add(0.0,
+                   fmt::format("{}, recorded as a contact of the type {} instead of {}", pair_name(stored, c),
+                               contact_type_name(c.type), contact_type_name(found.type)));
+}
+
+template <int Dim>
+void add_lost_contact(const Packing<Dim>& stored, const Contact<Dim>& c, Violations& violations) {
+  violations.add(std::numeric_limits<double>::infinity(),
+                 pair_name(stored, c) + ", which have no contact point there");
+}
+
 template <int Dim>
 Criterion check_rigid_geometry(const Packing<Dim>& stored, const Packing<Dim>& recomputed) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
   Violations violations;
   for (std::size_t k = 0; k < stored.contacts.size(); ++k) {
     const Contact<Dim>&c = stored.contacts[k], &r = recomputed.contacts[k];
-    if (std::isinf(r.gap)) {
-      violations.add(r.gap, pair_name(stored, c) + ", which have no contact point there");
-      continue;
-    }
-    const double error =
-        std::max({std::abs(c.gap - r.gap), (c.normal - r.normal).norm() * branch(stored, c).norm(),
-                  (c.arm_i - r.arm_i).norm()});
-    result.value = std::max(*result.value, error);
-    if (!(error <= result.limit))
-      violations.add(error, fmt::format("{} by {:.2g}", pair_name(stored, c), error));
-    else if (c.type != r.type)
-      violations.add(0.0,
-                     fmt::format("{}, recorded as a contact of the type {} instead of {}", pair_name(stored, c),
-                                 contact_type_name(c.type), contact_type_name(r.type)));
+    if (std::isinf(r.gap))
+      add_lost_contact(stored, c, violations);
+    else
+      compare_contact(stored, c, r, result, violations);
   }
-  result.where = violations.worst_first();
-  result.holds = result.where.empty();
-  result.by_value = !(result.value <= result.limit);
-  return result;
+  return concluded(result, violations);
 }
 
 /// Returns whether a list, sorted as the contacts of a packing, has a contact of this pair of bodies.
@@ -117,10 +134,7 @@ Criterion check_law(const Packing<Dim>& packing) {
       violations.add(
           0.0, fmt::format("{} have {}, which rigid contacts do not have", pair_name(packing, c), property));
   }
-  result.where = violations.worst_first();
-  result.holds = result.where.empty();
-  result.by_value = !(result.value <= result.limit);
-  return result;
+  return concluded(result, violations);
 }
 
 template <int Dim>
@@ -212,26 +226,12 @@ Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Cont
   Violations violations;
   for (const Contact<Dim>& c : stored.contacts) {
     const auto at = std::lower_bound(found.begin(), found.end(), c, precedes<Contact<Dim>>);
-    if (at == found.end() || precedes(c, *at)) {
-      violations.add(std::numeric_limits<double>::infinity(),
-                     pair_name(stored, c) + ", which have no contact point there");
-      continue;
-    }
-    const double error =
-        std::max({std::abs(c.gap - at->gap), (c.normal - at->normal).norm() * branch(stored, c).norm(),
-                  (c.arm_i - at->arm_i).norm()});
-    result.value = std::max(*result.value, error);
-    if (!(error <= result.limit))
-      violations.add(error, fmt::format("{} by {:.2g}", pair_name(stored, c), error));
-    else if (c.type != at->type)
-      violations.add(0.0,
-                     fmt::format("{}, recorded as a contact of the type {} instead of {}", pair_name(stored, c),
-                                 contact_type_name(c.type), contact_type_name(at->type)));
+    if (at == found.end() || precedes(c, *at))
+      add_lost_contact(stored, c, violations);
+    else
+      compare_contact(stored, c, *at, result, violations);
   }
-  result.where = violations.worst_first();
-  result.holds = result.where.empty();
-  result.by_value = !(result.value <= result.limit);
-  return result;
+  return concluded(result, violations);
 }
 
 /// Returns the packing of a state in motion as the beginning of a time step, with all contact points within its reach.

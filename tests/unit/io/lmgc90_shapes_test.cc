@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <numbers>
 
@@ -16,22 +15,16 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-std::string fortran_number(double x) {
-  std::string text = fmt::format("{:.16e}", x);
-  std::replace(text.begin(), text.end(), 'e', 'D');
-  return text;
-}
-
 /// Writes three numbers after keys such as "coo{}=", with the numbers of the components.
 std::string keyed(const std::string& key, const Eigen::Vector3d& v) {
   std::string text;
-  for (int a = 0; a < 3; ++a) text += " " + fmt::format(fmt::runtime(key), a + 1) + fortran_number(v[a]);
+  for (int a = 0; a < 3; ++a) text += " " + fmt::format(fmt::runtime(key), a + 1) + test::fortran_number(v[a]);
   return text + "\n";
 }
 
 std::string contactor(const Shape<2>& shape, double scale) {
   if (shape.is_round())
-    return fmt::format(" DISKx 1 color BLEUx byrd={}\n", fortran_number(scale * shape.rounding));
+    return fmt::format(" DISKx 1 color BLEUx byrd={}\n", test::fortran_number(scale * shape.rounding));
   std::string text = fmt::format(" POLYG 1 color BLEUx nb_vertex= {} byrd= 1.0D+00\n", shape.n_vertices());
   for (const Vec<2>& v : shape.vertices) text += keyed("coo{}=", scale * test::in_space<2>(v));
   return text;
@@ -39,7 +32,7 @@ std::string contactor(const Shape<2>& shape, double scale) {
 
 std::string contactor(const Shape<3>& shape, double scale) {
   if (shape.is_round())
-    return fmt::format(" SPHER 1 color BLEUx byrd={}\n", fortran_number(scale * shape.rounding));
+    return fmt::format(" SPHER 1 color BLEUx byrd={}\n", test::fortran_number(scale * shape.rounding));
   std::string faces;
   int n_faces = 0;
   for (int f = 0; f < shape.n_faces(); ++f)
@@ -67,7 +60,7 @@ void write_datbox_of_shapes(const std::string& folder, const Packing<Dim>& p) {
     if (Dim == 3) x -= moved;
     bodies += fmt::format(
         "$bdyty\n {} {}\n$blmty\n PLAIN 1 behav PLEXx avrd= {}\n{}$nodty\n NO3xx 1{}$tacty\n{}$$$$$$\n", kind,
-        id, fortran_number(mean_radius), Dim == 3 ? keyed("I{}  =", Eigen::Vector3d::Ones()) : "",
+        id, test::fortran_number(mean_radius), Dim == 3 ? keyed("I{}  =", Eigen::Vector3d::Ones()) : "",
         keyed("coo{}=", x), text);
     dof += fmt::format("$bdyty\n {} {}\n$nodty\n NO3xx 1{}", kind, id, keyed("X({})=", moved));
     if (Dim == 3)
@@ -106,8 +99,8 @@ void write_datbox_of_shapes(const std::string& folder, const Packing<Dim>& p) {
         "$icdan PLPLx 1\n cdbdy numbr\n {0} {1} POLYG 1 iqsc0 {0} {2} POLYG 1 stick\n rlt/H{3} rln/H{4} "
         "rls/H{5}\n "
         "gapTT{6}\n",
-        kind, c.i + 1, c.j + 1, fortran_number(f.dot(t)), fortran_number(f.dot(n)), fortran_number(f.dot(s)),
-        fortran_number(c.gap));
+        kind, c.i + 1, c.j + 1, test::fortran_number(f.dot(t)), test::fortran_number(f.dot(n)),
+        test::fortran_number(f.dot(s)), test::fortran_number(c.gap));
     contacts += keyed("n({})=", n);
     if (Dim == 3) contacts += keyed("t({})=", t) + keyed("s({})=", s);
     contacts += keyed("coo{}=", test::in_space<Dim>(p.grains.position[c.i] + c.arm_i));
@@ -162,10 +155,7 @@ TEST(Lmgc90Shapes, NameWhatIsWrong) {
   const auto refusal = [&](const std::string& file, const std::string& from, const std::string& to,
                            const std::string& words) {
     write_datbox_of_shapes(folder, p);
-    std::string text = test::content_of(folder + "/" + file);
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    test::write_text(folder + "/" + file, text.replace(at, from.size(), to));
+    test::change_file(folder + "/" + file, from, to);
     EXPECT_THAT([&] { test::read_packing<3>(folder); }, ThrowsMessage<InputError>(HasSubstr(words))) << from;
   };
   refusal("BODIES.DAT", "nb_vertex= ", "nb_vertex= 9", "BODIES.DAT:2: body 1 has ");

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "floc/base/error.h"
@@ -17,15 +16,9 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// A number as Fortran writes it.
-std::string fortran(double x) {
-  std::string text = fmt::format("{:.16e}", x);
-  std::replace(text.begin(), text.end(), 'e', 'D');
-  return text;
-}
-
 std::string three(const char* format, const Eigen::Vector3d& v) {
-  return fmt::format(fmt::runtime(format), fortran(v[0]), fortran(v[1]), fortran(v[2]));
+  return fmt::format(fmt::runtime(format), test::fortran_number(v[0]), test::fortran_number(v[1]),
+                     test::fortran_number(v[2]));
 }
 
 /// Writes a packing as a directory DATBOX: bodies without displacements from 1 on, bars as walls, and forces on the
@@ -41,7 +34,8 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
     bodies += fmt::format(
         "$bdyty\n {}  {}\n$blmty\n PLAIN      1  behav  PLEXx  avrd= {}  gyrd= 1.0D+00\n$nodty\n NO3xx      1"
         "                {}\n$tacty\n {}\n$$$$$$\n\n",
-        kind, id, fortran(mean_radius), three("coo1={}  coo2={}  coo3={}", x - displacement), contactor);
+        kind, id, test::fortran_number(mean_radius), three("coo1={}  coo2={}  coo3={}", x - displacement),
+        contactor);
     dof += fmt::format(
         "$bdyty\n {}  {}\n$nodty\n NO3xx      1                {}\n                V(1)= 0.0D+00\n$$$$$$\n",
         kind, id, three("X(1)={}  X(2)={}  X(3)={}", displacement));
@@ -51,7 +45,7 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
     const double mean_radius = std::pow(p.grains.mass[i] / density / Ball<Dim>{1.0}.volume(), 1.0 / Dim);
     body(i + 1, mean_radius, test::in_space<Dim>(p.grains.position[i]),
          fmt::format("{}  1  color  BLEUx  byrd= {}", Dim == 2 ? "DISKx" : "SPHER",
-                     fortran(p.grains.radius[i])));
+                     test::fortran_number(p.grains.radius[i])));
   }
   for (std::size_t w = 0; w < p.walls.size(); ++w) {
     if (p.walls[w].open) continue;
@@ -60,7 +54,7 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
     x[p.walls[w].axis] = p.walls[w].position + p.walls[w].side * half;
     x[2] = p.walls[w].axis == 0 ? 1.5707963267948966 : 0.0;  // a bar across x is turned by a right angle
     body(p.grains.size() + 1 + static_cast<int>(w), 1.0, x,
-         fmt::format("JONCx  1  color  WALLx  ax1 = 1.0D+01  ax2 = {}", fortran(half)));
+         fmt::format("JONCx  1  color  WALLx  ax1 = 1.0D+01  ax2 = {}", test::fortran_number(half)));
   }
   for (const Contact<Dim>& c : p.contacts) {
     const Eigen::Vector3d n = -test::in_space<Dim>(c.normal);
@@ -70,8 +64,8 @@ void write_datbox(const std::string& folder, const Packing<Dim>& p) {
     contacts += fmt::format(
         "$icdan  DKDKx        1\n cdbdy  numbr  cdtac  numbr\n {0} {1}  DISKx  1  iqsc0  {0} {2}  DISKx  1  "
         "stick\n rlt/H{3} rln/H{4} rls/H{5}\n gapTT{6}\n {7}\n",
-        kind, c.i + 1, c.j + 1, fortran(f.dot(t)), fortran(f.dot(n)), fortran(f.dot(s)), fortran(c.gap),
-        three("n(1)={} n(2)={} n(3)={}", n));
+        kind, c.i + 1, c.j + 1, test::fortran_number(f.dot(t)), test::fortran_number(f.dot(n)),
+        test::fortran_number(f.dot(s)), test::fortran_number(c.gap), three("n(1)={} n(2)={} n(3)={}", n));
     if (Dim == 3) contacts += three(" t(1)={} t(2)={} t(3)={}\n", t) + three(" s(1)={} s(2)={} s(3)={}\n", s);
   }
   // A pair that is near and not in contact.
@@ -124,10 +118,7 @@ TEST(Lmgc90, NamesWhatIsWrong) {
   const auto refusal = [&](const std::string& file, const std::string& from, const std::string& to,
                            const std::string& words) {
     write_datbox(folder, p);
-    std::string text = test::content_of(folder + "/" + file);
-    const std::size_t at = text.find(from);
-    ASSERT_NE(at, std::string::npos) << from;
-    test::write_text(folder + "/" + file, text.replace(at, from.size(), to));
+    test::change_file(folder + "/" + file, from, to);
     EXPECT_THAT([&] { test::read_packing<2>(folder); }, ThrowsMessage<InputError>(HasSubstr(words))) << from;
   };
   refusal("BODIES.DAT", "DISKx", "POLYG", "BODIES.DAT:9: the line has no \"nb_vertex=\"");

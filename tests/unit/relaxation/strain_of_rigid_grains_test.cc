@@ -31,18 +31,6 @@ LoadTarget<Dim> under_shear(const Packing<Dim>& packing, double strain) {
 }
 
 template <int Dim>
-State<Dim> state_of(const RigidEnd<Dim>& end, const LoadTarget<Dim>& load) {
-  State<Dim> state;
-  state.packing = end.packing;
-  state.target_side = load.side;
-  state.target_offset = load.offset;
-  state.target_stress = load.stress_with(static_stress(end.packing));
-  state.motion = end.report.motion;
-  measure(state);
-  return state;
-}
-
-template <int Dim>
 void expect_holds(const std::vector<Criterion>& criteria) {
   for (const Criterion& c : criteria)
     EXPECT_TRUE(c.holds) << c.name << " " << c.value.value_or(0.0) << " " << c.where;
@@ -60,7 +48,7 @@ void expect_sheared(const RigidGas& gas, double strain) {
   EXPECT_EQ(end.report.ending, "moving");
   EXPECT_EQ(end.packing.cell.matrix(0, 0), rest.packing.cell.matrix(0, 0));
   EXPECT_EQ(end.packing.cell.matrix(Dim - 1, 0), load.offset->offset);
-  const State<Dim> state = state_of(end, load);
+  const State<Dim> state = state_in_motion(end, load);
   expect_holds<Dim>(verify_motion(state));
   expect_same(end, relaxed_under<Dim>(load, rest.packing, rigid_options(), true));
   RelaxationOptions options = rigid_options();
@@ -142,7 +130,7 @@ TEST(StrainOfRigidGrains, RecordedForcesStopTheApproach) {
 TEST(StrainOfRigidGrains, VerificationFindsWrongForcesAndVelocities) {
   const RigidEnd<2> rest = relaxed<2>(make_rigid_gas<2>({.count = 60, .friction = 0.5}));
   const LoadTarget<2> load = under_shear(rest.packing, 0.02);
-  const State<2> state = state_of(relaxed_under<2>(load, rest.packing), load);
+  const State<2> state = state_in_motion(relaxed_under<2>(load, rest.packing), load);
   const auto fails = [](const State<2>& spoiled) {
     std::string names;
     for (const Criterion& c : verify_motion(spoiled))
@@ -179,7 +167,7 @@ void expect_held(const RigidGas& gas, RigidForces forces) {
   options.contact_dynamics.forces = forces;
   const RigidEnd<Dim> end = relaxed_under<Dim>(load, rest.packing, options);
   ASSERT_EQ(end.status, RelaxationStatus::converged) << end.reason;
-  expect_holds<Dim>(verify_rigid(state_of(end, load), default_gap_tolerance(end.packing)));
+  expect_holds<Dim>(verify_rigid(state_in_motion(end, load), default_gap_tolerance(end.packing)));
   const Mat<Dim> stress = static_stress(end.packing);
   EXPECT_NEAR(stress(Dim - 1, Dim - 1), 3.0, 1e-5);
   EXPECT_GT(stress(0, 0), 0.1);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "floc/base/vec.h"
+
+/// Parts that the formats of VTK share.
+namespace floc {
+
+/// Types of cells in files of VTK.
+inline constexpr int kVertexCell = 1, kLineCell = 3, kPolygonCell = 7, kPolyhedronCell = 42;
+
+/// Returns a vector in space, in 2D with a zero for its third component.
+template <int Dim>
+Eigen::Vector3d in_space(const Vec<Dim>& v) {
+  Eigen::Vector3d out = Eigen::Vector3d::Zero();
+  out.head<Dim>() = v;
+  return out;
+}
+
+}  // namespace floc

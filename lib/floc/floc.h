@@ -17,14 +17,14 @@
 /// 2. Verify it. floc::verify_state() recomputes from the state alone whether it is an equilibrium.
 /// 3. Compute the properties of its contact network as tables, with the columns of docs/columns.md:
 ///    floc::moduli_table(), floc::network_table(), floc::structure_table(). For a sequence of states, floc::ModuliRows
-///    can start the solution for a state from the solution for the state before. floc::elastic_moduli() returns the
+///    can use the solution for one state as the initial guess for the next state. floc::elastic_moduli() returns the
 ///    moduli themselves, with the stiffness matrix and the response.
 /// 4. Fit the consolidation law to load paths: floc::consolidation_fit() for tables and directories of runs,
 ///    floc::fit_consolidation() for points in memory.
 /// 5. Write results: floc::write_table() writes tables, floc::write_state() writes states.
 ///
 /// Errors are exceptions: floc::InputError for errors that a user can correct, whose message names the file, the place
-/// in it, the value and what was expected; floc::IoError if the operating system fails; floc::NoResult if a quantity
+/// in it, the value and the expected value; floc::IoError if the operating system fails; floc::NoResult if a quantity
 /// does not exist for the state. The library prints nothing: warnings and notes of computations go to a floc::Remarks
 /// object, if the caller passes one.
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kDigitsOfDouble = 17;  ///< number of significant digits that distinguish any two doubles
 constexpr int kDigitsKept =
-    34;  ///< digits after this number of significant digits do not change a double-double
+    34;  ///< number of significant digits beyond which further digits do not change a double-double
 constexpr int kExactPower = 22;  ///< exponent of the largest power of ten, 10^22, that is exactly a double
 
 DoubleDouble times_power_of_ten(DoubleDouble x, int exponent) {

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Returns the number in a decimal text as a double-double number: the nearest double plus a remainder. It is for
-/// calculations in which a double is not precise enough. A text with up to 17 significant digits is taken for a double
-/// that a program has printed, so that its remainder is zero.
+/// Returns the number in a decimal text as a double-double number: the nearest double plus a remainder. Calculations
+/// use it where a double is not precise enough. A text with up to 17 significant digits is taken for a printed double,
+/// so its remainder is zero.
 ///
 /// @param text  a decimal number that parse_number<double>() can read
 /// @param nearest  the double that parse_number<double>() returned for `text`

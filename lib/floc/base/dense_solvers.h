@@ -27,11 +27,12 @@ Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const E
 /// Returns the solution of a linear system with a symmetric matrix, which need not be definite.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right_side);
 
-/// Returns the vector x that minimises |columns x - y|. If several vectors do, returns the one with the smallest norm.
+/// Returns the vector x that minimises |columns x - y|. If several vectors minimise it, returns the shortest one.
 Eigen::VectorXd least_squares_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& y);
 
 /// Extends the columns of a matrix to an orthonormal basis of the whole space, and returns the first `count` vectors of
-/// this basis as the columns of a matrix. The first columns.cols() of them span the same space as `columns`.
+/// this basis as the columns of a matrix. The first columns.cols() vectors of the basis span the same space as
+/// `columns`.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns, Eigen::Index count);
 
 /// Least-squares solution x = R^-1 Q^T y of the system A x = y, and the matrix R^-1. Householder reflections factorize

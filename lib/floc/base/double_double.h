@@ -6,7 +6,7 @@ namespace floc {
 
 /// A double-double number: the unevaluated sum high + low of two doubles, where |low| is at most half a unit in the
 /// last place of `high`. Its precision is about 106 bits. It is used for differences of nearly equal numbers, where a
-/// double is not precise enough. The operators are those of Dekker (1971) and the "sloppy" ones, which are fast, of
+/// double is not precise enough. The operators are the algorithms of Dekker (1971) and the fast "sloppy" algorithms of
 /// Hida, Li and Bailey (2001).
 struct DoubleDouble {
   double high = 0.0;

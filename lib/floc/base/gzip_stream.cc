@@ -15,7 +15,7 @@ struct GzipStream::Inflater {
 
 namespace {
 
-constexpr int kGzipFormat = 16 + MAX_WBITS;  // in the words of zlib: a header of gzip, and the largest window
+constexpr int kGzipFormat = 16 + MAX_WBITS;  // zlib's argument "windowBits": gzip header, largest window
 
 }  // namespace
 
@@ -24,7 +24,8 @@ bool is_gzip(std::string_view beginning) {
 }
 
 std::string inflated_by_zlib(const std::string& place, std::string_view data, std::size_t size) {
-  // zlib compresses by a factor of at most 1032, so that a larger size is an error, for which no memory is spent.
+  // zlib compresses by a factor of at most 1032. A larger `size` is therefore an error, and no memory is allocated for
+  // it.
   constexpr std::size_t kLargestFactor = 1100;
   uLongf length = size / kLargestFactor > data.size() ? 0 : size;
   std::string bytes(length, '\0');
@@ -46,7 +47,7 @@ GzipStream::~GzipStream() {
 void GzipStream::pass(std::string_view piece, const std::function<void(std::string_view)>& take) {
   z_stream& stream = inflater_->stream;
   std::vector<char> buffer(std::size_t{1} << 16);
-  // zlib does not change its input, but takes it as not constant.
+  // The interface of zlib takes a pointer to mutable input, but zlib does not change the input.
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(piece.data()));
   stream.avail_in = static_cast<uInt>(piece.size());
   do {

@@ -15,7 +15,7 @@ bool is_gzip(std::string_view beginning);
 /// @throws InputError naming `place` if the data are damaged or have another size
 std::string inflated_by_zlib(const std::string& place, std::string_view data, std::size_t size);
 
-/// Decompresses a file in gzip's format (RFC 1952), which may consist of several members, piece by piece.
+/// Decompresses a file in gzip's format (RFC 1952) piece by piece. The file may consist of several gzip members.
 class GzipStream {
  public:
   /// @param place  name of the file, for messages

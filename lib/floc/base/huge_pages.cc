@@ -22,7 +22,7 @@ void prefer_huge_pages(void* block, std::size_t bytes) {
   const std::uintptr_t first = (start + kHugePage - 1) / kHugePage * kHugePage;
   const std::uintptr_t end = (start + bytes) / kHugePage * kHugePage;
   if (end <= first) return;
-  // The result is ignored, because the request is only advice: the program works whether or not the system follows it.
+  // The result is ignored, because the request is only advice: the program works even if the system ignores it.
   static_cast<void>(madvise(static_cast<char*>(block) + (first - start), end - first, MADV_HUGEPAGE));
 #else
   static_cast<void>(block), static_cast<void>(bytes);

@@ -12,9 +12,10 @@ namespace floc {
 /// @throws InputError with the error message of the operating system if the file is missing or cannot be read
 std::string read_file(const std::string& path);
 
-/// Returns up to `most` bytes from the beginning of a file, so that its format can be recognised without reading all of
-/// it. A file compressed by gzip is decompressed as far as needed.
-/// @param path  the file; of the standard input, "-", nothing is returned, since bytes that are read from it are lost
+/// Returns up to `most` bytes from the beginning of a file, so that its format can be recognised without reading the
+/// whole file. A file compressed by gzip is decompressed as far as needed.
+/// @param path  the file; for the standard input, "-", the result is empty, because bytes read from it cannot be read
+/// again
 /// @param most  at most 65536
 /// @throws InputError if the file is missing or cannot be read
 std::string read_beginning(const std::string& path, std::size_t most);

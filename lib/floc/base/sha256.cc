@@ -48,8 +48,8 @@ void absorb(Words& hash, const unsigned char* block) {
 
 }  // namespace
 
-/// Adds bytes to the end of the text whose hash is computed. The hash value before the first byte is that of FIPS
-/// 180-4, section 5.3.3: the first 32 bits of the fractional parts of the square roots of the first 8 primes.
+/// Adds bytes to the end of the text whose hash is computed. FIPS 180-4, section 5.3.3, defines the initial hash value:
+/// the first 32 bits of the fractional parts of the square roots of the first 8 primes.
 void Sha256::update(std::string_view bytes) {
   std::size_t held = n_bytes_ % rest_.size();
   n_bytes_ += bytes.size();

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-constexpr int kBits = 20;  // of the number of a turn
+constexpr int kBits = 20;  // number of bits that store the number of an iteration
 
 /// Number of times that a waiting thread looks for a change before it yields its core.
 constexpr int kSpins = 2000;
@@ -28,7 +28,7 @@ void SharedLoops::run(int n_threads, const std::function<void(SharedLoops& loops
   SharedLoops loops(n_threads);
   run_in_team(n_threads, [&](int thread, Barrier&) {
     if (thread != 0) return loops.help(thread);
-    // The helpers end with the program, also if it throws.
+    // The helper threads end when the program ends, even if it throws.
     struct End {
       std::atomic<bool>& ended;
       ~End() { ended.store(true, std::memory_order_release); }
@@ -43,7 +43,8 @@ void SharedLoops::for_each(int n, const std::function<void(int)>& work) {
     for (int k = 0; k < n; ++k) work(k);
     return;
   }
-  // No turn can be taken until its part is stored below: all turns of the loop before have ended.
+  // No thread can take an iteration until its part is stored below, because all iterations of the previous loop have
+  // ended.
   work_ = &work;
   remaining_.store(n, std::memory_order_relaxed);
   const std::uint64_t loop = loop_.load(std::memory_order_relaxed) + 1;
@@ -72,7 +73,7 @@ void SharedLoops::help(int thread) {
 void SharedLoops::take_turns(int thread) {
   for (int n = 0; n < n_threads_; ++n) {
     Part& part = parts_[(thread + n) % n_threads_];
-    // The loop cannot end, and its data cannot change, while a turn that was taken has not ended.
+    // The loop cannot end, and its data cannot change, while an iteration that a thread has taken has not ended.
     for (int k = take(part, n == 0); k >= 0; k = take(part, n == 0)) {
       (*work_)(k);
       remaining_.fetch_sub(1, std::memory_order_acq_rel);

@@ -7,10 +7,11 @@
 
 namespace floc {
 
-/// Short loops whose turns a team of threads shares. One thread of the team, the leader, runs a program, and the other
-/// threads, its helpers, take part in the loops of this program. Each thread has the same part of each loop, so that
-/// data stay in its cache, and then takes turns from the parts of others. Therefore the leader never waits for a helper
-/// that has not begun a turn, for example because other programs take its core: then the leader makes all turns alone.
+/// Short loops whose iterations (here "turns") are shared by a team of threads. One thread of the team, the leader,
+/// runs a program, and the other threads, its helpers, take part in the loops of this program. In each loop, a thread
+/// first takes the turns of its own part, which is the same in every loop so that data stay in its cache, and then
+/// turns from the parts of other threads. Therefore the leader never waits for a helper that has not begun a turn, for
+/// example because other programs occupy its core: the leader then makes all turns alone.
 class SharedLoops {
  public:
   /// Runs `program` in this thread, with n_threads - 1 helpers.
@@ -18,8 +19,9 @@ class SharedLoops {
   /// @throws InputError if OpenMP cannot start that many threads
   static void run(int n_threads, const std::function<void(SharedLoops& loops)>& program);
 
-  /// Calls work(k) once for each k from 0 to n - 1, in any order, in the threads of the team. Only the leader calls this
-  /// function. What it wrote before is seen by all calls of `work`, and what they wrote is seen after this function.
+  /// Calls work(k) once for each k from 0 to n - 1, in any order, in the threads of the team. Only the leader calls
+  /// this function. Every call of `work` sees all data that the leader wrote before, and the leader sees all data that
+  /// these calls wrote.
   /// @param n  at most kMostTurns
   /// @pre `work` does not throw
   void for_each(int n, const std::function<void(int)>& work);
@@ -28,7 +30,7 @@ class SharedLoops {
   static constexpr int kMostTurns = (1 << 20) - 1;
 
  private:
-  /// Turns of the part of one thread that nobody has begun: the number of the loop (24 bits), the first turn and the
+  /// Turns of one part that no thread has begun yet: the number of the loop (24 bits), the first of these turns and the
   /// one after the last (20 bits each). Each part has a cache line of its own.
   struct alignas(64) Part {
     std::atomic<std::uint64_t> turns{0};
@@ -36,9 +38,10 @@ class SharedLoops {
 
   explicit SharedLoops(int n_threads);
   void help(int thread);
-  /// Makes turns of all parts until none is left, those of the thread's own part first.
+  /// Makes turns until no part has any left, beginning with the part of this thread.
   void take_turns(int thread);
-  /// Takes the first turn of a part, or its last one if it is the part of another thread. @return -1 if there is none
+  /// Takes one turn of a part: the first turn if the part is this thread's own, otherwise the last.
+  /// @return -1 if there is none
   static int take(Part& part, bool own);
 
   int n_threads_;

@@ -5,7 +5,7 @@
 namespace floc {
 namespace {
 
-/// Lists the members of RunPoint that a checkpoint contains: calls `visit` with the name and the value of each.
+/// Calls `visit` with the name and the value of each member of RunPoint that a checkpoint contains.
 constexpr auto kMembers = [](auto& point, const auto& visit) {
   visit("step", point.step);
   visit("aggregating", point.aggregating);

@@ -14,7 +14,7 @@ namespace floc {
 ///
 /// Columns: step (number of the equilibrium), branch (name of the load stage), P (imposed pressure), time (since the
 /// beginning of the run), phi (solid fraction), n_contacts, gained and lost (contacts that closed or opened since the
-/// previous row or the beginning of the step), kept (contacts that exist since the beginning of the step).
+/// previous row or the beginning of the step), kept (contacts that have existed since the beginning of the step).
 template <int Dim>
 class ContactTracker final : public MotionTable<Dim> {
  public:

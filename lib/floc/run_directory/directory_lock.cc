@@ -27,16 +27,16 @@ std::string host_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "an unknown host";
 }
 
-/// Returns the words by which a message names the process that has the lock: its text in the lock file, or "another
-/// process" if it has not written this text yet.
+/// Returns the words by which a message names the process that holds the lock: the text that this process has written
+/// into the lock file, or "another process" if it has not written one yet.
 std::string holder(int file) {
   std::array<char, 512> text{};
   const ssize_t n = ::pread(file, text.data(), text.size() - 1, 0);
   return n > 0 ? std::string(text.data(), static_cast<std::size_t>(n)) : "another process";
 }
 
-/// Whether the path of the lock file still leads to the file that was opened. It does not if the process that had the
-/// lock has removed the file, which it does before it releases the lock.
+/// Whether the path of the lock file still leads to the file that was opened. It does not if the previous holder of the
+/// lock has removed the file, as every holder does before it releases the lock.
 bool is_current(int file, const std::string& path) {
   struct stat opened {
   }, named{};
@@ -101,8 +101,8 @@ DirectoryLock::DirectoryLock(const std::string& directory)
   struct stat held {};
   if (::stat(directory.c_str(), &held) == 0) device_ = held.st_dev, inode_ = held.st_ino;
   const std::string text = fmt::format("process {} on {}", ::getpid(), host_name());
-  // The text in the lock file is used only in messages, so it does not matter if it cannot be written. If the disk is
-  // full, saving a state reports it.
+  // The text in the lock file is used only in messages, so a failure to write it is ignored. If the disk is full,
+  // saving a state reports the error.
   if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, text.data(), text.size(), 0) < 0) return;
 }
 
@@ -116,8 +116,8 @@ DirectoryLock::~DirectoryLock() {
 bool DirectoryLock::is_held() const {
   struct stat named {};
   const bool found = ::stat(directory_.c_str(), &named) == 0;
-  // If the lock file was removed, the directory still belongs to this process. If there is another lock file in its
-  // place, the directory belongs to another process.
+  // If there is no lock file, the directory still belongs to this process. If there is another lock file in its place,
+  // the directory belongs to another process.
   return found && named.st_dev == device_ && named.st_ino == inode_ &&
          (is_current(file_, path_) || ::access(path_.c_str(), F_OK) != 0);
 }

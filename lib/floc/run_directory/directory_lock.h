@@ -22,11 +22,11 @@ class DirectoryLock {
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
   /// Whether the path of the directory still leads to the locked directory. It does not if the directory has been
-  /// renamed or removed, even if another directory has its name now.
+  /// renamed or removed, even if a new directory has been created under the old name.
   bool is_held() const;
   /// Checks that the path of the directory still leads to the locked directory. Callers do this before they write files
-  /// into it.
-  /// @throws IoError if it leads elsewhere
+  /// into the directory.
+  /// @throws IoError if the path leads elsewhere
   void require_held() const;
 
  private:
@@ -40,8 +40,8 @@ class DirectoryLock {
 /// or replace its files (overwrite).
 enum class Existing { refuse, resume, overwrite };
 
-/// Directory that belongs to this process: the constructor creates it, unless it exists, and locks it. It is for one
-/// run or for the runs of an ensemble.
+/// Directory of one run, or of the runs of an ensemble, into which only this process writes. The constructor creates
+/// the directory, unless it exists, and locks it.
 class ClaimedDirectory {
  public:
   /// @param runs  word that messages use for the content of the directory, "run" or "runs"

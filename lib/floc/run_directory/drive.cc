@@ -89,7 +89,7 @@ class Driver {
     last_checkpoint_ = Clock::now();
   }
 
-  /// Stops because the packing does not come to equilibrium. The report of the relaxation is taken before the
+  /// Stops the run because the packing does not come to equilibrium. The report of the relaxation is made before the
   /// checkpoint is written, because writing the checkpoint restarts the relaxation.
   DriveReport give_up() { return stop_with({DriveReport::gave_up, run_.report()}); }
 

@@ -16,10 +16,10 @@ struct DriveOptions {
   double checkpoint_every = 60.0;               ///< wall time between two checkpoints (s)
   int until = std::numeric_limits<int>::max();  ///< number of the last equilibrium to compute, counted from 0
   static constexpr WholeRange kUntil{.least = 0, .most = std::numeric_limits<int>::max()};
-  /// whether path.csv records the wall time of each step; if it does not, equal runs write equal files
+  /// whether path.csv records the wall time of each step; without the wall times, equal runs write equal files
   bool timing = true;
   /// Function that is called after each chunk of time steps, for example to test for a signal. If it returns true, a
-  /// checkpoint is written and the run stops. May be empty: the run then does not stop early.
+  /// checkpoint is written and the run stops. If no function is given, the run does not stop early.
   std::function<bool()> stop;
   /// Function that is called after each chunk of time steps that has not led to an equilibrium. May be empty.
   std::function<void(const Run<Dim>&)> chunk;

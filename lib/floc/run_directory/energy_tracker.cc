@@ -18,7 +18,7 @@ constexpr const char* kEnergyHeader =
 /// Number of columns of energy.csv before the terms of the energy balance: step, branch, P, time and phi.
 constexpr int kLeading = 5;
 
-/// Returns the terms of the energy balance in a row of energy.csv, from which the balance of a resumed run continues.
+/// Reads the terms of the energy balance from a row of energy.csv. The balance of a resumed run continues from them.
 EnergyTerms terms_of(const std::string& row) {
   std::istringstream fields(row);
   std::string field;
@@ -82,10 +82,9 @@ void require_energy_account(const RunOptions& options) {
         "the contacts of the scene are rigid and store no elastic energy, so the energy balance cannot be "
         "recorded; expected a scene with elastic contacts");
   if (options.relaxation.finish != Finish::dynamic)
-    throw InputError(
-        "--track-energy",
-        "Newton steps may find the equilibria of this scene without any motion whose energy could be "
-        "recorded; expected equilibrium.finish = \"dynamic\"");
+    throw InputError("--track-energy",
+                     "Newton steps may find the equilibria of this scene without any motion, so that there is "
+                     "no energy balance to record; expected equilibrium.finish = \"dynamic\"");
   for (const PlannedEquilibrium& step :
        plan_run(options.assembly, options.law, options.load, options.dimension))
     if (step.cell.applied_to(options.relaxation).softening > 1.0)
@@ -103,7 +102,7 @@ void require_energy_account(const RunOptions& options) {
                       stage.name));
   if (options.assembly.vibration && options.assembly.protocol != AssemblyOptions::Protocol::state)
     throw InputError("--track-energy",
-                     "assembly.vibration moves the grains between two equilibria as hard bodies, so the energy "
+                     "assembly.vibration displaces the grains as hard bodies, without forces, so the energy "
                      "balance cannot be recorded; expected a scene without assembly.vibration");
 }
 
@@ -111,8 +110,8 @@ template <int Dim>
 std::unique_ptr<EnergyTracker<Dim>> track_energy(Run<Dim>& run, const RunOptions& options,
                                                  const RunDirectory& directory) {
   require_energy_account(options);
-  // The contact law may change at the beginning of a step, which changes the energy. To account for this, the balance
-  // starts from the saved equilibrium before the step, which still has the old law.
+  // The contact law, and with it the energy, may change at the beginning of a step. To account for this, the balance
+  // starts from the equilibrium saved before the step, which still has the old law.
   const RunPoint& point = run.point();
   const bool at_a_state = point.step > 0 && point.equilibration.empty();
   auto tracker = std::make_unique<EnergyTracker<Dim>>(

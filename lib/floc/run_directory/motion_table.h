@@ -7,14 +7,14 @@
 
 namespace floc {
 
-/// Table in the directory of a run, to which rows are added while the packing moves. If the run is resumed, the rows up
-/// to the time from which it continues are kept.
+/// Table in the directory of a run, to which rows are added while the packing moves. A resumed run keeps the rows up to
+/// the time from which it continues.
 template <int Dim>
 class MotionTable {
  public:
   virtual ~MotionTable() = default;
 
-  /// Records the equilibrium at the end of a step, from which the next step begins.
+  /// Records the equilibrium that ends a step. The next step begins from it.
   virtual void finish_step(const Run<Dim>& run) = 0;
 
   /// Writes the table into its file, replacing the whole file. @throws IoError if the file cannot be written
@@ -31,8 +31,8 @@ class MotionTable {
   void add_row(std::string row) { rows_.push_back(std::move(row)); }
   /// Returns the first cells of a row, "step,branch,P", for the present step of a run.
   static std::string place_of(const Run<Dim>& run);
-  /// Returns the last row of the table; an empty text if there are no rows. If a run has just been resumed, this is the
-  /// last row that was kept.
+  /// Returns the last row of the table, or an empty text if there are no rows. After a run has been resumed, this is
+  /// the last row that was kept.
   std::string last_row() const { return rows_.empty() ? "" : rows_.back(); }
 
  private:

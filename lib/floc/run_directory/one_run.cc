@@ -39,7 +39,7 @@ std::optional<Origin> origin_of(const std::string& file) {
 
 void require_same_scene(const Origin& found, const Origin& expected, const std::string& file,
                         const std::string& reference) {
-  // A run may have been resumed with a longer load path.
+  // The scene of a state may differ if the run was resumed with a longer load path.
   const bool same = found.scene == expected.scene || (!found.scene.empty() && !expected.scene.empty() &&
                                                       continues_path(found.scene, expected.scene));
   if (found.dimension != expected.dimension || !same)
@@ -91,7 +91,7 @@ void require_one_run(const std::string& directory) {
     ++expected;
     const std::optional<Origin> origin = origin_of(file);
     if (!origin) continue;
-    // This check finds a state file that was renamed or copied in the directory of its own run.
+    // This check finds a state file that was renamed or copied within the directory of its own run.
     if (origin->step != step)
       throw InputError(file,
                        fmt::format("this file contains state {} of its run, but its name is that of state {}",
@@ -101,8 +101,10 @@ void require_one_run(const std::string& directory) {
       first_file = file;
     }
     if (origin->dimension != first->dimension)
-      throw InputError(file, fmt::format("this state is not in {}D like {}: expected the states of one run",
-                                         first->dimension, first_file));
+      throw InputError(
+          file,
+          fmt::format("this state has another dimension than the {}D state {}: expected the states of one run",
+                      first->dimension, first_file));
     require_same_scene(*origin, *first, file, "the states before it in the directory");
     if (origin->seed != first->seed)
       throw InputError(file, fmt::format("this state was made with seed {}, but the states before it with seed "

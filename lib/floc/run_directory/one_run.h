@@ -14,8 +14,8 @@ std::string state_file(const std::string& directory, int step);
 std::map<int, std::string> numbered_states(const std::string& directory);
 
 /// Checks that the state files in a directory belong to one run: they are numbered from 0 without a gap, the number in
-/// each name is the number recorded in the file, and all have equal seeds and scenes. Files above 16 MB are only
-/// checked by their names, because opening them takes too long.
+/// each name equals the number recorded in the file, and all states have the same seed and scene. For files above 16 MB
+/// only the names are checked, because opening these files takes too long.
 /// @throws InputError that names the first file that does not belong to the run
 void require_one_run(const std::string& directory);
 

@@ -68,7 +68,8 @@ std::vector<std::string> columns_of(int dimension, bool boxed, bool rigid) {
 
 /// Adds to a row of path.csv the stress and strain along each axis, then the quantities of a test that drives one axis:
 /// mean stress, deviator, lateral stress ratio K0, volumetric strain, mobilised friction and so on. If the load stage
-/// drives no axis, the first four of these are given for the last axis and the others are empty.
+/// drives no axis, mean stress, deviator, K0 and volumetric strain are given for the last axis, and the other cells are
+/// empty.
 template <int Dim>
 void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std::vector<TableValue>& row) {
   const Vec<Dim> stress = state.stress.diagonal();
@@ -86,7 +87,7 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
   const StageReference& turn = state.path.turn;
   const bool is_sheared = state.target_offset.has_value();
   // The shear stress is positive if it resists a positive shear strain. In a simple shear, the mobilised friction is
-  // the shear stress over the normal stress on the planes perpendicular to `turn.axis`.
+  // the ratio of the shear stress to the normal stress on the planes perpendicular to `turn.axis`.
   const double shear_stress = is_sheared ? -state.stress(0, turn.axis) : 0.0;
   const double mobilised = is_sheared ? shear_stress / stress[turn.axis] : test.mobilised;
   row.push_back(is_test ? TableValue{mobilised} : TableValue{});
@@ -98,7 +99,7 @@ void add_axes(const State<Dim>& state, const PathReference<Dim>& reference, std:
 }
 
 /// Adds to a row of path.csv the values that describe the walls. For each axis with walls, these include the pressure
-/// on its two walls, and the part of this pressure that friction on the walls parallel to the axis carries.
+/// on its two walls, and the part of this pressure that is carried by friction on the walls parallel to the axis.
 template <int Dim>
 void add_walls(const State<Dim>& state, const Coordination& c, std::vector<TableValue>& row) {
   const Packing<Dim>& packing = state.packing;

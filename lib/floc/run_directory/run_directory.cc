@@ -40,8 +40,8 @@ State<Dim> read_run_state(const std::string& file) {
                                      Dim == 2 ? 3 : 2, Dim));
 }
 
-/// Returns whether two stresses, lengths or strains are equal up to rounding. The steps of a longer stage divide its
-/// change by another number.
+/// Returns whether two stresses, lengths or strains are equal up to rounding. The steps of a stage that was lengthened
+/// have the same size up to rounding, because the change of the stage is then divided by another number of steps.
 bool same_load(double a, double b) {
   constexpr double kRounding = 1e-9;
   return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
@@ -115,12 +115,12 @@ void RunDirectory::check_longer_path(const RunOptions& options) const {
         [&](const auto& state) {
           const auto step = static_cast<std::size_t>(state.path.step);
           if (step >= plan.size() || !is_load_of(plan[step], state))
-            throw InputError(
-                file, fmt::format("step {} of the load path in the scene differs from the one that led to "
-                                  "this state: a run is continued with a longer load path only if the "
-                                  "steps that it has made stay as they are, so that the last stage keeps "
-                                  "the size of its steps",
-                                  step));
+            throw InputError(file,
+                             fmt::format("step {} of the load path in the scene differs from the step that "
+                                         "made this state: a run is continued with a longer load path only if "
+                                         "the steps already made are unchanged, so that the last stage keeps "
+                                         "the size of its steps",
+                                         step));
         },
         read_state(file));
 }

@@ -64,7 +64,8 @@ class RunDirectory {
  private:
   int count_states() const;
   void check_scene(const std::string& file, const RunOptions& options) const;
-  /// Checks that the states and the checkpoint are those of the first steps of the load path of `options`.
+  /// Checks that the states and the checkpoint in the directory agree with the first steps of the load path of
+  /// `options`.
   void check_longer_path(const RunOptions& options) const;
   template <int Dim>
   std::string row_of(const State<Dim>& state, std::optional<double> seconds);
@@ -79,8 +80,8 @@ class RunDirectory {
   int dimension_;
   bool boxed_;
   bool rigid_;
-  std::map<int, std::string> rows_;  ///< rows of path.csv, by the number of their equilibrium
-  /// sides of the cell (length) in the states that were read or saved so far, by the number of the state
+  std::map<int, std::string> rows_;  ///< rows of path.csv; the key is the number of the equilibrium
+  /// sides of the cell (length) in each state that was read or saved so far; the key is the number of the state
   std::map<int, std::vector<double>> sides_;
 };
 

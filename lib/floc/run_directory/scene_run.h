@@ -34,8 +34,8 @@ struct SceneRunOptions {
 /// @throws InputError if the scene cannot be run with these options; no file has been written then
 RunOptions checked_options(const Scene& scene, const SceneRunOptions& asked);
 
-/// Returns a message that says how many of the requested threads the run leaves unused, and why; empty if it uses all
-/// of them.
+/// Returns a message about requested threads that the run leaves unused: their number and the reason. Empty if the run
+/// uses all of them.
 std::string unused_threads(const Scene& scene, const SceneRunOptions& asked);
 
 /// A run of a scene in its directory, ready to be driven, and the table in which its motion is recorded.

@@ -22,8 +22,9 @@ namespace floc {
 namespace {
 
 /// Default tolerance of force, moment and stress in the equilibrium of a packing of another program, in the units of
-/// EquilibriumTolerance. Such packings are usually relaxed to unbalanced forces of 1e-3. In addition, the contact
-/// points of other programs differ from those of floc by up to the overlap, which leaves moments of this order.
+/// EquilibriumTolerance. Such packings are usually relaxed to unbalanced forces of 1e-3. In addition, other programs
+/// place contact points up to one overlap away from the contact points of floc, which leaves unbalanced moments of this
+/// order.
 constexpr double kForeignTolerance = 1e-3;
 
 /// Returns the tolerances of the equilibrium of an imported packing. The tolerances of force, moment and stress are
@@ -44,10 +45,9 @@ void refuse_impossible_density(const std::string& place, const Packing<Dim>& pac
   const double phi = solid_fraction(packing);
   if (phi <= 1.0) return;
   throw InputError(
-      place,
-      fmt::format("the solid fraction would be {:.4g}, expected at most 1: are the radii in fact diameters "
-                  "(--columns diameter=...), or is the cell too small or in another unit of length?",
-                  phi));
+      place, fmt::format("the solid fraction is {:.4g}: expected at most 1. Are the radii in fact diameters "
+                         "(--columns diameter=...), or is the cell too small or in another unit of length?",
+                         phi));
 }
 
 template <int Dim>
@@ -62,8 +62,8 @@ void set_target_stress(const Imported& imported, const ImportCompletion& complet
   for (int a = 0; a < Dim; ++a) state.target_stress[a] = completion.stress[a];
 }
 
-/// Adds contacts of surfaces that are closer than `gap`. Their forces are unknown and set to zero; their stiffnesses are
-/// those of the law for surfaces that just touch.
+/// Adds contacts between grains whose surfaces are closer than `gap`. The forces of these contacts are unknown and set
+/// to zero; their stiffnesses are the stiffnesses of the law for surfaces that just touch.
 template <int Dim>
 void add_touching(double gap, Packing<Dim>& packing) {
   constexpr double kCapTolerance = 1e-6;
@@ -86,7 +86,7 @@ void find_points(Packing<Dim>& packing) {
   refresh_contacts(packing);
 }
 
-/// Finds the contacts of a packing from its geometry, in addition to the bonds that it has already.
+/// Finds the contacts of a packing from its geometry. The bonds that it already has are kept.
 template <int Dim>
 void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   std::vector<Contact<Dim>> bonds = std::move(packing.contacts);
@@ -98,7 +98,7 @@ void find_missing_contacts(double touch_gap, Packing<Dim>& packing) {
   if (bonds.empty()) return;
   std::vector<Contact<Dim>> found = std::move(packing.contacts);
   packing.contacts.clear();
-  // A bond takes the place of a contact of the same two bodies.
+  // If two bodies are bonded, the bond replaces the contact found between them.
   std::set_difference(found.begin(), found.end(), bonds.begin(), bonds.end(),
                       std::back_inserter(packing.contacts), precedes<Contact<Dim>>);
   packing.contacts.insert(packing.contacts.end(), bonds.begin(), bonds.end());
@@ -130,8 +130,8 @@ std::string complete_import(const std::string& place, const Imported& imported,
     state.n_bridges_unsettled = spread_liquid(shared).n_changed();
     return "";
   }
-  return "the file does not hold the volumes of the liquid bridges; the volumes and the forces are computed by "
-         "the contact law";
+  return "the file does not contain the volumes of the liquid bridges; the volumes and the forces are computed "
+         "by the contact law";
 }
 
 template std::string complete_import(const std::string&, const Imported&, const ImportCompletion&, State<2>&);

@@ -11,12 +11,12 @@ namespace floc {
 /// Data that the user gives about a packing of another program, in addition to the file of the packing.
 struct ImportCompletion {
   std::string law_place;  ///< option that gives the contact law, for messages
-  /// Imposed stress on each axis; empty: the imposed stress in the file or, if there is none, the stress of the contact
-  /// forces.
+  /// Imposed stress on each axis. If empty, the imposed stress in the file is used or, if there is none, the stress
+  /// computed from the contact forces.
   std::vector<double> stress;
   std::string stress_place;  ///< option that gives the stress, for messages
-  /// Tolerance of the equilibrium; if absent, the default of floc or, if the file gives no imposed stress, a larger
-  /// value.
+  /// Tolerance of the equilibrium. If absent, the default of floc is used or, if the file gives no imposed stress, a
+  /// larger value.
   std::optional<double> tolerance;
   double touch_gap = 0.0;  ///< largest gap at which grains count as touching: see ImportOptions
 };
@@ -26,7 +26,7 @@ struct ImportCompletion {
 /// @param place  file or array that contains the packing, for messages
 /// @param imported  packing as it was read from its file
 /// @param state  state to complete, a copy of the state in `imported`
-/// @return a sentence for the user, which says that liquid bridges were computed; empty if there is nothing to say
+/// @return a sentence for the user that liquid bridges were computed; empty if none were
 /// @throws InputError for a law that does not apply to the dimension of the packing, a solid fraction above 1, overlaps
 /// too large for the law, or a stress with a wrong number of components
 template <int Dim>

@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Smallest difference between a listed normal force and the normal force of the law that is reported, relative to the
-/// mean normal force. Programs print six digits or more, so smaller differences can be rounding errors.
+/// Differences between a listed normal force and the normal force of the law are reported if they are larger than this
+/// fraction of the mean normal force. Programs print six digits or more, so smaller differences can be rounding errors.
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
@@ -23,19 +23,19 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
       "they pull, {} moved to the nearest image",
       listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
   if (listed.n_neighbors > 0)
-    summary.inconsistencies.push_back(fmt::format(
-        "{} of the {} contacts listed have a gap, no force and no attraction in the law: they are pairs of "
-        "neighbours that do not touch, and are left out",
-        listed.n_neighbors, listed.n_read));
-  if (listed.n_across_no_lattice > 0)
     summary.inconsistencies.push_back(
-        fmt::format("{} of the {} contacts listed cross a boundary that turns the grains: they keep the forces "
-                    "of the file and have no "
-                    "stiffness, and their normals and the balance of their second grains are not right",
-                    listed.n_across_no_lattice, listed.n_read));
+        fmt::format("{} of the {} contacts listed have a gap and no force, and the law has no attraction "
+                    "across the gap: they are left out, because the grains do not touch",
+                    listed.n_neighbors, listed.n_read));
+  if (listed.n_across_no_lattice > 0)
+    summary.inconsistencies.push_back(fmt::format(
+        "{} of the {} contacts listed cross a boundary that turns the grains: they keep the forces of the file "
+        "and have no stiffness, and their normals and the force balance of their second grains are wrong",
+        listed.n_across_no_lattice, listed.n_read));
   if (listed.n_tensile > 0)
     summary.inconsistencies.push_back(
-        fmt::format("{} of the {} contacts listed pull, and are left out", listed.n_tensile, listed.n_read));
+        fmt::format("{} of the {} contacts listed carry a tensile force, and are left out", listed.n_tensile,
+                    listed.n_read));
   if (listed.n_other_image > 0)
     summary.inconsistencies.push_back(fmt::format(
         "{} of the {} images listed contradict the positions, perhaps because the positions were moved into "
@@ -43,8 +43,8 @@ void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& 
         listed.n_other_image, listed.n_read));
 }
 
-/// Reports listed stiffnesses that differ from the stiffnesses of the law. They are no inconsistency if the stiffnesses
-/// of the law were computed as the means of the listed stiffnesses.
+/// Reports listed stiffnesses that differ from the stiffnesses of the law. The difference is not an inconsistency if
+/// the stiffnesses of the law were computed as the means of the listed stiffnesses.
 void add_stiffnesses(const Imported& imported, ConversionSummary& summary) {
   std::vector<std::string>& said = imported.law_of_contacts ? summary.lines : summary.inconsistencies;
   for (const std::string& difference : imported.listed_contacts.stiffness_differences)
@@ -79,8 +79,8 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} pairs of grains touch but are not listed (grains {})", check.n_missing, check.missing));
 }
 
-/// Reports that a packing has no contacts. The reason is usually a wrong length (radius, cell), so the message names a
-/// likely one.
+/// Reports that a packing has no contacts. The usual cause is a wrong length (radius or cell), so the message names a
+/// likely wrong length.
 template <int Dim>
 void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& summary) {
   if (!packing.contacts.empty()) return;
@@ -94,9 +94,8 @@ void add_absence_of_contacts(const Packing<Dim>& packing, ConversionSummary& sum
     const double radii = radius[nearest->i] + radius[nearest->j];
     if (nearest->gap <= kHard * radii)
       cause =
-          "simulations of hard grains end with small gaps; --touch-gap, with a length above this gap, says "
-          "that such "
-          "grains touch";
+          "simulations of hard grains end with small gaps; give --touch-gap a length above this gap to treat "
+          "such grains as touching";
     else if (std::abs(nearest->gap - radii) <= kDoubled * radii)
       cause =
           "the nearest grains would touch if their radii were twice as large: are the values read as diameters "

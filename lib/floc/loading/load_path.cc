@@ -7,13 +7,13 @@
 namespace floc {
 namespace {
 
-/// Tolerance for rounding errors when the length of a stage is divided into steps: a remainder below this fraction of a
-/// step makes no step of its own.
+/// Tolerance for rounding errors when the length of a stage is divided into steps. A remainder below this fraction of a
+/// step does not get a step of its own.
 constexpr double kRoundingPerStep = 1e-6;
 
-/// Returns n pressures, each larger or smaller by the same factor than the one before it. The pressure `from`, with
-/// which they begin, is not included; the last one is exactly `to`.
-/// @param log10_factor  decimal logarithm of the factor; the last step may be smaller
+/// Returns n pressures that form a geometric sequence. The pressure `from`, from which they start, is not included; the
+/// last one is exactly `to`.
+/// @param log10_factor  decimal logarithm of the ratio of two successive pressures; the last ratio may be closer to 1
 std::vector<double> geometric(double from, double to, double log10_factor, int n) {
   std::vector<double> pressures;
   for (int k = 1; k < n; ++k) pressures.push_back(from * std::pow(10.0, k * log10_factor));

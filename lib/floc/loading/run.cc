@@ -42,11 +42,12 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
               between_walls(saved, a) ? "walls" : "no walls", a + 1));
   for (std::size_t w = 0; w < saved.size(); ++w)
     if (saved[w].open != packing.walls[w].open)
-      throw InputError("box.boundary",
-                       fmt::format("the saved state {} at the {} end of axis {}: expected box.boundary "
-                                   "\"floor\" where the upper end alone is open, and another one elsewhere",
-                                   saved[w].open ? "is open" : "has a wall",
-                                   saved[w].side < 0 ? "lower" : "upper", saved[w].axis + 1));
+      throw InputError(
+          "box.boundary",
+          fmt::format("the saved state {} at the {} end of axis {}: expected box.boundary to be \"floor\" on "
+                      "an axis of which only the upper end is open, and not \"floor\" on other axes",
+                      saved[w].open ? "is open" : "has a wall", saved[w].side < 0 ? "lower" : "upper",
+                      saved[w].axis + 1));
   if (!packing.gravity.isZero(0.0) && box.gravity.isZero(0.0))
     throw InputError("box.gravity", "the saved state has gravity, but the scene has none: expected this key");
   packing.wall_law = wall_law(law, box);
@@ -131,11 +132,11 @@ RunPoint point_after(const State<Dim>& state, const std::string& sha256) {
   return point_after(state, state.packing.cell.matrix, sha256);
 }
 
-/// Returns the root mean square speed V0 of the grains at the start of the assembly: V0 = agitation * V*, where
-/// `agitation` is an option of the assembly and V* = sqrt(F0 D0/m), with the pull-off force F0, the range D0 of the
+/// Returns the root mean square speed V0 of the grains at the start of the assembly. V0 = agitation * V*, where
+/// `agitation` is an option of the assembly and V* = sqrt(F0 D0/m) with the pull-off force F0, the range D0 of the
 /// adhesion and the mass m of the largest grain (docs/physics.md, "Assembly and loading"). If no adhesion acts across a
-/// gap, V* = sqrt(P a^Dim/m), with the first pressure P and the largest diameter a: the kinetic energy of a grain is
-/// then comparable to the work of the pressure on it.
+/// gap, V* = sqrt(P a^Dim/m) with the first pressure P and the largest diameter a: the kinetic energy of a grain is
+/// then comparable to the work that the pressure does on it.
 template <int Dim>
 double Run<Dim>::agitation_speed() const {
   const Grains<Dim>& g = packing().grains;
@@ -160,8 +161,8 @@ void Run<Dim>::take_packing_back() {
   equilibrator_.reset();
 }
 
-/// Starts the step to the present equilibrium; if the plan of the run has a vibration before it, the packing is
-/// vibrated first.
+/// Starts the step to the present equilibrium. If the plan of the run has a vibration before this equilibrium, the
+/// packing is vibrated first.
 /// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::shake_and_start_step() {
@@ -174,9 +175,9 @@ void Run<Dim>::shake_and_start_step() {
   start_step();
 }
 
-/// Prepares a step of a stage that loads its axes differently. At the first step of the stage, records the last saved
-/// state as the state from which the strains of the stage are measured. In a simple shear, replaces the lattice vectors
-/// before each step by equivalent ones that are tilted less.
+/// Prepares a step of a stage that imposes different loads on its axes. At the first step of the stage, records the
+/// last saved state, from which the strains of the stage are measured. In a simple shear, replaces the lattice vectors
+/// before each step by equivalent vectors that are tilted less.
 /// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::begin_stage() {
@@ -244,7 +245,7 @@ void Run<Dim>::start_step() {
   begin_stage();
   if (packing_.law != target().law) {
     // The new contact law changes the contact forces. They are computed here, because the relaxation begins by
-    // comparing the stress that they cause with the imposed one.
+    // comparing the stress of these forces with the imposed stress.
     packing_.law = target().law;
     if (options_.assembly.box) packing_.wall_law = wall_law(packing_.law, *options_.assembly.box);
     refresh_contacts(packing_);
@@ -262,7 +263,7 @@ void Run<Dim>::set_observer(MotionObserver<Dim> observer) {
 }
 
 /// Passes the observer on to the object that moves the packing (aggregation_ or equilibrator_). That object counts time
-/// from the beginning of the present chunk or step, so the time of the run before it is added.
+/// from the beginning of the present chunk or step, so the earlier time of the run is added.
 template <int Dim>
 void Run<Dim>::pass_observer() {
   if (!observer_.callback || finished()) return;
@@ -333,8 +334,9 @@ State<Dim> Run<Dim>::release_state() {
   return state;
 }
 
-/// Takes the packing back and continues the present step. The object that moves the packing is made anew: between two
-/// chunks of time steps, point_ and the packing determine everything that follows.
+/// Takes the packing back and continues the present step. The object that moves the packing is constructed anew. This
+/// changes no results, because between two chunks of time steps point_ and the packing determine everything that
+/// follows.
 template <int Dim>
 void Run<Dim>::restore_packing(Packing<Dim> packing) {
   packing_ = std::move(packing);
@@ -342,7 +344,7 @@ void Run<Dim>::restore_packing(Packing<Dim> packing) {
 }
 
 /// Returns the present state without its packing. During a relaxation, the stress, the residuals and the number of
-/// negative stiffness eigenvalues are copied from equilibrator_, which has computed them already.
+/// negative eigenvalues of the stiffness matrix are copied from equilibrator_, which has already computed them.
 template <int Dim>
 State<Dim> Run<Dim>::state_without_packing() const {
   State<Dim> state;

@@ -16,11 +16,11 @@ namespace floc {
 /// Point that a run has reached between two chunks of time steps. Together with the options of the run and its packing,
 /// it determines how the run continues. Checkpoints store it.
 struct RunPoint {
-  int step = 0;  ///< number of the step: of the equilibrium that is being computed, from 0
+  int step = 0;  ///< number of the equilibrium that is being computed, from 0
   /// whether moving grains are still being aggregated into one cluster (protocol "aggregation")
   bool aggregating = false;
   bool shaken = false;  ///< whether the packing has already been vibrated before this step
-  /// how far the relaxation of this step has come, as text; empty when the step begins
+  /// progress of the relaxation in this step, as text; empty when the step begins
   std::string equilibration;
   double equilibration_time = 0.0;       ///< simulated time since this step began (time unit of the scene)
   std::int64_t equilibration_steps = 0;  ///< number of time steps since this step began
@@ -33,7 +33,7 @@ struct RunPoint {
   std::vector<double> last_sides, last_stress;
   /// offset of the lattice vector that a simple shear tilts, at the beginning of this step (length)
   double last_offset = 0.0;
-  /// stage of this step, with the sides and stresses at its start; empty if the stage loads all axes equally
+  /// load stage of this step, with the sides and stresses at its start; empty if the stage loads all axes equally
   StageReference turn;
 };
 
@@ -43,8 +43,8 @@ struct RunPoint {
 template <int Dim>
 RunPoint point_after(const State<Dim>& state, const std::string& sha256);
 
-/// Returns the stress that a state bears, imposed or carried, for messages: "P = 1" or, where the load path drives one
-/// axis, "P = 1 (mean), 2 (driven)".
+/// Returns the stress of a state as text for messages: "P = 1" or, if the load path drives one axis, "P = 1 (mean), 2
+/// (driven)". It is the imposed stress or, on an axis whose length is imposed, the stress that the packing carries.
 template <int Dim>
 std::string imposed_pressure_text(const State<Dim>& state);
 
@@ -63,7 +63,8 @@ class Run {
   /// Starts a run from its beginning.
   /// @throws InputError if the options are invalid
   explicit Run(RunOptions options);
-  /// Continues a run from a point that it has reached before. A checkpoint or point_after() gives this point.
+  /// Continues a run from a point that it has reached before. The point is read from a checkpoint or made by
+  /// point_after().
   /// @param packing  packing of the run at this point
   Run(RunOptions options, RunPoint point, Packing<Dim> packing);
 
@@ -81,8 +82,8 @@ class Run {
   /// Returns the present state of the run, with a copy of its packing. If advance() has just returned
   /// RunEvent::equilibrium, this state is the equilibrium.
   State<Dim> state() const;
-  /// Returns the present state of the run, and moves the packing into it. Before this object is used again,
-  /// restore_packing() must give the packing back.
+  /// Returns the present state of the run, and moves the packing into it. The packing must be given back by
+  /// restore_packing() before this object is used again.
   State<Dim> release_state();
   void restore_packing(Packing<Dim> packing);
   /// Starts the step to the next equilibrium. The caller has saved the last one.
@@ -95,7 +96,7 @@ class Run {
   /// Returns the mean over all axes of the imposed stress (force/length^(Dim-1)). For an axis on which a length is
   /// imposed, the mean contains the stress that the packing carries there.
   double pressure() const;
-  /// Returns the stress under which the packing moves, for messages, as imposed_pressure_text() of its state does.
+  /// Returns the stress under which the packing moves as text for messages, in the form of imposed_pressure_text().
   std::string pressure_text() const;
   /// Returns a report on how far the packing is from equilibrium under the present load.
   RelaxationReport report() const;
@@ -115,8 +116,8 @@ class Run {
   RunOptions options_;
   std::vector<PlannedEquilibrium> plan_;
   RunPoint point_;
-  /// Packing of the run. It is empty while aggregation_ or equilibrator_ holds the packing, so that memory holds it
-  /// only once.
+  /// Packing of the run. While aggregation_ or equilibrator_ holds the packing, this member is empty, so that the
+  /// packing is in memory only once.
   Packing<Dim> packing_;
   std::unique_ptr<Aggregation<Dim>> aggregation_;
   std::unique_ptr<Equilibrator<Dim>> equilibrator_;

@@ -15,7 +15,7 @@ namespace {
 /// Adds to the plan the steps of a stage that imposes different loads on its axes, or that starts from different
 /// stresses on its axes.
 /// @param from  stress on each axis before the stage, as far as it is known
-/// @param step  equilibrium with the properties that all steps of the stage share
+/// @param step  equilibrium with the values that are equal in all steps of the stage
 void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibrium step,
                std::vector<PlannedEquilibrium>& plan) {
   step.control = stage.is_isotropic() ? "isotropic" : stage.control;
@@ -34,7 +34,7 @@ void plan_axes(const KnownStress& from, const LoadStage& stage, PlannedEquilibri
 }
 
 /// Checks that a stage has one load for each axis of the scene, and that the axis that it drives exists. Later code
-/// uses the numbers of axes as indices without checking them.
+/// uses axis numbers as indices without checking them.
 void check_axes(const LoadStage& stage, int dimension) {
   if (stage.is_isotropic()) return;
   if (std::ssize(stage.axes) != dimension)
@@ -47,7 +47,7 @@ void check_axes(const LoadStage& stage, int dimension) {
                                          stage.name, stage.axis + 1, dimension));
 }
 
-/// Whether an equilibrium is impossible because its load is zero on an axis and no adhesion holds the grains together.
+/// Whether an equilibrium is impossible because the load on an axis is zero and no adhesion holds the grains together.
 bool has_nothing_to_hold_it(const PlannedEquilibrium& e) {
   if (e.law.adheres()) return false;
   if (e.is_isotropic()) return e.pressure == 0.0;

@@ -15,7 +15,7 @@ struct PlannedEquilibrium {
   std::string branch;  ///< "assembly", or the name of the stage of the load path
   double pressure;     ///< pressure on every axis (stress unit of the scene); unused if `axes` is not empty
   Law law;             ///< contact law at this equilibrium; stages of the load path may have changed it before
-  /// mass of the periodic cell and caps on its strain rate, where they differ from the options of the run
+  /// mass of the periodic cell and caps on its strain rate; a value that is not given is that of the options of the run
   CellResponse cell;
   /// vibration of the packing before it is brought to this equilibrium, if there is one
   std::optional<Vibration> vibration;
@@ -35,13 +35,14 @@ struct PlannedEquilibrium {
 KnownStress first_stress(const AssemblyOptions& assembly, int dimension);
 
 /// Returns all equilibria that a run will make, in order:
-/// 1. those of the assembly: one at the first pressure, preceded by one at zero pressure if the grains are aggregated.
-/// If the assembly has a friction coefficient of its own, it replaces that of the contact law.
-/// 2. every step of every stage of the load path. If a stage ends at equal stresses on all axes but starts from
-/// different ones, its steps have a load for each axis.
+/// 1. the equilibria of the assembly: one at the first pressure, preceded by one at zero pressure if the grains are
+/// aggregated.
+/// If the assembly has a friction coefficient of its own, this coefficient replaces that of the contact law.
+/// 2. the equilibrium of every step of every stage of the load path. If a stage ends at equal stresses on all axes but
+/// starts from different stresses, each of its steps has a load for each axis.
 ///
-/// A saved packing that keeps its stresses (SavedStart::kept) has these in the equilibrium of the assembly, whose control
-/// is "axes".
+/// If a saved packing keeps its stresses (SavedStart::kept), the equilibrium of the assembly has these stresses, and
+/// its control is "axes".
 ///
 /// A vibration acts on the saved packing from which the run starts. If the run starts from a gas instead, the vibration
 /// acts on the last equilibrium of the assembly, and one more equilibrium at the same pressure follows it.
@@ -52,8 +53,8 @@ KnownStress first_stress(const AssemblyOptions& assembly, int dimension);
 std::vector<PlannedEquilibrium> plan_run(const AssemblyOptions& assembly, const Law& law,
                                          const std::vector<LoadStage>& load, int dimension);
 
-/// Returns a pointer to the parameter of a contact law that a scene gives under this key, or null if the law has no
-/// such parameter.
+/// Returns a pointer to the parameter of a contact law that a key of a scene sets, or null if the law has no such
+/// parameter.
 /// @param key  path of the key below the table [contact], e.g. "adhesion.force"
 double* law_number(LawParameters& law, const std::string& key);
 

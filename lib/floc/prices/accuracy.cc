@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Errors scale with the stiffness, so the measured errors apply only to scenes whose stiffness number differs at most
-/// by this factor from that of the scene with which they were measured.
+/// Errors scale with the stiffness. The measured errors are therefore used only for scenes whose stiffness number
+/// differs by at most this factor from that of the scene on which they were measured.
 constexpr double kStiffnessRange = 10.0;
 
-/// Keys of the table [accuracy] of a scene, each with the observables for which it stands: names in the column
+/// Keys of the table [accuracy] of a scene, and the observables that each key stands for, by their names in the column
 /// "observable" of a table of prices.
 const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"phi", {"phi"}},
@@ -28,8 +28,8 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kKeys = {
     {"alpha", {"alpha"}},
     {"Phi_max", {"Phi_max"}}};
 
-/// Names, in a table of prices, of the mass of the cell and of the cap on its strain rate. Their values are
-/// factors of the default values, for example "10 times".
+/// Names of two parameters in a table of prices: the mass of the cell and the cap on its strain rate. Their values are
+/// multiples of the default values, for example "10 times".
 constexpr const char* kMassOfCell = "cell_mass";
 constexpr const char* kCapOfCell = "strain_rate_cap";
 
@@ -37,8 +37,8 @@ bool is_of_cell(const std::string& parameter) {
   return parameter == kMassOfCell || parameter == kCapOfCell;
 }
 
-/// Whether a parameter of a table of prices is one that a scene can give for more accuracy: settings of elastic grains,
-/// then those of rigid grains.
+/// Whether a parameter in a table of prices is one that a scene can change to gain accuracy. The list contains the
+/// settings of elastic grains, then the settings of rigid grains.
 bool is_settable(const std::string& parameter) {
   static const std::vector<std::string> kSettable = {"strict",    "scene",           "finish",
                                                      "tolerance", "time_step",       "patience",
@@ -47,7 +47,7 @@ bool is_settable(const std::string& parameter) {
 }
 
 /// Returns settings from a table of prices, the cheapest first.
-/// @param is_wanted  whether a parameter, given by its name, is wanted
+/// @param is_wanted  function that returns whether a parameter, given by its name, is to be included
 std::vector<PricedSettings> candidates_of(const PriceTable& table, bool (*is_wanted)(const std::string&)) {
   std::vector<PricedSettings> candidates;
   for (const PriceRow& row : table.rows) {
@@ -66,7 +66,7 @@ std::vector<PricedSettings> candidates_of(const PriceTable& table, bool (*is_wan
   return candidates;
 }
 
-/// Returns the smallest relative error of an observable that settings guarantee; infinite if their error was not
+/// Returns the relative error of an observable that settings are guaranteed not to exceed; infinite if it was not
 /// measured.
 double guaranteed_error(const PricedSettings& candidate, const std::string& observable) {
   const auto found = candidate.of.find(observable);
@@ -77,8 +77,8 @@ double guaranteed_error(const PricedSettings& candidate, const std::string& obse
   return std::isfinite(scatter) ? difference + scatter : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the factor of a setting of the cell, for example 10 for the value "10 times"; NaN if the value contains no
-/// number.
+/// Returns the multiple of the default value that a row about the cell was measured with, for example 10 for the value
+/// "10 times"; NaN if the value contains no number.
 double factor_of(const PricedSettings& of_cell) {
   return parse_number<double>(of_cell.value.substr(0, of_cell.value.find(' ')))
       .value_or(std::numeric_limits<double>::quiet_NaN());
@@ -92,11 +92,12 @@ bool is_default(double factor) {
   return std::abs(factor - 1.0) <= kRoundingOfFactors;
 }
 
-/// Returns the measured setting of the cell that covers a factor of a scene: its own factor lies on the same side of 1,
-/// is at least as far from 1, and is the closest of these. Returns null if no setting covers the factor.
+/// Returns the measured setting of the cell that covers a factor of a scene. A measured factor covers it if it lies on
+/// the same side of 1 and is at least as far from 1; of these, the closest to 1 is returned. Returns null if there is
+/// none.
 /// @param of_cell  measured settings of the mass of the cell and of the cap on its strain rate
 /// @param parameter  quantity that the factor multiplies: "cell_mass" or "strain_rate_cap"
-/// @param factor  value in the scene over the default value
+/// @param factor  value in the scene divided by the default value
 const PricedSettings* nearest_beyond(const std::vector<PricedSettings>& of_cell, const std::string& parameter,
                                      double factor) {
   const auto distance = [&](double f) { return factor > 1.0 ? std::log(f) : -std::log(f); };
@@ -109,7 +110,7 @@ const PricedSettings* nearest_beyond(const std::vector<PricedSettings>& of_cell,
   return nearest;
 }
 
-/// Returns the observables of a key of [accuracy] that a table of prices has.
+/// Returns the observables that a key of [accuracy] stands for and that a table of prices contains.
 std::vector<std::string> priced_observables(const PriceTable& table, const std::string& key) {
   std::vector<std::string> found;
   for (const std::string& observable : observables_of(key))
@@ -119,7 +120,7 @@ std::vector<std::string> priced_observables(const PriceTable& table, const std::
   return found;
 }
 
-/// Choice of settings from a table of prices, for the requested errors and the cell of one scene.
+/// Chooses settings from a table of prices, for the requested errors and the cell of one scene.
 class AccuracyChooser {
  public:
   AccuracyChooser(const PriceTable& table, const WantedAccuracy& wanted, const std::vector<CellFactors>& cells)
@@ -155,8 +156,8 @@ class AccuracyChooser {
     return table_.is_shipped ? "table of measured errors shipped with floc" : table_.name();
   }
 
-  /// Returns the relative error that settings guarantee for all observables of a wish, including the errors that the
-  /// cell causes; infinite if the table has none of them.
+  /// Returns the relative error that settings guarantee for all observables of a request, including the errors that the
+  /// cell causes; infinite if the table has none of the observables.
   double guaranteed_error_of(const PricedSettings& candidate, const Wish& wish) const {
     if (wish.observables.empty()) return std::numeric_limits<double>::infinity();
     double least = 0.0;
@@ -168,7 +169,7 @@ class AccuracyChooser {
     return least;
   }
 
-  /// Returns why no settings keep a requested error; empty if some do.
+  /// Returns the reason why no settings keep a requested error; empty if some settings do.
   std::string reason_against(const Wish& wish) const {
     double floor = std::numeric_limits<double>::infinity();
     for (const PricedSettings& c : candidates_)
@@ -176,10 +177,9 @@ class AccuracyChooser {
     if (!std::isfinite(floor))
       return fmt::format("the {} has no error of this quantity; leave out the key", errors_table());
     if (wish.error >= floor) return "";
-    return fmt::format(
-        "expected at least {:.2g}, which is the smallest error in the {} for this quantity{}", floor,
-        table_.name(),
-        additions_.empty() ? "" : " with the mass and the strain rate of the cell that the scene gives");
+    return fmt::format("expected at least {:.2g}, which is the smallest error in the {} for this quantity{}",
+                       floor, table_.name(),
+                       additions_.empty() ? "" : " for the mass and the strain rate of the cell in the scene");
   }
 
   std::string errors_of(const PricedSettings& setting) const {
@@ -190,7 +190,7 @@ class AccuracyChooser {
         std::string text = observable;
         if (std::isfinite(row.error)) text += fmt::format(" {:.1e} in 95 % of the states", row.error);
         if (std::isfinite(row.mean_error))
-          text += fmt::format("{} {:+.1e} +- {:.1e} in means over samples after a collapse",
+          text += fmt::format("{} {:+.1e} +- {:.1e} in the means over samples of the states after a collapse",
                               std::isfinite(row.error) ? "," : "", row.mean_difference, row.mean_error);
         errors.push_back(text);
       }
@@ -204,7 +204,7 @@ class AccuracyChooser {
         "strictest settings. Measured errors: {}",
         finish_name(s.finish), s.time_step, s.tolerance, s.patience, chosen.cost_ratio, errors_of(chosen));
     for (const PricedSettings& addition : additions_)
-      reason += fmt::format(". Added to these are the errors measured with {} at {} its default value: {}",
+      reason += fmt::format(". The total also includes the errors measured with {} at {} its default value: {}",
                             addition.parameter, addition.value, errors_of(addition));
     return reason;
   }

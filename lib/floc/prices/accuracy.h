@@ -10,71 +10,75 @@
 namespace floc {
 
 /// Mass of the periodic cell, and cap on its strain rate, during the assembly or one stage of the load path. Both are
-/// divided by the default values for the scene (cell_defaults.h), with which tables of prices are measured.
+/// divided by the default values for the scene (cell_defaults.h). Tables of prices are measured with these default
+/// values.
 struct CellFactors {
   double mass = 1.0, rate_cap = 1.0;
 };
 
-/// Requested accuracy: for each key of the table [accuracy] of a scene ("phi", "z", "moduli", "reuss", "forces",
-/// "lambda", "alpha", "Phi_max"), the largest accepted relative error of the observables for which the key stands.
+/// Requested accuracy: a list of keys of the table [accuracy] of a scene ("phi", "z", "moduli", "reuss", "forces",
+/// "lambda", "alpha", "Phi_max"), each with the largest accepted relative error of the observables that the key stands
+/// for.
 using WantedAccuracy = std::vector<std::pair<std::string, double>>;
 
 /// Returns all keys with which a scene can request an accuracy.
 std::vector<std::string> accuracy_keys();
 
-/// Returns the names of the observables for which a key of [accuracy] stands, as they are in tables of prices.
+/// Returns the names of the observables that a key of [accuracy] stands for, as they are written in tables of prices.
 /// @param key  one of accuracy_keys()
 const std::vector<std::string>& observables_of(const std::string& key);
 
-/// Numerical settings from a table of prices, with the rows about them: one for each observable.
+/// Numerical settings from a table of prices, with the rows of the table that describe them, one row for each
+/// observable.
 struct PricedSettings {
   std::string parameter, value;
   NumericalSettings settings;
-  double cost_ratio;                          ///< processor time over that of the strictest settings
+  double cost_ratio;                          ///< ratio of the processor time to that of the strictest settings
   double core_seconds;                        ///< processor time of a sample (s)
-  std::map<std::string, const PriceRow*> of;  ///< rows of the table, by the names of the observables
+  std::map<std::string, const PriceRow*> of;  ///< rows of the table; the key is the name of the observable
 
   bool is_reference() const { return parameter == "strict"; }
   std::string name() const { return parameter + " " + value; }
 };
 
-/// Returns the numerical settings in a table of prices that a scene can have, the cheapest first. Rows about other
-/// parameters are left out: they change the physics, the number of grains, the cell, or the analysis of the states.
+/// Returns the numerical settings in a table of prices that can be written into a scene, the cheapest first. Rows about
+/// other parameters are left out, because these parameters change the physics, the number of grains, the cell, or the
+/// analysis of the states.
 std::vector<PricedSettings> settable_prices(const PriceTable& table);
 
-/// Returns the settings in a table of prices that cover the cells of a scene: for the mass and for the cap on the strain
-/// rate, where they differ from the default, the nearest factor that is at least as far from 1 as that of the scene.
-/// Their errors add to those of all numerical settings.
+/// Returns the rows of a table of prices that cover the cells of a scene. For each factor of the mass and of the cap on
+/// the strain rate that differs from 1, this is the row with the nearest factor that is at least as far from 1. The
+/// errors in these rows are added to the errors of the numerical settings.
 std::vector<PricedSettings> cell_prices(const PriceTable& table, const std::vector<CellFactors>& cells);
 
-/// Returns the bound of the relative error of a mean over states that the choice of settings causes: the error of 95 %
-/// of single states, or the difference of the means from the strictest settings as far as it exceeds the half width of
-/// its 95 % interval, whichever is larger. NaN if neither was measured.
+/// Returns an upper bound of the relative error, caused by the settings, of a mean over states. It is the larger of two
+/// numbers: the error that 95 % of single states do not exceed, and the amount by which the difference of the mean from
+/// that of the strictest settings exceeds the half width of its 95 % confidence interval. NaN if neither was measured.
 double settings_error(const PricedSettings& settings, const std::string& observable);
 
-/// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested ones, or the
-/// reason why there are none.
+/// Result of choose_accuracy(): the cheapest numerical settings whose errors do not exceed the requested errors, or the
+/// reason why there are no such settings.
 struct AccuracyChoice {
-  /// key whose requested error no settings keep; empty if settings were chosen
+  /// key of [accuracy] whose requested error no settings achieve; empty if settings were chosen
   std::string refused_key;
-  std::string failure_reason;  ///< reason why no settings were chosen; empty if some were
+  std::string failure_reason;  ///< reason why no settings were chosen; empty if settings were chosen
   std::string name;            ///< name and value of the parameter that was varied, e.g. "time_step 0.2"
   NumericalSettings settings;
-  std::string reason;  ///< cost and measured errors of the chosen settings, in words
+  std::string reason;  ///< sentence with the cost and the measured errors of the chosen settings
 
   bool found() const { return failure_reason.empty(); }
 };
 
 /// Chooses the cheapest numerical settings in a table of measured errors that keep the requested errors. Every
-/// observable of a requested key must satisfy:
-/// 1. If single states were compared, their error is at most the requested one, and the difference of the means over
-/// samples does not exceed it by more than the sampling error (half width of the 95 % confidence interval).
-/// 2. For a quantity fitted to a whole path, of which there are only means, the difference of the means plus its
+/// observable of a requested key must satisfy one of these conditions:
+/// 1. If single states were compared: their error is at most the requested error, and the difference of the means over
+/// samples exceeds the requested error by at most the sampling error (half width of the 95 % confidence interval).
+/// 2. If only means were compared, because the quantity is fitted to a whole path: the difference of the means plus its
 /// sampling error is at most the requested error.
 ///
-/// A requested error below all measured ones is refused, because the error of the reference run itself is unknown. If
+/// A requested error below all measured errors is refused, because the error of the reference run itself is unknown. If
 /// the mass or the strain rate of the cell differs from its default, the errors that were measured for such a cell are
-/// added to those of all settings.
+/// added to the errors of all settings.
 /// @param wanted  requested errors, at least one; each key is from accuracy_keys(), each error is positive
 /// @param cells  mass of the cell and cap on its strain rate in the assembly and in each stage of the load path
 /// @pre covers_cell(table, cell) is true for each of `cells`
@@ -82,12 +86,12 @@ struct AccuracyChoice {
                                              const std::vector<CellFactors>& cells = {});
 
 /// Whether the table of errors was measured on grains whose stiffness number differs from `kappa` by at most a factor
-/// of ten. Errors scale with the stiffness.
+/// of ten. Beyond this factor the errors do not apply, because they scale with the stiffness.
 /// @param kappa  stiffness number a K_N/F0 of the scene (largest diameter a, normal stiffness K_N, pull-off force F0)
 bool covers_stiffness(const PriceTable& table, double kappa);
 
 /// Whether the table contains errors measured with a mass of the cell, and with a cap on its strain rate, that differ
-/// from the defaults in the same direction as those of `cell`, and at least as much.
+/// from the defaults in the same direction as the values of `cell`, and by at least the same factor.
 bool covers_cell(const PriceTable& table, const CellFactors& cell);
 
 }  // namespace floc

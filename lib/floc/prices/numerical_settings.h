@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Returns the keyword that a scene gives for a method of finding equilibria: "auto", "dynamic" or "static".
+/// Returns the keyword of a scene for a method of finding equilibria: "auto", "dynamic" or "static".
 constexpr const char* finish_name(Finish finish) {
   return finish == Finish::automatic ? "auto" : finish == Finish::dynamic ? "dynamic" : "static";
 }
@@ -21,9 +21,9 @@ struct NumericalSettings {
   Finish finish = Finish::automatic;
   double patience = 1.0;
 
-  /// Returns the tolerance of the kinetic energy, below which motion counts as stopped. It is proportional to
-  /// `tolerance`, but not below 5e-8, its value at a tolerance of 1e-5: the motion that remains is removed afterwards,
-  /// so a stricter tolerance is not needed.
+  /// Returns the tolerance of the kinetic energy: below it, the packing counts as at rest. It is proportional to
+  /// `tolerance`, but at least 5e-8, its value for tolerance = 1e-5. A stricter value is not needed, because the
+  /// remaining motion is removed afterwards.
   double energy() const { return 5e-3 * std::max(tolerance, 1e-5); }
 
   /// Writes these settings into the options of a relaxation.
@@ -34,7 +34,8 @@ struct NumericalSettings {
     options.patience = patience;
   }
 
-  /// Returns the settings that the options of a relaxation contain; `tolerance` is their tolerance of forces.
+  /// Returns the settings that the options of a relaxation contain. `tolerance` is set to the force tolerance of the
+  /// options.
   static NumericalSettings of(const RelaxationOptions& options) {
     return {options.tolerance.force, options.time_step, options.finish, options.patience};
   }

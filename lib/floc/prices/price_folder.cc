@@ -14,14 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Places of the folder of tables, relative to a folder above the program: as installed, and in the build tree.
+/// Possible paths of the folder of tables, relative to a folder above the program: in an installation, and in the build
+/// tree.
 constexpr const char* kPlaces[] = {"share/floc/tables/tradeoff", "apps/share/floc/tables/tradeoff"};
 
-/// Number of folders above the program, or above the library, that are searched. A Python package lies four folders
-/// below the prefix: lib/python3/dist-packages/floc.
+/// Number of parent folders of the program or library that are searched. A Python package lies four folders below the
+/// installation prefix: lib/python3/dist-packages/floc.
 constexpr int kFoldersAbove = 5;
 
-/// Returns the program, and the file that contains this code: the program or, in Python, a module.
+/// Returns the path of the running program, and that of the file that contains this code: the program or, in Python, a
+/// module.
 std::vector<fs::path> binaries() {
   std::vector<fs::path> found;
   std::error_code failed;
@@ -32,7 +34,7 @@ std::vector<fs::path> binaries() {
   return found;
 }
 
-/// Whether a file is a table of prices: a csv file whose first column is that of `floc tradeoff`.
+/// Whether a file is a table of prices: a csv file whose first column has the name that `floc tradeoff` writes.
 bool is_price_table(const fs::path& file) {
   if (file.extension() != ".csv") return false;
   std::ifstream in(file);
@@ -51,9 +53,8 @@ std::string price_folder() {
   }
   throw InputError(
       "share/floc/tables/tradeoff",
-      "this folder, with the tables of the errors and costs of numerical settings, is in no folder "
-      "above the program: install floc again, or give a table that floc tradeoff has written "
-      "(--prices FILE)");
+      "the folder with the tables of errors and costs of numerical settings was not found in any folder above "
+      "the program: install floc again, or give a table that floc tradeoff has written (--prices FILE)");
 }
 
 std::vector<std::string> priced_kinds() {
@@ -71,7 +72,7 @@ std::optional<PriceTable> shipped_prices(const std::string& kind) {
   table.is_shipped = true;
   if (table.kind != kind)
     throw InputError(file.string(),
-                     "this table is about scenes of the kind " + table.kind + ": expected " + kind);
+                     "this table describes scenes of the kind " + table.kind + ": expected " + kind);
   return table;
 }
 

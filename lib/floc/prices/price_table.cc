@@ -14,7 +14,7 @@
 namespace floc {
 namespace {
 
-/// Columns that the tables of every version of floc have.
+/// Columns that every version of `floc tradeoff` writes.
 const std::vector<std::string> kColumns = {
     "knob",   "value",    "observable",        "cost_ratio",       "tolerance",       "time_step",
     "finish", "patience", "error_before_high", "error_after_high", "mean_difference", "mean_error95",
@@ -82,7 +82,7 @@ PriceRow row_of(const Cells& cells) {
   row.n_grains = cells.count("n_grains");
   row.n_samples = cells.count("n_samples");
   row.n_states = cells.count("n_states");
-  // Tables of older versions have the numbers of compared states of all samples instead.
+  // Older tables give the total number of compared states of all samples instead.
   if (row.n_states == 0 && row.n_samples > 0)
     row.n_states = (cells.count("n_before") + cells.count("n_after")) / row.n_samples;
   row.kappa = cells.number("kappa");
@@ -121,11 +121,10 @@ PriceTable read_price_table(const std::string& csv, const std::string& place) {
     const Cells one(cells, row);
     const std::string kind = cells.has("kind") ? one.text("kind") : kOldestKind;
     if (row > 0 && kind != table.kind)
-      throw InputError(
-          cells.place(row),
-          fmt::format("the value of column kind is {}: expected {}, as in the rows before, because a "
-                      "table is about scenes of one kind",
-                      kind, table.kind));
+      throw InputError(cells.place(row),
+                       fmt::format("the value of column kind is {}: expected {}, as in the rows before, "
+                                   "because a table describes scenes of one kind",
+                                   kind, table.kind));
     table.kind = kind;
     table.rows.push_back(row_of(one));
   }

@@ -8,61 +8,63 @@
 
 namespace floc {
 
-/// Price of one numerical setting: what it costs, and the error of one observable (such as the solid fraction) with it.
-/// One row of the table that `floc tradeoff` writes. Errors are relative. A number that the table does not have is NaN.
+/// Price of one numerical setting: its cost, and the error that it causes in one observable (such as the solid
+/// fraction). This is one row of the table that `floc tradeoff` writes. Errors are relative. A number that the table
+/// does not contain is NaN.
 struct PriceRow {
   /// name and value of the parameter that was varied, e.g. "time_step" and "0.2"
   std::string parameter, value;
   NumericalSettings settings;
   std::string observable;
-  std::string unit;     ///< unit of the observable; empty if the table does not say it
-  double cost_ratio;    ///< processor time over that of the run with the strictest settings
+  std::string unit;     ///< unit of the observable; empty if the table has no units
+  double cost_ratio;    ///< ratio of the processor time to that of the run with the strictest settings
   double core_seconds;  ///< processor time of a sample (s)
-  double memory_mb;     ///< largest memory of a run beside the program (MB)
+  double memory_mb;     ///< largest memory of a run, without the memory of the program itself (MB)
   double error;         ///< upper limit of the errors of 95 % of the states; NaN if no states were compared
-  /// Difference of the observable from the run with the strictest settings, as a mean over samples and over the states
+  /// Relative difference of the observable from its value in the run with the strictest settings, as a mean over samples and over the states
   /// after a collapse (a sudden rearrangement of grains); NaN if no means were compared.
   double mean_difference;
   double mean_stderr;  ///< standard error of mean_difference
   double mean_error;   ///< half width of the 95 % confidence interval of mean_difference
-  /// Standard deviation between samples of the mean over states, or of the fit to a path, over the mean.
+  /// Standard deviation between samples divided by the mean; of the mean over states, or of a parameter fitted to a
+  /// path.
   double sample_scatter;
-  int n_grains;   ///< number of grains of a sample; 0 if the table does not say it
-  int n_samples;  ///< number of samples; 0 if the table does not say it
-  int n_states;   ///< number of states (equilibria) of a sample; 0 if the table does not say it
-  /// stiffness number of the scene with which the price was measured: a K_N/F0 for cohesive grains (largest diameter a,
+  int n_grains;   ///< number of grains of a sample; 0 if the table does not contain it
+  int n_samples;  ///< number of samples; 0 if the table does not contain it
+  int n_states;   ///< number of states (equilibria) of a sample; 0 if the table does not contain it
+  /// stiffness number a K_N/F0 of the scene on which the price was measured, for cohesive grains (largest diameter a,
   /// normal stiffness K_N, pull-off force F0)
   double kappa;
 };
 
 /// Prices of numerical settings for one kind of scenes (floc/scene/scene_kind.h).
 struct PriceTable {
-  std::string place;  ///< name of its file
+  std::string place;  ///< name of the file of the table
   bool is_shipped = false;
   std::string kind;
   std::vector<PriceRow> rows;
 
-  /// Returns the words by which messages name the table: "table shipped with floc" or "table FILE".
+  /// Returns the name of the table for messages: "table shipped with floc" or "table FILE".
   std::string name() const { return is_shipped ? "table shipped with floc" : "table " + place; }
-  /// Returns the row about an observable with a parameter at a value; null if there is none.
+  /// Returns the row for an observable with a parameter at a value; null if there is none.
   const PriceRow* find(const std::string& parameter, const std::string& value,
                        const std::string& observable) const;
   /// Returns the names of the observables of the table, each once, in the order of the table.
   std::vector<std::string> observables() const;
 };
 
-/// Kind of scenes for which a table without the column "kind" was measured.
+/// Kind of scenes that a table without the column "kind" describes.
 inline constexpr const char* kOldestKind = "disks-cohesive";
 
 /// Reads a table that `floc tradeoff` has written in CSV format. Its columns are found by their names.
 /// @param csv  text of the table
 /// @param place  name of the table, for messages
-/// @throws InputError if a column is missing that every version of `floc tradeoff` writes, a value is not a number, or
-/// rows are of several kinds
+/// @throws InputError if a column is missing that every version of `floc tradeoff` writes, if a value is not a number,
+/// or if the rows describe scenes of several kinds
 PriceTable read_price_table(const std::string& csv, const std::string& place);
 
-/// Returns the folder with the tables KIND.csv that are shipped with the program. It is found from the place of the
-/// program, or of the library in which this code is: share/floc/tables/tradeoff in one of the folders above it.
+/// Returns the folder of the tables KIND.csv that are shipped with the program: share/floc/tables/tradeoff in one of
+/// the folders above the program, or above the library that contains this code.
 /// @throws InputError if there is no such folder
 std::string price_folder();
 

@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Unit of durations, with the words that stand for it. The first word is the one that is printed.
+/// Unit of durations, with the words that denote it. The first word is the one that is printed.
 struct DurationUnit {
   double seconds;
   std::vector<std::string> words;
@@ -39,7 +39,7 @@ std::optional<double> seconds_of(const std::string& word) {
 }  // namespace
 
 double duration_of(const std::string& name, const std::string& text) {
-  // An "e" before a digit or a sign belongs to a number such as 1e3.
+  // An "e" followed by a digit or a sign is part of a number such as 1e3.
   std::size_t end = text.find_first_not_of("+-.0123456789");
   if (end != std::string::npos && (text[end] == 'e' || text[end] == 'E'))
     end = text.find_first_not_of("+-.0123456789", end + 1);

@@ -6,11 +6,12 @@ namespace floc {
 
 /// Returns the duration (s) that a text such as "90 s", "30min", "2h", "1.5 d" or "3 years" gives. A number without a
 /// unit is in seconds.
-/// @param name  option that has the text, for messages
+/// @param name  option whose value is the text, for messages
 /// @throws InputError if the text is not a positive number with one of these units
 double duration_of(const std::string& name, const std::string& text);
 
-/// Returns a duration in the largest of the units s, min, h, d and y in which it is at least 1, for example "2.5 h".
+/// Returns a duration as text, such as "2.5 h", in the largest of the units s, min, h, d and y in which it is at least
+/// 1.
 std::string duration_in_words(double seconds);
 
 }  // namespace floc

@@ -15,11 +15,12 @@
 namespace floc {
 namespace {
 
-/// Numbers of samples of the larger and of the smaller size. The scatter follows from the larger ones.
+/// Numbers of samples of the larger and of the smaller size. The scatter is measured on the larger samples.
 constexpr int kSamples = 6, kSmallSamples = 3;
-/// Number of grains of the larger samples, of disks and of spheres, unless the scene has fewer.
+/// Numbers of grains of the larger samples, of disks and of spheres. A scene with fewer grains has larger samples with
+/// its own number of grains.
 constexpr int kDisks = 200, kSpheres = 150;
-/// Limits of the exponent of the processor time. A few small samples tell it only roughly.
+/// Limits of the exponent of the processor time. A few small samples determine it only roughly.
 constexpr double kLeastExponent = 1.1, kLargestExponent = 1.5;
 
 std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples, const Deadline& deadline,
@@ -33,11 +34,11 @@ std::vector<SamplePath> samples(const Scene& scene, int n_grains, int n_samples,
     if (path.out_of_time)
       throw InputError("--pilot",
                        fmt::format("the samples of {} grains are not complete within {} of processor time: "
-                                   "expected a larger budget, or a shorter load path",
+                                   "give a larger --budget, or a shorter load path",
                                    n_grains, duration_in_words(limit)));
     if (!path.whole())
       throw NoResult(
-          fmt::format("--pilot: a sample of {} grains has no equilibrium: {}", n_grains, path.failure));
+          fmt::format("--pilot: a sample of {} grains did not reach equilibrium: {}", n_grains, path.failure));
     path.drop_packings();
     paths.push_back(std::move(path));
   }
@@ -69,10 +70,9 @@ std::vector<ObservablePrice> scatter_between(const Scene& scene, const std::vect
 
 PilotResult run_pilot(const Scene& scene, double limit) {
   if (scene.starts_from_state())
-    throw InputError(
-        "assembly.protocol = \"state\"",
-        "a plan needs samples with any number of grains, which requires a gas in place of a saved state: "
-        "expected \"direct\" or \"aggregation\"");
+    throw InputError("assembly.protocol = \"state\"",
+                     "a plan chooses the number of grains, so the samples must be made from a gas and not from "
+                     "a saved state: expected \"direct\" or \"aggregation\"");
   const bool is_listed = scene.grains.diameter.kind == DiameterDistribution::Kind::list;
   const int n_large =
       is_listed ? scene.grains.count : std::min(scene.grains.count, scene.dimension == 2 ? kDisks : kSpheres);

@@ -5,10 +5,11 @@
 namespace floc {
 
 /// Runs a few small samples of a scene with its own settings, and measures the processor time and the scatter between
-/// samples. They have two sizes, from which the growth of the processor time with the number of grains follows. The
-/// error that the settings cause is not measured.
+/// samples. The samples have two sizes, from which the growth of the processor time with the number of grains follows.
+/// The error that the settings cause is not measured.
 /// @param limit  processor time that the pilot may take (s)
-/// @throws InputError if the scene has no samples with other numbers of grains (it starts from a saved state), or if a sample is not complete within the limit
+/// @throws InputError if the scene starts from a saved state, so that its number of grains cannot be changed, or if a
+/// sample is not complete within the limit
 /// @throws NoResult if a sample does not converge
 PilotResult run_pilot(const Scene& scene, double limit);
 

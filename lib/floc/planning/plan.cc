@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Factor by which a budget may be exceeded because of rounding errors.
+/// Factor by which costs may exceed a budget because of rounding errors.
 constexpr double kRounding = 1.0 + 1e-12;
 
 /// Ratio of two successive numbers of grains among which a plan is chosen.
@@ -38,7 +38,7 @@ std::vector<ObservablePrice> chosen_observables(const PriceModel& model, const P
   return chosen.empty() ? model.observables() : chosen;
 }
 
-/// Search for the best plans of a request.
+/// Search for the best plans that fulfil a request.
 class PlanSearch {
  public:
   PlanSearch(const PriceModel& model, const PlanRequest& request)
@@ -56,8 +56,8 @@ class PlanSearch {
     if (observables_.empty())
       throw InputError(
           "floc plan",
-          "the table of prices has fewer than two samples, so that it does not tell the scatter between "
-          "them: expected a table of more samples (--prices FILE), or --pilot, which measures it");
+          "the table of prices has fewer than two samples, so it does not contain the scatter between samples: "
+          "expected a table of more samples (--prices FILE), or --pilot, which measures the scatter");
     if (!wanted_.empty()) require_reachable();
     std::vector<ScoredPlan> found = plans_of_settings(kLeastSamples);
     if (found.empty()) found = plans_of_settings(1);
@@ -73,10 +73,10 @@ class PlanSearch {
   }
 
  private:
-  /// A plan with the number by which plans are compared: the smallest is the best.
+  /// A plan and its score, by which plans are compared: the plan with the smallest score is the best.
   using ScoredPlan = std::pair<double, Plan>;
 
-  /// Returns the best plan of each settings, where there is one.
+  /// Returns the best plan for each group of numerical settings that has a plan.
   std::vector<ScoredPlan> plans_of_settings(int least_samples) const {
     std::vector<ScoredPlan> found;
     for (const PricedSettings& settings : settings_) {
@@ -94,7 +94,7 @@ class PlanSearch {
         observables_.begin());
   }
 
-  /// Removes observables that no settings have a price of, unless they are wanted.
+  /// Removes observables whose error is not known for any settings. Observables that the user has named are kept.
   void drop_unpriced() {
     if (!wanted_.empty() || !request_.observables.empty()) return;
     std::erase_if(observables_, [&](const ObservablePrice& o) {
@@ -114,7 +114,8 @@ class PlanSearch {
     return sum / static_cast<double>(plan.errors.size());
   }
 
-  /// Returns the largest number of samples of a number of grains that fits into the budget; 0 if none does.
+  /// Returns the largest number of samples, of `n_grains` grains each, that fits into the budget; 0 if not even one
+  /// does.
   int samples_in_budget(const PricedSettings& settings, int n_grains) const {
     if (!request_.budget) return kMostSamples;
     const double rounds = std::floor(kRounding * *request_.budget / model_.core_seconds(settings, n_grains));
@@ -133,7 +134,7 @@ class PlanSearch {
     return best;
   }
 
-  /// Returns the smallest number of samples that keeps all wanted errors; 0 if no number does.
+  /// Returns the smallest number of samples with which all requested errors are kept; 0 if there is no such number.
   int samples_for_wants(const PricedSettings& settings, int n_grains) const {
     double needed = 1.0;
     for (const auto& [k, wanted] : wanted_) {
@@ -155,7 +156,8 @@ class PlanSearch {
     return best;
   }
 
-  /// Returns the smallest error of an observable that any settings and numbers leave.
+  /// Returns the smallest error of an observable that can be reached with any settings, numbers of grains and numbers
+  /// of samples.
   double least_error(std::size_t k) const {
     double least = kInfinity;
     for (const PricedSettings& settings : settings_)
@@ -164,19 +166,20 @@ class PlanSearch {
     return least;
   }
 
-  /// @throws InputError naming each wanted error that is below what can be had by itself
+  /// Checks that each requested error can be reached if the other requested errors are ignored.
+  /// @throws InputError that names the requested errors that are too small
   void require_reachable() const {
     std::vector<std::string> problems;
     for (const auto& [k, wanted] : wanted_)
       if (const double least = least_error(k); !std::isfinite(least))
         problems.push_back(
-            fmt::format("{0}={1:g}: the table has no error of {0} that numerical settings cause; "
-                        "leave it out",
+            fmt::format("{0}={1:g}: the table does not contain the error of {0} that numerical settings cause; "
+                        "leave {0} out",
                         observables_[k].name, wanted));
       else if (wanted < least)
         problems.push_back(
-            fmt::format("{}={:g}: expected at least {:.2g}, the smallest error that any settings leave "
-                        "with up to {} grains and {} samples",
+            fmt::format("{}={:g}: expected at least {:.2g}, the smallest error that any settings reach with up "
+                        "to {} grains and {} samples",
                         observables_[k].name, wanted, least * 1.005, sizes_.back(), kMostSamples));
     if (!problems.empty()) throw InputError("--want", fmt::format("{}", fmt::join(problems, "; ")));
   }
@@ -187,9 +190,11 @@ class PlanSearch {
     throw InputError(
         "--budget " + duration_in_words(*request_.budget),
         std::isfinite(least)
-            ? fmt::format("a single sample of the smallest size, {} grains, takes {}: expected at least that",
-                          sizes_.front(), duration_in_words(1.005 * least))
-            : "no settings have a price for all of these quantities: expected fewer of them (--observables)");
+            ? fmt::format(
+                  "a single sample of the smallest size, {} grains, takes {}: expected at least this budget",
+                  sizes_.front(), duration_in_words(1.005 * least))
+            : "the table of prices has no settings with errors of all these quantities: expected fewer "
+              "quantities (--observables)");
   }
 
   double cheapest_sample() const {
@@ -200,7 +205,7 @@ class PlanSearch {
     return least;
   }
 
-  /// Returns the largest ratio of the error of an observable to the wanted one.
+  /// Returns the largest ratio of the error of an observable to its requested error.
   double worst_over_wanted(const PricedSettings& settings, int n_grains, int n_samples) const {
     double worst = 0.0;
     for (const auto& [k, wanted] : wanted_)
@@ -208,16 +213,16 @@ class PlanSearch {
     return worst;
   }
 
-  /// Reports that all wanted errors cannot be had at once, with the nearest that can: the plan whose worst error over
-  /// the wanted one is smallest.
+  /// Reports that the requested errors cannot all be reached at once. The message names the nearest errors that can be
+  /// reached: those of the plan for which the largest ratio of an error to its requested error is smallest.
   [[noreturn]] void refuse_all_wants() const {
     double nearest = kInfinity;
     for (const PricedSettings& settings : settings_)
       for (const int n_grains : sizes_)
         nearest = std::min(nearest, worst_over_wanted(settings, n_grains, kMostSamples));
-    throw InputError("--want",
-                     "no settings keep all of these errors at once; the nearest that can be had are " +
-                         scaled_wants(1.005 * nearest));
+    throw InputError(
+        "--want", "no settings keep all of these errors at once; the nearest errors that can be reached are " +
+                      scaled_wants(1.005 * nearest));
   }
 
   std::string scaled_wants(double factor) const {
@@ -227,7 +232,8 @@ class PlanSearch {
     return fmt::format("{}", fmt::join(nearest, ","));
   }
 
-  /// Reports that the wanted errors take more than the budget, with the nearest errors that it allows.
+  /// Reports that the requested errors cost more than the budget. The message names the nearest errors that the budget
+  /// allows.
   [[noreturn]] void refuse_budget(const Plan& least) const {
     double nearest = kInfinity;
     for (const PricedSettings& settings : settings_)
@@ -237,11 +243,12 @@ class PlanSearch {
       }
     throw InputError(
         "--budget " + duration_in_words(*request_.budget),
-        fmt::format("the wanted errors take {} on {} core{}: expected at least that{}",
+        fmt::format("the requested errors take {} on {} core{}: expected at least this budget{}",
                     duration_in_words(least.wall_seconds), request_.cores, request_.cores == 1 ? "" : "s",
-                    std::isfinite(nearest) ? ", or larger errors; the nearest that the budget allows are " +
-                                                 scaled_wants(1.005 * nearest)
-                                           : ""));
+                    std::isfinite(nearest)
+                        ? ", or larger errors; the nearest errors that the budget allows are " +
+                              scaled_wants(1.005 * nearest)
+                        : ""));
   }
 
   const PriceModel& model_;
@@ -249,7 +256,7 @@ class PlanSearch {
   std::vector<ObservablePrice> observables_;
   std::vector<int> sizes_;
   std::vector<PricedSettings> settings_;
-  std::vector<std::pair<std::size_t, double>> wanted_;  ///< index of an observable, and its wanted error
+  std::vector<std::pair<std::size_t, double>> wanted_;  ///< index of an observable, and its requested error
 };
 
 }  // namespace
@@ -302,13 +309,12 @@ std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::stri
     std::erase_if(meant,
                   [&](const auto& m) { return std::find(names.begin(), names.end(), m) == names.end(); });
     if (meant.empty())
-      throw InputError("--want " + text,
-                       fmt::format("{} is not a quantity of this scene with a price: expected one of "
-                                   "{}; the nearest is {}",
-                                   name, fmt::join(names, ", "), nearest_name(name, names)));
+      throw InputError("--want " + text, fmt::format("{} is not a quantity of this scene whose error is in the "
+                                                     "table of prices: expected one of {}; the nearest is {}",
+                                                     name, fmt::join(names, ", "), nearest_name(name, names)));
     for (const std::string& m : meant) {
       if (std::any_of(wants.begin(), wants.end(), [&](const auto& w) { return w.first == m; }))
-        throw InputError("--want " + text, m + " is wanted twice: expected each quantity once");
+        throw InputError("--want " + text, m + " is requested twice: expected each quantity once");
       wants.emplace_back(m, *error);
     }
   }

@@ -10,60 +10,62 @@
 
 namespace floc {
 
-/// Wishes of a user for a scene: errors that are wanted, or the time that may be spent.
+/// Request of a user for a scene: the relative errors that the results may have, or the time that may be spent.
 struct PlanRequest {
-  std::optional<double> budget;  ///< wall time (s) on `cores` cores; absent: as much as the wanted errors take
+  std::optional<double> budget;  ///< wall time (s) on `cores` cores; if absent, the time is not limited
   int cores = 1;
-  /// Names of observables with the largest accepted relative error of each.
+  /// Names of observables, each with its largest accepted relative error.
   std::vector<std::pair<std::string, double>> wants;
-  /// Names of the observables whose errors count where no errors are wanted; empty: all.
+  /// Names of the observables whose errors are minimised if `wants` is empty; if this list is empty too, all
+  /// observables.
   std::vector<std::string> observables;
 
   static constexpr WholeRange kCores{.least = 1, .most = 1024};
 };
 
-/// Numbers of grains and of samples with numerical settings: what they cost, and the errors that they leave.
+/// Number of grains, number of samples and numerical settings, with their cost and the errors that remain.
 struct Plan {
   PricedSettings settings;
   int n_grains = 0, n_samples = 0;
   double core_seconds = 0.0;        ///< processor time of all samples (s)
   double wall_seconds = 0.0;        ///< wall time of all samples on the cores of the request (s)
-  double memory_mb = 0.0;           ///< largest memory of the samples that run at the same time (MB)
-  std::vector<PricedError> errors;  ///< one for each of PlanChoice::observables
+  double memory_mb = 0.0;           ///< largest memory of all samples that run at the same time (MB)
+  std::vector<PricedError> errors;  ///< error of each of PlanChoice::observables
 };
 
-/// The best plans for a request, the best first, each with other settings.
+/// Best plans for a request, the best first. Each plan has other numerical settings.
 struct PlanChoice {
   std::vector<ObservablePrice> observables;
   std::vector<Plan> plans;
 };
 
-/// Smallest and largest number of samples of a plan. Fewer would not tell how large the scatter between them is; a plan
-/// has fewer only if its budget does not allow this number with the smallest samples.
+/// Smallest and largest number of samples of a plan. With fewer than four samples, the scatter between them is not
+/// known well enough; a plan has fewer only if four of the smallest samples exceed the budget.
 inline constexpr int kLeastSamples = 4, kMostSamples = 10'000;
 
-/// Returns the error that a plan with these numbers leaves, and its cost.
+/// Returns the plan with the given numbers and settings, with its cost and its errors.
 /// @param observables  observables of the model whose errors are given
 Plan plan_of(const PriceModel& model, const std::vector<ObservablePrice>& observables,
              const PricedSettings& settings, int n_grains, int n_samples, int cores);
 
-/// Returns the numbers of grains among which choose_plans() chooses, in ascending order: from the least to the most of
-/// the model, each at most about a tenth larger than the one before.
+/// Returns the numbers of grains among which choose_plans() chooses, in ascending order: from the smallest to the
+/// largest number of the model, each about a tenth larger than the one before.
 std::vector<int> numbers_of_grains(const PriceModel& model);
 
 /// Chooses the number of grains, the number of samples and the settings.
-/// 1. Where errors are wanted, the plans are those that keep all of them at the smallest processor time.
-/// 2. Otherwise they are those whose errors are smallest within the budget: the mean of the logarithms of the errors of
-/// the observables is smallest, so that each observable counts alike, whatever its scale.
+/// 1. If errors are requested, a plan must keep all of them, and the plan with the smallest processor time is the best.
+/// 2. Otherwise a plan must fit into the budget, and the plan with the smallest mean of the logarithms of the errors of
+/// the observables is the best. With logarithms, the scale of an observable does not matter.
 /// @param n_plans  largest number of plans
-/// @throws InputError if the model lacks an observable, if a wanted error is below what can be had, if the wanted errors
-/// do not fit into the budget, or if the budget is below one sample; the message names the nearest that can be had
+/// @throws InputError if the model lacks an observable, if a requested error is smaller than any plan can reach, if the
+/// requested errors do not fit into the budget, or if the budget is below the cost of one sample; the message names the
+/// nearest values that are possible
 PlanChoice choose_plans(const PriceModel& model, const PlanRequest& request, int n_plans);
 
-/// Returns the errors that a text such as "phi=0.003,B=0.03" wants: names of observables, or keys of [accuracy], which
-/// stand for several.
+/// Returns the requested errors in texts such as "phi=0.003,B=0.03". A name in a text is an observable or a key of
+/// [accuracy], which stands for several observables.
 /// @param names  names of all observables of the scene
-/// @throws InputError if a part is not of this form, its name is none of them, or its error is not positive
+/// @throws InputError if a text does not have this form, a name is unknown, or an error is not positive
 std::vector<std::pair<std::string, double>> wants_of(const std::vector<std::string>& texts,
                                                      const std::vector<std::string>& names);
 

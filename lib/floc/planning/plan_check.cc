@@ -18,14 +18,15 @@
 namespace floc {
 namespace {
 
-/// Returns a table of the library in the form in which it is read from a file.
+/// Returns a table of the library as the table that a reader of its CSV file gets.
 CsvTable as_csv(const Table& table, const std::string& place) {
   std::stringstream text;
   write_table(text, table, TableFormat::csv);
   return CsvTable::parse(place, text);
 }
 
-/// Returns the mean over states of a column for each sample that has one. The key is the seed.
+/// Returns, for each sample with values in a column, the mean of the column over the states of the sample. The key is
+/// the seed of the sample.
 std::map<std::string, double> means_of_samples(const CsvTable& runs, const std::string& column) {
   std::map<std::string, SampleMean> sums;
   if (!runs.has(column)) return {};
@@ -46,8 +47,9 @@ SampleMean mean_of_column(const CsvTable& runs, const std::string& column) {
   return mean_of_samples(values);
 }
 
-/// Returns the size by which the error of a mean is divided: its absolute value. The errors of the coordination numbers
-/// of contacts in compression and in tension are relative to their sum, because one of them may be near zero.
+/// Returns the number by which the error of a mean is divided to make it relative: the absolute value of the mean. The
+/// coordination numbers of contacts in compression and in tension are divided by their sum, because one of them may be
+/// near zero.
 double size_of(const CsvTable& runs, const std::string& column, double mean) {
   if (column != "z_plus" && column != "z_minus") return std::abs(mean);
   const SampleMean other = mean_of_column(runs, column == "z_plus" ? "z_minus" : "z_plus");
@@ -64,15 +66,16 @@ PlanCheck check_column(const std::string& name, double promised, const CsvTable&
   return check;
 }
 
-/// Returns a parameter of a fit; absent if the data do not determine it.
+/// Returns the value of a parameter of a fit; absent if the data do not determine it.
 std::optional<double> value_of(const ConsolidationFit& fit, const std::string& name) {
   for (const FittedParameter& p : fit.parameters)
     if (p.name == name) return p.value;
   return std::nullopt;
 }
 
-/// Fits of the full consolidation law to the mean of the samples of a plan, as the prices of fits are measured: to all
-/// samples, which gives the range of pressures, and to all but one in this range.
+/// Fits of the full consolidation law to the mean of the samples of a plan. As for the fits in tables of prices, one
+/// fit uses all samples and determines the range of pressures, and each other fit leaves out one sample and uses the
+/// same range.
 class SampleFits {
  public:
   explicit SampleFits(const std::vector<std::string>& directories) {
@@ -89,8 +92,8 @@ class SampleFits {
     }
   }
 
-  /// Takes the fitted value, and its half width from the jackknife: each fit without one sample differs from the fit to
-  /// all n by 1/(n - 1) of what this sample differs by.
+  /// Stores the fitted value, and the half width of its 95 % interval by the jackknife: the standard error of the fit
+  /// to all n samples is n - 1 times the standard error of the mean of the n fits that leave out one sample.
   void check(PlanCheck& check) const {
     check.mean = value_of(whole_, check.quantity);
     if (!check.mean) return;
@@ -113,10 +116,9 @@ class SampleFits {
 std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<CasePlan>& plans,
                                   const std::string& directory) {
   if (!campaign.promise)
-    throw InputError(
-        directory,
-        "the campaign has no table [plan]: expected the directory of a campaign file that floc plan -o "
-        "has written, and whose runs are made");
+    throw InputError(directory,
+                     "the campaign has no table [plan]: expected the directory of a campaign that was planned "
+                     "from a file written by floc plan -o, and whose runs have been made");
   const PlanPromise& promise = *campaign.promise;
   const CsvTable outcomes = as_csv(outcomes_of(campaign, plans, directory), directory);
   std::vector<std::string> done;
@@ -128,10 +130,10 @@ std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<Ca
   }
   const int n_done = static_cast<int>(done.size());
   if (n_done < 2)
-    throw InputError(directory,
-                     fmt::format("{} of {} samples are done: expected at least two, because the achieved "
-                                 "errors follow from the scatter between samples; run snakemake there",
-                                 n_done, outcomes.n_rows()));
+    throw InputError(
+        directory, fmt::format("{} of {} samples are done: expected at least two, because the achieved errors "
+                               "are computed from the scatter between samples; run snakemake in this directory",
+                               n_done, outcomes.n_rows()));
   const CsvTable runs = as_csv(collected_runs(campaign, plans, directory), directory);
   std::vector<PlanCheck> checks;
   std::optional<SampleFits> fits;
@@ -143,7 +145,8 @@ std::vector<PlanCheck> check_plan(const Campaign& campaign, const std::vector<Ca
     }
     checks.push_back(check);
   }
-  // Samples that have not succeeded have cost nothing yet.
+  // Samples that have not succeeded are left out of the promised cost, because their processor time is not in
+  // `seconds`.
   const double share = static_cast<double>(n_done) / outcomes.n_rows();
   checks.push_back({"cost",
                     "s",

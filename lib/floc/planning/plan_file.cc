@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a value of an override in the notation of TOML: a word without quotation marks is a string.
+/// Returns the value of an override in TOML notation: a word without quotation marks becomes a string.
 std::string as_toml(const std::string& value) {
   const bool is_quoted = !value.empty() && std::string("\"'[{").find(value.front()) != std::string::npos;
   if (is_quoted || value == "true" || value == "false" || parse_number<double>(value)) return value;
@@ -29,7 +29,7 @@ std::string as_setting(const std::string& change) {
   return change.substr(0, equals) + " = " + as_toml(change.substr(equals + 1));
 }
 
-/// Returns the observables that are columns of a table, and not yet in `taken`, to which they are added.
+/// Returns the observables that are columns of a table and are not yet in `taken`, and adds them to `taken`.
 std::vector<std::string> columns_in(const std::string& table, const std::vector<ObservablePrice>& observables,
                                     std::vector<std::string>& taken) {
   const auto& tables = described_tables();
@@ -71,9 +71,10 @@ std::string promise_of(const Plan& plan, const std::vector<ObservablePrice>& obs
     if (std::isfinite(plan.errors[k].total()))
       errors.push_back(fmt::format("{} = {:.4g}", observables[k].name, plan.errors[k].total()));
   return fmt::format(
-      "\n[plan]                          # what floc plan --check DIR compares the runs with\nsettings = "
+      "\n[plan]                          # promises, with which floc plan --check DIR compares the "
+      "runs\nsettings = "
       "\"{}\"\n"
-      "prices = '{}'\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, over the values\nerrors = "
+      "prices = '{}'\ncore_seconds = {:.6g}\n# half widths of 95 % intervals, divided by the values\nerrors = "
       "{{{}}}\n",
       plan.settings.name(), prices, plan.core_seconds, fmt::join(errors, ", "));
 }
@@ -92,8 +93,9 @@ std::vector<std::string> changes_of(const PricedSettings& chosen, const Scene& s
         chosen.parameter == "gap_tolerance" || chosen.parameter == "finish")
       changes.push_back(fmt::format("dynamics.{}={}", chosen.parameter, chosen.value));
     else if (!is_of_scene)
-      throw InputError(chosen.name(),
-                       "settings of several parameters of rigid grains cannot be written into a scene");
+      throw InputError(
+          chosen.name(),
+          "these settings of rigid grains change several parameters and cannot be written into a scene");
     return changes;
   }
   const NumericalSettings& s = chosen.settings;
@@ -121,7 +123,8 @@ bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& 
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
                       const PlanSource& source, const std::string& output) {
   std::vector<std::string> changes = source.overrides;
-  // The changes of the plan replace those of the user for the same key: a table has each key once.
+  // A change by the plan replaces a change by the user of the same key, because a TOML table contains each key only
+  // once.
   const auto set = [&](const std::string& change) {
     const std::string key = change.substr(0, change.find('=') + 1);
     std::erase_if(changes, [&](const std::string& c) { return c.starts_with(key); });
@@ -132,7 +135,8 @@ std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& obse
   for (const std::string& change : changes_of(plan.settings, scene)) set(change);
   if (plan.n_samples == 1)
     return fmt::format(
-        "# One sample, as floc plan chose it for {}: run floc run {} -o DIR. Promised: {:.4g} s of processor "
+        "# One sample, chosen by floc plan for {}. To make it: floc run {} -o DIR. Promised: {:.4g} s of "
+        "processor "
         "time.\n"
         "{}",
         source.scene_file, output, plan.core_seconds, read_scene(source.scene_file, changes).text);

@@ -7,26 +7,26 @@
 
 namespace floc {
 
-/// Files and texts from which the file of a plan is made.
+/// Files and texts that are needed to write the file of a plan.
 struct PlanSource {
   std::string scene_file;              ///< path of the scene file
   std::vector<std::string> overrides;  ///< texts "key.path=value" that change the scene, see read_scene()
-  std::string prices;                  ///< table of prices, or pilot, in words
+  std::string prices;                  ///< source of the prices, for example the name of a table of prices
 };
 
 /// Whether an observable is a parameter of the fit of the consolidation law to paths.
 bool is_fitted(const std::string& observable);
 
-/// Returns the changes of a scene, as texts "key.path=value", that give it numerical settings.
-/// @throws InputError if the settings are those of a table row that a scene cannot have
+/// Returns the changes that give a scene numerical settings, as texts "key.path=value".
+/// @throws InputError if the settings come from a table row that cannot be written into a scene
 std::vector<std::string> changes_of(const PricedSettings& settings, const Scene& scene);
 
-/// Returns whether a scene without faults has none with these settings either. Some scenes refuse settings, for example
-/// a tolerance that is not smaller than their pressure.
+/// Returns whether a valid scene is still valid with these settings. Some scenes are not: for example, the tolerance
+/// must be smaller than the pressure.
 bool allows(const PlanSource& source, const Scene& scene, const PricedSettings& settings);
 
-/// Returns the text of the file of a plan: a campaign file with one run for each sample and with the promised errors in
-/// its table [plan] or, for a single sample, a scene.
+/// Returns the text of the file of a plan. For several samples, this is a campaign file with one run for each sample
+/// and with the promised errors in its table [plan]. For a single sample, it is a scene.
 /// @param output  path of the file; the name of the scene file in the campaign file is relative to it
 std::string plan_file(const Plan& plan, const std::vector<ObservablePrice>& observables, const Scene& scene,
                       const PlanSource& source, const std::string& output);

@@ -17,18 +17,19 @@
 namespace floc {
 namespace {
 
-/// Exponent p of the processor time, which is proportional to N^p for N grains, where a table has no other size than
-/// one. Larger packings take more time steps to come to rest.
+/// Exponent p of the processor time, which is proportional to N^p for N grains. This value is used if a table of prices
+/// contains only one size. It is above 1 because larger packings take more time steps to come to rest.
 constexpr double kCostExponent = 1.25;
-/// Share of the processor time of a run that is proportional to the number of its equilibria, where a table does not
-/// tell it. Most of the time goes into the assembly and into rearrangements, whose number depends on the range of the
-/// load. Measured on 200 cohesive disks: 1.6 s with 16 states, 2.3 s with 40 states of the same load path.
+/// Fraction of the processor time of a run that is proportional to its number of equilibria. This value is used if a
+/// table of prices does not contain the fraction. Most of the time goes into the assembly and into rearrangements,
+/// whose number depends on the range of the load and not on the number of equilibria. Measured on 200 cohesive disks:
+/// 1.6 s with 16 states, 2.3 s with 40 states of the same load path.
 constexpr double kShareOfSteps = 0.3;
-/// Largest number of grains for which the prices of a table, and those of a pilot, are extrapolated, over the number with
-/// which they were measured.
+/// Largest ratio of a number of grains to the measured number of grains, up to which prices are extrapolated: for a
+/// table of prices, and for a pilot.
 constexpr int kExtrapolation = 50, kExtrapolationOfPilot = 10;
-/// Memory of the program itself (MB), and of a grain (MB) in two and in three dimensions, of a run that finishes its
-/// equilibria by Newton steps.
+/// Memory of the program itself, and memory per grain in two and in three dimensions, for a run that finishes its
+/// equilibria by Newton steps (MB).
 constexpr double kProgramMemory = 36.0;
 constexpr double kMemoryOfDisk = 0.006, kMemoryOfSphere = 0.03;
 
@@ -37,7 +38,7 @@ double number_or_nan(const std::string& text) {
       .value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Returns the rows of a table about one observable with one parameter.
+/// Returns the rows of a table that describe one observable with one parameter.
 std::vector<const PriceRow*> rows_of(const PriceTable& table, const std::string& parameter,
                                      const std::string& observable) {
   std::vector<const PriceRow*> found;
@@ -46,15 +47,16 @@ std::vector<const PriceRow*> rows_of(const PriceTable& table, const std::string&
   return found;
 }
 
-/// Returns the standard deviation between samples of `n_grains` grains over the mean; NaN if the table does not tell it.
+/// Returns the standard deviation between samples of `n_grains` grains, divided by the mean; NaN if the table does not
+/// contain it.
 double scatter_of(const PriceTable& table, const std::string& observable, int n_grains) {
   for (const PriceRow& row : table.rows)
     if (row.observable == observable && row.sample_scatter > 0.0) return row.sample_scatter;
-  // Tables of older versions: the standard error of a mean over n samples.
+  // Older tables contain the standard error of a mean over n samples instead.
   for (const PriceRow* row : rows_of(table, "samples", observable))
     if (row->mean_stderr > 0.0) return row->mean_stderr * std::sqrt(number_or_nan(row->value));
-  // Fits in tables of older versions: the difference of the fits to two sets of n independent samples, of N and of n0
-  // grains, has the variance s^2 (n0/N + 1)/n, where s is the scatter between samples of n0 grains.
+  // For fits, older tables contain differences between the fits to two independent sets of n samples, of N and of n0
+  // grains. If s is the scatter between samples of n0 grains, the difference has the variance s^2 (n0/N + 1)/n.
   double squares = 0.0;
   int n = 0;
   for (const PriceRow* row : rows_of(table, "count", observable)) {
@@ -66,10 +68,10 @@ double scatter_of(const PriceTable& table, const std::string& observable, int n_
   return n > 0 ? std::sqrt(squares / n) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Returns c of the error c/N^q that a finite number N of grains causes; absent if the table has no other sizes. It is
-/// fitted to the differences from the samples of `n_grains` grains by weighted least squares. What the differences do
-/// not tell counts too: c is the root of the sum of the squares of the fitted value and of the half width of its 95 %
-/// interval.
+/// Returns c of the error c/N^q that a finite number N of grains causes; absent if the table contains only one size. c
+/// is fitted by weighted least squares to the differences from the samples of `n_grains` grains. To include the
+/// uncertainty of the fit, the result is the root of the sum of the squares of the fitted value and of the half width
+/// of its 95 % interval.
 std::optional<double> size_of_table(const PriceTable& table, const std::string& observable, int n_grains,
                                     double exponent) {
   double xx = 0.0, xy = 0.0;
@@ -94,7 +96,7 @@ double slope_of(const std::vector<std::pair<double, double>>& points) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// Returns the exponent of the processor time with the number of grains, from the samples of several sizes.
+/// Returns the exponent p of the processor time N^p of samples of N grains, fitted to samples of several sizes.
 double exponent_of(const PriceTable& table, const PriceRow& as_it_is) {
   std::vector<std::pair<double, double>> points;
   const auto add = [&](const PriceRow& row) {
@@ -106,8 +108,8 @@ double exponent_of(const PriceTable& table, const PriceRow& as_it_is) {
   return points.size() < 2 ? kCostExponent : std::clamp(slope_of(points), 1.0, 2.0);
 }
 
-/// Returns the share of the processor time that is proportional to the number of equilibria, from samples with other
-/// numbers of steps a decade.
+/// Returns the fraction of the processor time that is proportional to the number of equilibria, from samples with
+/// several numbers of steps per decade.
 double share_of_steps(const PriceTable& table, const PriceRow& as_it_is) {
   std::vector<std::pair<double, double>> points = {{1.0, 1.0}};
   for (const PriceRow* row : rows_of(table, "steps_per_decade", as_it_is.observable))
@@ -137,10 +139,9 @@ void PriceModel::take_table() {
   const auto row = std::find_if(table_->rows.begin(), table_->rows.end(),
                                 [](const PriceRow& r) { return r.parameter == "scene"; });
   if (row == table_->rows.end() || row->n_grains <= 0 || !(row->core_seconds > 0.0))
-    throw InputError(
-        table_->place,
-        "this table lacks a row with the knob scene, or its columns n_grains and core_seconds: expected "
-        "a table that floc tradeoff --format csv of this version of floc has written");
+    throw InputError(table_->place,
+                     "this table has no row whose knob is scene, or that row has no n_grains or core_seconds: "
+                     "expected a table that floc tradeoff --format csv of this version of floc has written");
   n_grains_ = least_grains_ = row->n_grains;
   for (const PriceRow& other : table_->rows)
     if (other.parameter == "count" && other.n_grains > 0)
@@ -202,10 +203,10 @@ const ObservablePrice& PriceModel::observable(const std::string& name, const std
     names.push_back(o.name);
   }
   throw InputError(
-      place, fmt::format("{} is not a quantity of this scene that {} has: expected one of {}; the nearest "
-                         "is {}",
-                         name, table_ ? "the " + table_->name() : "the pilot", fmt::join(names, ", "),
-                         nearest_name(name, names)));
+      place,
+      fmt::format("{} is not a quantity of this scene that {} contains: expected one of {}; the nearest is {}",
+                  name, table_ ? "the " + table_->name() : "the pilot", fmt::join(names, ", "),
+                  nearest_name(name, names)));
 }
 
 double PriceModel::core_seconds(const PricedSettings& settings, double n_grains) const {

@@ -10,65 +10,71 @@
 
 namespace floc {
 
-/// Parts of the error of a mean over states and samples, or of a fit to a path. All are relative half widths of 95 %
-/// intervals.
+/// Parts of the error of a mean over states and samples, or of a fit to a path. All parts are half widths of 95 %
+/// intervals divided by the mean.
 struct PricedError {
-  double settings = 0.0;  ///< error that the numerical settings cause, as far as the table of prices shows one
+  double settings = 0.0;  ///< error that the numerical settings cause, as far as it is in the table of prices
   double size = 0.0;      ///< error that the finite number of grains causes
-  double scatter = 0.0;   ///< error by the scatter between samples
+  double scatter = 0.0;   ///< error that the scatter between samples causes
 
   double total() const { return settings + size + scatter; }
 };
 
-/// Scatter and finite size of one observable, from a table of prices or from a pilot.
+/// Scatter between samples and effect of the finite size on one observable, from a table of prices or from a pilot.
 struct ObservablePrice {
   std::string name;
   std::string unit;  ///< unit of the observable; empty if it is not known
-  /// Standard deviation between samples of `n_grains` grains over the mean, and its number of degrees of freedom.
+  /// Standard deviation between samples of `n_grains` grains divided by the mean, and its number of degrees of freedom.
   double scatter;
   int dof;
-  /// Error of the finite size: it is size/N^q for N grains, with the exponent q of the boundary. Absent if the table has
-  /// no samples of another size.
+  /// Factor c of the error c/N^q that the finite number N of grains causes, with the exponent q of the boundary. Absent
+  /// if the table contains only one size.
   std::optional<double> size;
 };
 
-/// Measurements on samples of a scene: see run_pilot().
+/// Measurements on samples of a scene, returned by run_pilot().
 struct PilotResult {
   int n_grains = 0;      ///< number of grains of a sample
-  int n_samples = 0;     ///< number of samples of this size
+  int n_samples = 0;     ///< number of samples with this number of grains
   double core_seconds;   ///< processor time of a sample (s)
   double cost_exponent;  ///< exponent p of the processor time, which is proportional to N^p
   std::vector<ObservablePrice> observables;
 };
 
-/// Cost and errors of runs of a scene, by their number of grains, their number of samples and their settings. They are
-/// extrapolated from a table of prices, from a pilot, or from both. With both the processor time is that of the pilot, with
-/// the table's dependence on size and settings, and the scatter is pooled.
+/// Model of the cost and the errors of runs of a scene, as functions of the number of grains, the number of samples and
+/// the settings. It extrapolates from a table of prices, from a pilot, or from both. If both are given, the processor
+/// time is that of the pilot, the table determines how it depends on size and settings, and the scatters of the two are
+/// pooled.
 ///
-/// 1. The processor time of a sample is proportional to N^p. Of it the share b/(1 - b + b n/n0) is proportional to the
-/// number n of equilibria of the scene, over the number n0 in the table; the rest is that of the assembly.
-/// 2. The scatter between samples is proportional to N^(-1/2), and that of a mean over them is Student's t s/sqrt(n).
-/// 3. A finite size changes a mean in proportion to the share of grains that a boundary or an image disturbs:
-/// 1/N in a periodic cell, N^(-1/d) between walls in d dimensions.
+/// 1. The processor time of a sample of N grains is proportional to N^p (1 - b + b n/n0) for a run with n equilibria,
+/// where n0 is the number of equilibria in the table and b the fraction of the time that is proportional to this
+/// number.
+/// 2. The scatter s between samples is proportional to N^(-1/2). The error of a mean over n samples is t s/sqrt(n) with
+/// Student's factor t.
+/// 3. A finite size changes a mean in proportion to the fraction of grains that a boundary or a periodic image
+/// disturbs: 1/N in a periodic cell, N^(-1/d) between walls in d dimensions.
 class PriceModel {
  public:
   /// @param table  table of prices of the kind of the scene; absent if only a pilot is known
-  /// @param pilot  measurements on the scene; absent if only a table is known. One of both has to be there
+  /// @param pilot  measurements on the scene; absent if only a table is known. At least one of the two must be given
   PriceModel(const Scene& scene, std::optional<PriceTable> table, std::optional<PilotResult> pilot = {});
 
-  /// Numerical settings that the scene can have. The rows of the settings are in the table of this model.
+  /// Numerical settings that can be written into the scene. They refer to rows of the table of this model.
   const std::vector<PricedSettings>& settings() const { return settings_; }
   const std::vector<ObservablePrice>& observables() const { return observables_; }
-  /// @throws InputError that names the nearest observable, if the model does not have this one
+  /// Returns the observable with this name.
+  /// @throws InputError that names the most similar observable, if the model does not have this one
   const ObservablePrice& observable(const std::string& name, const std::string& place) const;
 
-  /// Removes settings from those among which plans are chosen.
-  /// @param is_wrong  whether settings are removed; the settings of the row "scene" are kept in any case
+  /// Removes settings, so that no plan uses them.
+  /// @param is_wrong  function that returns whether settings are removed; the settings of the row "scene" are always
+  /// kept
   void remove_settings(const std::function<bool(const PricedSettings&)>& is_wrong);
 
   int measured_grains() const { return n_grains_; }
-  /// Smallest and largest number of grains for which the model is used: not fewer than were measured, and not more than
-  /// fifty times as many (ten times after a pilot alone). Both are that of the scene if its diameters are listed.
+  /// Smallest and largest number of grains for which the model is used: the smallest is the smallest measured number,
+  /// the largest is fifty times the measured number (ten times after a pilot alone). Both are the number of grains of
+  /// the scene if its diameters are listed.
   int least_grains() const { return least_grains_; }
   int most_grains() const { return most_grains_; }
   bool knows_settings() const { return table_.has_value(); }
@@ -80,8 +86,8 @@ class PriceModel {
   /// Returns the error of an observable. It is infinite if the table does not say what error the settings cause.
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
-  /// Returns the settings of the table that are those of the scene, or those of the row "scene" with the processor time
-  /// of the scene's time step.
+  /// Returns the settings of the table that equal those of the scene. If there are none, returns the settings of the
+  /// row "scene", with the processor time scaled to the time step of the scene.
   PricedSettings settings_of_scene() const;
 
  private:
@@ -95,7 +101,7 @@ class PriceModel {
   std::vector<ObservablePrice> observables_;
   int n_grains_ = 0, least_grains_ = 0, most_grains_ = 0;
   double cost_exponent_ = 0.0;
-  double cost_factor_ = 1.0;  ///< processor time for the scene over that for the scene of the table
+  double cost_factor_ = 1.0;  ///< ratio of the processor time of this scene to that of the scene of the table
   double size_exponent_ = 1.0;
 };
 

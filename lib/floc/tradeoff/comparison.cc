@@ -14,9 +14,10 @@ namespace {
 constexpr double kQuantile = 0.95;
 constexpr double kConfidence = 0.95;
 /// A step of the load path counts as elastic if the logarithm of the solid fraction changes by at most this multiple of
-/// dP/B, the change of pressure over the bulk modulus.
+/// dP/B, the change of pressure divided by the bulk modulus.
 constexpr double kElastic = 3.0;
-/// Change of the logarithm of the solid fraction that counts as none, because Newton steps alone may cause it.
+/// Change of the logarithm of the solid fraction below which it counts as unchanged. Newton steps alone may cause such
+/// changes.
 constexpr double kStill = 1e-5;
 
 /// Returns the probability that at most k of n independent errors lie below the 95 % quantile of their distribution.
@@ -35,7 +36,7 @@ double relative_difference(int k, const Observation& x, const Observation& refer
   return difference == 0.0 ? 0.0 : difference / size;
 }
 
-/// Whether the solid fraction changes from one state to the next only as much as elasticity explains.
+/// Whether elasticity alone explains the change of the solid fraction from one state to the next.
 bool is_elastic(const ObservedState& from, const ObservedState& to) {
   const double change = std::abs(std::log(to.observation[kPhi] / from.observation[kPhi]));
   const double step = std::abs(to.mean_stress - from.mean_stress);
@@ -43,7 +44,7 @@ bool is_elastic(const ObservedState& from, const ObservedState& to) {
   return change <= kStill + (modulus > 0.0 ? kElastic * step / modulus : 0.0);
 }
 
-/// Returns the mean of value(k) over all k from 0 to n - 1 for which counts(k) is true; values that are not finite are
+/// Returns the mean of value(k) over all k from 0 to n - 1 for which counts(k) is true. Values that are not finite are
 /// left out.
 double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
                  const std::function<double(std::size_t)>& value) {
@@ -61,7 +62,7 @@ double mean_over(std::size_t n, const std::function<bool(std::size_t)>& counts,
 
 /// Returns the relative difference of observable number k between a path and its reference path (the run with the
 /// strictest settings from the same seed), averaged over states.
-/// @param counts  function that returns whether the state with a given index counts in the mean
+/// @param counts  function that returns whether the state with a given index is included in the mean
 double mean_difference(int k, const SamplePath& reference, const SamplePath& path,
                        const std::function<bool(std::size_t)>& counts) {
   return mean_over(path.states.size(), counts, [&](std::size_t i) {
@@ -69,11 +70,11 @@ double mean_difference(int k, const SamplePath& reference, const SamplePath& pat
   });
 }
 
-/// Indices of a state of a path and of the state of its reference path that is under the same load.
+/// Index of a state of a path, and index of the state of its reference path under the same load.
 using StatePair = std::pair<std::size_t, std::size_t>;
 
-/// Returns the pairs of states under the same load of the same stage, in order. All states are paired if the paths have
-/// the same steps.
+/// Returns the pairs of states under the same load of the same stage, in order. If the paths have equally many states,
+/// every state is paired with the state of the same index.
 std::vector<StatePair> under_equal_loads(const SamplePath& reference, const SamplePath& path) {
   constexpr double kRounding = 1e-6;
   std::vector<StatePair> pairs;
@@ -102,7 +103,8 @@ bool is_of_path(std::size_t k) {
   return declared_observables()[k].source == ObservableSource::path;
 }
 
-/// Returns the value of an observable that follows from one path alone; of observables of states, the mean over states.
+/// Returns the value of an observable for one path. For an observable of single states, this is the mean over the
+/// states.
 double value_of_path(std::size_t k, const SamplePath& path) {
   if (is_of_path(k)) return path_value(static_cast<int>(k), path);
   return mean_over(
@@ -110,7 +112,7 @@ double value_of_path(std::size_t k, const SamplePath& path) {
       [&](std::size_t i) { return path.states[i].observation[k]; });
 }
 
-/// Adds the errors of observables of whole paths.
+/// Adds the errors of observables whose value describes a whole path.
 void add_paths(const std::vector<const SamplePath*>& references, const std::vector<const SamplePath*>& paths,
                const std::optional<PressureWindow>& window, ObservableErrors& out) {
   for (std::size_t k = 0; k < kObservables; ++k) {
@@ -127,8 +129,8 @@ void add_paths(const std::vector<const SamplePath*>& references, const std::vect
   for (std::size_t p = 0; p < fitted.size(); ++p) out[kLambda + p].mean = fitted[p];
 }
 
-/// Returns the relative deviations of samples from their mean, each averaged over states; of observables of whole paths,
-/// those of their values.
+/// Returns the relative deviations of samples from their mean. For an observable of single states, the deviation of a
+/// sample is averaged over its states; for an observable of a whole path, it is the deviation of the value of the path.
 std::vector<double> deviations_of(std::size_t k, const std::vector<const SamplePath*>& paths) {
   std::vector<double> deviations;
   if (is_of_path(k)) {

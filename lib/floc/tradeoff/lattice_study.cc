@@ -19,10 +19,10 @@
 namespace floc {
 namespace {
 
-/// Share of the processor time of the study that its samples may take.
+/// Fraction of the processor time of the study that making its samples may take.
 constexpr double kShareOfSamples = 0.97;
 
-/// Returns the lattice of this spacing (length) that floc lattice makes by default in the cell of a packing.
+/// Returns the lattice with this spacing (length) that floc lattice makes by default in the cell of a packing.
 Lattice<2> lattice_in(const Cell<2>& cell, double spacing) {
   return triangular_lattice_in(cell, spacing);
 }
@@ -33,7 +33,7 @@ Lattice<3> lattice_in(const Cell<3>& cell, double spacing) {
   return irregular_lattice(cell, options);
 }
 
-/// Returns the stress along the last axis of all nodes in a phase, or of all nodes that are in the network.
+/// Returns the stress along the last axis at all nodes of the network, or only at those in one phase.
 template <int Dim>
 std::vector<double> axial_stresses(const CementedSample<Dim>& sample, const LatticeNetwork<Dim>& network,
                                    const std::vector<Mat<Dim>>& stress, std::optional<Phase> phase) {
@@ -48,8 +48,9 @@ double tail_rate(const std::vector<double>& values) {
   return stress_distribution(values, 1.0).loaded_1.beta.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// Returns the observables of the lattice of a packing, cemented and loaded by a stress of one along the last axis.
-/// @throws InputError if the lattice cannot be made, or cannot carry the load
+/// Returns the observables of the lattice of a packing whose grains are cemented and which is loaded by a stress of 1
+/// along the last axis.
+/// @throws InputError if the lattice cannot be made or cannot carry the load
 template <int Dim>
 Observation observe_lattice(const Packing<Dim>& packing, const LatticeStudyOptions& options,
                             const LatticeSettings& settings) {
@@ -59,7 +60,7 @@ Observation observe_lattice(const Packing<Dim>& packing, const LatticeStudyOptio
   const CementedSample<Dim> sample = cement(packing, lattice_in(packing.cell, spacing), cement_options);
   ElementStiffness stiffness;
   stiffness.grain = options.stiffness_ratio;
-  // In 3D the modulus of a lattice of equal spring constants would be proportional to one over the spacing.
+  // With equal spring constants, the modulus of a lattice in 3D would be inversely proportional to its spacing.
   stiffness.by_facet = Dim == 3;
   const LatticeNetwork<Dim> network = lattice_network(sample, stiffness);
   if (network.n_directions < Dim)
@@ -108,9 +109,8 @@ class LatticeStudy {
   bool next_sample_fits(int k) {
     if (k == 0 || seconds_of_seed_ < deadline_.left()) return true;
     left_out_.push_back(
-        fmt::format("all samples beyond {} of {}, because the next sample would take {:.0f} s, but only {:.0f} "
-                    "s of the budget "
-                    "are left",
+        fmt::format("all samples after the first {} of {}, because the next sample would take {:.0f} s, but "
+                    "only {:.0f} s of the budget are left",
                     k, options_.max_samples, seconds_of_seed_, std::max(0.0, deadline_.left())));
     return false;
   }
@@ -118,7 +118,8 @@ class LatticeStudy {
   void run_seed(int k) {
     const Deadline start(0.0);
     const std::uint64_t seed = scene_.seed + static_cast<std::uint64_t>(k);
-    std::map<int, SamplePath> packings;  // number of grains -> path of the scene with as many grains
+    // key: number of grains; value: path of the scene with this number of grains
+    std::map<int, SamplePath> packings;
     for (std::size_t i = 0; i < settings_.size(); ++i) {
       if (skipped_.contains(i)) continue;
       if (deadline_.passed()) {
@@ -191,7 +192,8 @@ class LatticeStudy {
   const TradeoffOptions& options_;
   Deadline deadline_;
   std::vector<StudiedSetting> settings_;
-  std::vector<std::map<int, SamplePath>> paths_;  // for each setting, number of the sample -> its path
+  // for each setting, the path of each sample; the key is the number of the sample
+  std::vector<std::map<int, SamplePath>> paths_;
   std::set<std::size_t> skipped_;
   std::vector<std::string> left_out_;
   double seconds_of_seed_ = 0.0;

@@ -51,24 +51,25 @@ enum Observable {
   kObservables
 };
 
-/// Values of all observables of a state. A value is NaN if it is undefined, for example the tail of a force distribution
-/// if fewer than 10 forces are beyond the mean, and for observables of other scenes or of whole paths.
+/// Values of all observables of a state. A value is NaN if it is undefined, for example the tail of a force
+/// distribution with fewer than 10 forces above the mean. Observables of other scenes and of whole paths are NaN too.
 using Observation = std::array<double, kObservables>;
 
-/// Where the value of an observable comes from.
+/// Data from which the value of an observable is computed.
 enum class ObservableSource {
   state,   ///< one state: its geometry and its forces
-  moduli,  ///< the elastic moduli of one state, which other methods give with other errors
-  path,    ///< a fit to the states of a path
+  moduli,  ///< the elastic moduli of one state; their error depends on the method that computes them
+  path,    ///< all states of a path, for example a fit to them
   lattice  ///< the lattice of cemented grains under a load, see lattice_study.h
 };
 
-/// Quantities of one state from which the values of observables follow. Members that do not apply to the state, such as
-/// those of rigid contacts in a packing of elastic grains, are NaN.
+/// Quantities of one state from which the values of observables are computed. Members that do not apply to the state
+/// are NaN, for example quantities of rigid contacts in a packing of elastic grains.
 struct StateMeasures {
   double solid_fraction = 0.0;
   double z = 0.0, z_plus = 0.0, z_minus = 0.0, rattlers = 0.0;
-  double tail_plus = 0.0, tail_minus = 0.0;  ///< decay forces of exponential tails, over the force scale F1
+  /// decay forces of exponential tails, divided by the force scale F1
+  double tail_plus = 0.0, tail_minus = 0.0;
   double force_moment = 0.0, mobilised = 0.0;
   double wall_contacts = 0.0, lateral_ratio = 0.0, stress_ratio = 0.0;
   double bridges = 0.0, bridge_volume = 0.0;
@@ -76,28 +77,29 @@ struct StateMeasures {
   double B = 0.0, G = 0.0, B_reuss = 0.0;
 };
 
-/// Observable of a study: its name, its unit, its meaning, the scenes that have it, and its value in one state.
+/// Declaration of an observable: its name, its unit, its meaning, the scenes that have it, and its value in one state.
 struct DeclaredObservable {
   const char* name;
   const char* unit;  ///< "1", "F1" (the force scale) or "stress"
   const char* meaning;
   ObservableSource source;
   bool (*applies)(const Scene&);
-  /// Returns the value in one state; null for observables of whole paths (path_value()) and of lattices.
+  /// Function that returns the value in one state; null for observables of whole paths (path_value()) and of lattices.
   double (*value)(const StateMeasures&);
 };
 
-/// Returns all observables, in the order of `Observable`. The order of the first ones never changes, because tables and
-/// scripts may rely on it; new observables are added at the end.
+/// Returns all observables, in the order of `Observable`. New observables are added at the end, because tables and
+/// scripts may rely on the order of the earlier ones.
 const std::array<DeclaredObservable, kObservables>& declared_observables();
 
 /// Returns the names of all observables.
 std::vector<std::string> observable_names();
 
-/// Subject of a study: the states of a scene, or its grains cemented by a matrix, as a lattice.
+/// Subject of a study: the states of a scene, or the lattice of its grains after they have been cemented by a matrix.
 enum class Subject { states, lattice };
 
-/// Returns the name of the kind of a study: scene_kind() or, of cemented grains, "disks-cemented" or "spheres-cemented".
+/// Returns the name of the kind of a study: scene_kind() or, for cemented grains, "disks-cemented" or
+/// "spheres-cemented".
 std::string kind_of_study(const Scene& scene, Subject subject);
 
 /// Whether an observable exists in a study of a scene.
@@ -111,33 +113,34 @@ std::vector<std::string> observable_names(const Scene& scene, Subject subject);
 std::string unit_of(const DeclaredObservable& observable, const Scene& scene);
 
 /// Requires that the observables with these names exist in a study of a scene.
-/// @throws InputError that names the first one that does not, the kind of the study, and the nearest one that does
+/// @throws InputError that names the first observable that does not exist, the kind of the study, and the existing
+/// observable with the most similar name
 void require_observables(const std::vector<std::string>& names, const Scene& scene, Subject subject);
 
-/// Returns the observables of a state.
+/// Returns the observables of a state, without the elastic moduli if the grains are rigid.
 /// @param state  state with forces and residuals in its contact list
-/// @param moduli  computes the elastic moduli; its iteration may start from the solution for the previous state. Moduli
-/// of rigid grains are not computed
+/// @param moduli  computes the elastic moduli; its iteration may start from the solution for the previous state
 template <int Dim>
 Observation observe(const State<Dim>& state, ModuliSequence<Dim>& moduli);
 
-/// Returns the observables of a state, of which only the elastic moduli are computed.
+/// Returns the observables of a state. Only the elastic moduli are computed; all other values are copied from `other`.
 /// @param moduli  computes the moduli
-/// @param other  observables of this state; all values except the moduli are copied from it
+/// @param other  observables of this state with other moduli
 template <int Dim>
 Observation observe_moduli(const State<Dim>& state, ModuliSequence<Dim>& moduli, const Observation& other);
 
-/// Returns the stresses and strains of a state in a test that drives one axis; absent for other states.
+/// Returns the stresses and strains of a state that belongs to a test that drives one axis; absent for other states.
 template <int Dim>
 std::optional<ShearPoint> test_point(const State<Dim>& state);
 
-/// Returns the state from which the test of a state began, with strains of zero; absent for other states.
+/// Returns the stresses, and zero strains, of the state from which the test of a state began; absent for states of no
+/// test.
 template <int Dim>
 std::optional<ShearPoint> start_of_test(const State<Dim>& state);
 
-/// Returns the size by which a difference between two observations is divided to give a relative difference: the mean
-/// of the two absolute values. The coordination numbers z_plus and z_minus are compared with the mean of their sum,
-/// because one of them may be near zero.
+/// Returns the number by which a difference between two observations is divided to give a relative difference: the mean
+/// of the two absolute values. For the coordination numbers z_plus and z_minus it is the mean of their sum, because one
+/// of them may be near zero.
 /// @param k  number of the observable
 double size_of(int k, const Observation& x, const Observation& y);
 

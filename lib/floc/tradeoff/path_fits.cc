@@ -17,7 +17,7 @@ constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kMinSamples = 3;
 using Fitted = ConsolidationValues;
 
-/// Returns the indices of the states of the first loading: of the last assembled state, then of the states of the first
+/// Returns the indices of the states of the first loading: the last state of the assembly and all states of the first
 /// stage. The result is empty if the pressure does not increase in this stage.
 std::vector<std::size_t> first_loading(const SamplePath& path) {
   std::vector<std::size_t> at;
@@ -30,9 +30,8 @@ std::vector<std::size_t> first_loading(const SamplePath& path) {
   return at;
 }
 
-/// Returns 1/Phi (inverse solid fraction) against reduced pressure in the first loading, with its mean over the
-/// samples.
-/// @param left_out  index of the sample that the curve leaves out; absent if it contains all samples
+/// Returns 1/Phi (inverse solid fraction), averaged over the samples, against reduced pressure in the first loading.
+/// @param left_out  index of a sample that is left out of the mean; if absent, all samples are included
 ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
                                  std::optional<std::size_t> left_out) {
   ConsolidationCurve curve;
@@ -51,8 +50,8 @@ ConsolidationCurve curve_without(const std::vector<const SamplePath*>& paths,
   return curve;
 }
 
-/// Returns the parameters lambda, alpha and Phi_max of the full consolidation law. It is fitted to the states in a
-/// range of reduced pressures. The values are NaN if the fit is not possible.
+/// Returns the parameters lambda, alpha and Phi_max of the full consolidation law, fitted to the states in a range of
+/// reduced pressures. The values are NaN if the fit is not possible.
 Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
   std::vector<double> log_P, y;
   for (std::size_t k = 0; k < curve.P_star.size(); ++k)
@@ -69,16 +68,17 @@ Fitted fit(const ConsolidationCurve& curve, const PressureWindow& window) {
   return values;
 }
 
-/// Returns the relative differences of values from other values.
+/// Returns the relative differences of `values` from the values `from`.
 Fitted differences(Fitted values, const Fitted& from) {
   for (std::size_t p = 0; p < values.size(); ++p) values[p] = values[p] / from[p] - 1.0;
   return values;
 }
 
-/// Returns differences with the standard error that the jackknife gives: a mean over n samples changes by 1/(n - 1) of
-/// the deviation of a sample if this sample is left out, so that the scatter of fits with one sample left out is
-/// multiplied by n - 1.
-/// @param value  function that returns the values without the sample of this index, or with all samples
+/// Returns differences with their standard error by the jackknife. Leaving out one of n samples changes a mean by 1/(n
+/// - 1) of the deviation of this sample. The standard error is therefore n - 1 times that of the mean of the n values
+/// that leave out one sample.
+/// @param value  function that returns the values without the sample of a given index or, without an index, those of
+/// all samples
 template <class Value>
 std::array<MeanDifference, 3> jackknife(std::size_t n, const Value& value) {
   std::array<MeanDifference, 3> out;
@@ -97,7 +97,8 @@ std::array<MeanDifference, 3> jackknife(std::size_t n, const Value& value) {
   return out;
 }
 
-/// Returns the states of the first stage with one of these controls, after the state from which the test began.
+/// Returns the stresses and strains in the first stage with one of these controls, preceded by those of the state from
+/// which the stage began.
 std::vector<ShearPoint> points_of_test(const SamplePath& path, std::initializer_list<const char*> controls) {
   std::vector<ShearPoint> points;
   int stage = -1;
@@ -128,7 +129,7 @@ double dilatancy(const SamplePath& path) {
   return parameter(evaluate_shear_test(points, {}).parameters, "dilatancy_angle");
 }
 
-/// Returns the sizes of the stress ratios of the states of the first shear test, in order.
+/// Returns the absolute values of the stress ratios in the states of the first shear test, in order.
 std::vector<double> stress_ratios(const SamplePath& path) {
   std::vector<double> ratios;
   int stage = -1;
@@ -146,7 +147,8 @@ double peak_ratio(const SamplePath& path) {
   return ratios.empty() ? kUndefined : *std::max_element(ratios.begin(), ratios.end());
 }
 
-/// Returns the mean over the last quarter of a test, of at least three states.
+/// Returns the mean stress ratio over the states of the last quarter of the first shear test; NaN if these are fewer
+/// than three.
 double critical_ratio(const SamplePath& path) {
   const std::vector<double> ratios = stress_ratios(path);
   const std::size_t n = ratios.size() / 4;

@@ -9,16 +9,16 @@
 namespace floc {
 
 /// Returns the range of reduced pressures P* in which the full consolidation law (solid fraction against pressure) is
-/// fitted to each path. The fit to the mean of all reference paths chooses this range. Returns std::nullopt if the
-/// first stage does not increase the pressure, if there are fewer than three reference paths, or if the solid fraction
-/// does not detectably bend towards its maximum Phi_max.
+/// fitted to each path. The range is chosen by the fit to the mean of all reference paths. Returns std::nullopt if the
+/// first stage does not increase the pressure, if there are fewer than three reference paths, or if the curvature
+/// towards the maximum solid fraction Phi_max is not detectable.
 /// @param references  paths (equilibria) of the runs with the strictest settings, one path for each seed
 std::optional<PressureWindow> fit_window(const std::vector<const SamplePath*>& references);
 
 /// Parameters lambda, alpha and Phi_max of the consolidation law; NaN if they could not be fitted.
 using ConsolidationValues = std::array<double, 3>;
 
-/// Returns the consolidation law of the mean of several paths.
+/// Returns the parameters of the consolidation law fitted to the mean of several paths.
 /// @param window  range of reduced pressures P* in which the law is fitted
 ConsolidationValues fitted_consolidation(const std::vector<const SamplePath*>& paths,
                                          const PressureWindow& window);
@@ -35,13 +35,13 @@ std::array<MeanDifference, 3> compare_fits(const std::vector<const SamplePath*>&
                                            const std::vector<const SamplePath*>& paths,
                                            const PressureWindow& window);
 
-/// Returns, as the standard error, the error that random sampling causes in each parameter of the consolidation law of
-/// the mean of these paths, relative to the parameter, from the jackknife; the difference is 0.
+/// Returns the error that random sampling causes in each parameter of the consolidation law fitted to the mean of these
+/// paths. It is the standard error by the jackknife, relative to the parameter; the member `difference` is 0.
 std::array<MeanDifference, 3> sampling_errors_of_fits(const std::vector<const SamplePath*>& paths,
                                                       const PressureWindow& window);
 
-/// Returns the value of an observable that follows from a single path, such as K0 of an oedometer test; NaN if the path
-/// has no such value, and for the parameters of the consolidation law, which are fitted to the mean of paths.
+/// Returns the value of an observable of a single whole path, such as K0 of an oedometer test. NaN if the path does not
+/// have this value; also for the parameters of the consolidation law, which are fitted to the mean of several paths.
 double path_value(int observable, const SamplePath& path);
 
 }  // namespace floc

@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Returns an entry of /proc/self/status, such as "VmHWM:", the largest resident memory (MB); NaN if there is none.
+/// Returns an entry of /proc/self/status (MB), for example "VmHWM:", the largest resident memory; NaN if there is none.
 double status_entry(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
@@ -18,7 +18,7 @@ double status_entry(const std::string& name) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Makes Linux count the largest resident memory (VmHWM) from now on, see proc(5).
+/// Makes Linux restart the record of the largest resident memory (VmHWM) from the present memory, see proc(5).
 bool reset_largest() {
   std::ofstream file("/proc/self/clear_refs");
   file << '5' << std::flush;

@@ -2,12 +2,12 @@
 
 namespace floc {
 
-/// Largest memory that this process takes while the object exists, beyond that which it takes when the object is made.
-/// There may be one such object at a time.
+/// Measures how far the memory of this process rises, while the object exists, above its value at the construction of
+/// the object. Only one such object may exist at a time.
 class PeakMemory {
  public:
   PeakMemory();
-  /// Returns the largest additional resident memory so far (MB); NaN if the operating system does not tell it.
+  /// Returns the largest additional resident memory so far (MB); NaN if the operating system does not report it.
   double megabytes() const;
 
  private:

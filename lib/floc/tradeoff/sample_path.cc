@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Returns the load that a step imposes on the axis that it drives: a stress or, where a length is imposed, the strain.
+/// Returns the load that a step imposes on its driven axis: a stress or, if a length is imposed, a strain.
 template <int Dim>
 double driven_load(const State<Dim>& state) {
   if (state.target_offset) return state.path.turn.shear;
@@ -105,7 +105,8 @@ SamplePath sample_of(const RunOptions& options, const ModuliOptions& moduli, con
   return path;
 }
 
-/// Sets the member `settled` of one state. @return whether the state is in equilibrium with the strictest settings
+/// Sets the member `settled` of one state. @return whether the state has reached equilibrium with the strictest
+/// settings
 template <int Dim>
 bool settle(const RelaxationOptions& strict, const Deadline& deadline, const State<Dim>& state,
             ObservedState& s, SamplePath& path) {

@@ -13,35 +13,38 @@
 
 namespace floc {
 
-/// One equilibrium of a sample (of the run from one seed), with its observables.
+/// One equilibrium of a sample (the run from one seed), with its observables.
 struct ObservedState {
-  int stage = -1;              ///< index of the stage of the load path; -1 for the assembly
-  std::string control;         ///< keyword of the stage for how the axes are loaded; empty for the assembly
-  double mean_stress = 0.0;    ///< mean over the axes of the stress, imposed or carried (stress)
-  double driven_load = 0.0;    ///< imposed on the driven axis: a stress, or the sheared or logarithmic strain
-  double driven_stress = 0.0;  ///< stress on the driven axis, imposed or carried (stress)
-  double reduced_pressure = 0.0;  ///< P* of `driven_stress`
+  int stage = -1;       ///< index of the stage of the load path; -1 for the assembly
+  std::string control;  ///< keyword of the stage for how the axes are loaded; empty for the assembly
+  /// mean stress over the axes; on each axis the imposed stress or, if a length is imposed, the carried stress
+  double mean_stress = 0.0;
+  /// load imposed on the driven axis: a stress, a logarithmic strain or a shear strain
+  double driven_load = 0.0;
+  double driven_stress = 0.0;     ///< stress on the driven axis, imposed or carried
+  double reduced_pressure = 0.0;  ///< reduced pressure P* that corresponds to `driven_stress`
   Observation observation;
   /// pairs of grains that touch, in the order of the contact list
   std::vector<std::pair<int, int>> touching;
   /// observables of the equilibrium to which the state relaxes with the strictest settings
   Observation settled;
-  /// stresses and strains of a test that drives an axis, in this state and where it began
+  /// stresses and strains in this state and at the start of its test; absent unless the state belongs to a test
   std::optional<ShearPoint> test, start_of_test;
   AnyState state;
 };
 
-/// All equilibria of one sample (of the run from one seed) with one numerical setting, and their processor time.
+/// All equilibria of one sample (the run from one seed) with one numerical setting, and their processor time.
 struct SamplePath {
   std::vector<ObservedState> states;
   double core_seconds = 0.0;    ///< processor time of the assembly, the load path and the elastic moduli (s)
   double moduli_seconds = 0.0;  ///< processor time of computing the elastic moduli alone (s)
-  double memory = 0.0;          ///< largest memory of the run beside the program (MB); NaN if not known
-  std::string failure;          ///< reason why the run stopped early; empty if it has all its equilibria
+  /// largest memory of the run, without that of the program (MB); NaN if not known
+  double memory = 0.0;
+  std::string failure;  ///< reason why the run stopped early; empty if all its equilibria were reached
   bool out_of_time = false;
 
   bool whole() const { return failure.empty() && !out_of_time; }
-  /// Frees the packings, of which the comparison of paths needs nothing.
+  /// Frees the packings. The comparison of paths does not need them.
   void drop_packings();
 };
 
@@ -54,9 +57,10 @@ struct SamplePath {
 SamplePath make_sample(const RunOptions& options, const ModuliOptions& moduli, const SamplePath* reference,
                        const Deadline& deadline);
 
-/// Sets the member `settled` of every state: relaxes the packing further with the strictest settings and observes the
-/// result. A state of elastic grains that already satisfies these settings does not change. The processor time for this
-/// does not count as that of the path. If a state does not converge, the member `failure` of the path says so.
+/// Sets the member `settled` of every state: relaxes the packing further with the strictest settings and computes the
+/// observables of the result. A state of elastic grains that already satisfies these settings does not change. The
+/// processor time of this relaxation is not added to that of the path. If a state does not converge, the member
+/// `failure` of the path gives the reason.
 /// @param strict  options of the relaxation with the strictest settings
 /// @param deadline  deadline at which the relaxation is stopped
 /// @param path  path whose states are relaxed

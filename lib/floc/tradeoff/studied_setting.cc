@@ -32,7 +32,8 @@ bool applies_to_cells(const Scene& scene) {
   return !scene.assembly.box;
 }
 
-/// The finishes by Newton steps are for elastic grains in periodic cells: a packing between walls finishes by motion.
+/// Whether the finishes by Newton steps apply: to elastic grains in periodic cells. Packings between walls always
+/// finish by motion.
 bool applies_to_newton(const Scene& scene) {
   return applies_to_elastic(scene) && applies_to_cells(scene);
 }
@@ -114,8 +115,8 @@ void add_forces(const Scene& scene, const StudiedSetting& base, Settings& list) 
           list);
 }
 
-/// The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. Newton steps
-/// would reach a residual of 1e-8 with every tolerance.
+/// The tolerance is varied together with finish = "dynamic", which reaches equilibrium by motion alone. With Newton
+/// steps, the residual would be about 1e-8 for every tolerance.
 void add_tolerance(const Scene&, const StudiedSetting& base, Settings& list) {
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-6, 1e-8})
     add(
@@ -176,7 +177,8 @@ void add_cell_mass(const Scene&, const StudiedSetting& base, Settings& list) {
         [&](StudiedSetting& s) { s.cell_mass_factor = factor; }, list);
 }
 
-/// Walls: the criterion that ends a compaction, and the longest time of it where the scene has one.
+/// Adds the settings of scenes with walls: the criterion that ends a compaction, and its time limit if the scene has
+/// one.
 void add_end(const Scene& scene, const StudiedSetting& base, Settings& list) {
   using Criterion = CompactionEnd::Criterion;
   if (scene.relaxation.compaction.criterion != Criterion::settled)
@@ -226,7 +228,7 @@ StudiedSetting as_it_is(const Scene& scene) {
 }
 
 StudiedSetting strictest(const Scene& scene) {
-  /// Tolerance of the sweeps, and factor on the default tolerance of gaps, of the strictest settings of rigid grains.
+  /// Sweep tolerance and time step of the strictest settings of rigid grains.
   constexpr double kSweeps = 1e-6, kTimeStep = 0.0125;
   StudiedSetting setting = as_it_is(scene);
   setting.parameter = "strict";
@@ -337,7 +339,8 @@ RunOptions run_options(const Scene& scene, const StudiedSetting& setting, std::u
   options.seed = seed;
   options.text.clear();
   setting.numerical.apply(options.relaxation);
-  // The tolerance of a setting stands for four tolerances, which a scene can give one by one.
+  // A study varies one tolerance, but a scene gives four. If the setting has the tolerance of the scene, all four are
+  // kept.
   if (setting.numerical.tolerance == scene.relaxation.tolerance.force)
     options.relaxation.tolerance = scene.relaxation.tolerance;
   options.relaxation.contact_dynamics = setting.contact_dynamics;

@@ -15,10 +15,11 @@ namespace floc {
 struct LatticeSettings {
   double nodes_a_diameter = 15.0;  ///< number of lattice nodes per mean diameter of the grains
   LatticeMethod method = LatticeMethod::automatic;
-  double tolerance = 1e-10;  ///< imbalance of the forces on the nodes over the load
+  /// largest net force on a node at which the solution counts as converged, divided by the load
+  double tolerance = 1e-10;
 };
 
-/// One variant of a scene that a study compares: one parameter (rarely several) has another value than in the scene,
+/// One variant of a scene that a study compares. One parameter (rarely several) has another value than in the scene;
 /// all others are as in the scene. In the reference (the strictest settings), every parameter has its strictest value.
 struct StudiedSetting {
   /// name of the changed parameter: "tolerance", "time_step", ...; "together" if several are changed
@@ -28,58 +29,58 @@ struct StudiedSetting {
   ContactDynamicsOptions contact_dynamics;  ///< settings of rigid grains
   CompactionEnd compaction;                 ///< end of a compaction between walls
   double rate_cap_factor = 1.0;   ///< factor by which every cap on the strain rate of the cell is multiplied
-  double cell_mass_factor = 1.0;  ///< factor by which the mass of the cell on the load path is multiplied
-  double steps_factor = 1.0;      ///< factor by which the numbers of steps a decade are multiplied
-  int n_grains = 0;               ///< number of grains; 0 if it is that of the scene
+  double cell_mass_factor = 1.0;  ///< factor by which the mass of the cell is multiplied on the load path
+  double steps_factor = 1.0;      ///< factor by which the numbers of steps per decade are multiplied
+  int n_grains = 0;               ///< number of grains; 0 for the number of the scene
   ModuliOptions moduli;
   std::optional<LatticeSettings> lattice;  ///< present in a study of cemented grains
 
   bool is_reference() const { return parameter == "strict"; }
-  /// Whether only the computation of the elastic moduli differs from the scene. No run is then made: the moduli are
-  /// computed for the states of the reference.
+  /// Whether the variant differs from the scene only in how the elastic moduli are computed. No run is then made: the
+  /// moduli are computed for the states of the reference.
   bool is_moduli_level() const { return parameter == "moduli"; }
-  /// Whether the states are those of other packings, or at other steps of the path, than with the strictest settings.
-  /// They cannot be compared one by one then, only in the mean over all states under equal loads.
+  /// Whether the packings or the steps of the path differ from those of the strictest settings. States then cannot be
+  /// compared one by one, but only as means over the states under equal loads.
   bool has_other_states() const { return n_grains != 0 || steps_factor != 1.0; }
 };
 
-/// Parameter that a study varies: the scenes to which it applies, and the function that adds one variant of the scene
-/// for each of its values.
+/// Declaration of a parameter that a study varies: the scenes to which it applies, and the function that adds one
+/// variant of the scene for each value of the parameter.
 struct DeclaredSetting {
   const char* parameter;
   bool (*applies)(const Scene&);
   void (*add)(const Scene&, const StudiedSetting& base, std::vector<StudiedSetting>& list);
 };
 
-/// Returns all parameters that a study varies, in the order of their importance.
+/// Returns all parameters that a study varies, the most important first.
 const std::vector<DeclaredSetting>& declared_settings();
 
-/// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (rounding errors of the positions
-/// hide smaller forces), about a quarter of the default time step, and twice the default patience.
+/// Returns the strictest numerical settings of elastic grains: a tolerance of 1e-8 (smaller forces are lost in the
+/// rounding errors of the positions), about a quarter of the default time step, and twice the default patience.
 NumericalSettings strict_settings();
 
 /// Returns all variants of a scene that a study compares: the strictest settings first, then the scene as it is, then
-/// the values of each declared parameter. Two properties are not varied separately: stopping all grains when the kinetic
-/// energy falls (power control), because the finish "dynamic" includes it; and the precision in which forces are
-/// computed, because it is always double.
+/// the values of each declared parameter. Two choices are not varied separately: power control (stopping all grains
+/// when the kinetic energy falls), because the finish "dynamic" includes it; and the precision of forces, because it is
+/// always double.
 std::vector<StudiedSetting> studied_settings(const Scene& scene);
 
-/// Returns the variants of a study of the lattice of cemented grains: the finest lattice with the strictest tolerance
-/// first, then that of `floc lattice` as it is, then other numbers of nodes a diameter, tolerances, methods and numbers
-/// of grains.
+/// Returns the variants in a study of the lattice of cemented grains: the finest lattice with the strictest tolerance
+/// first, then the default lattice of `floc lattice`, then other numbers of nodes per diameter, tolerances, methods and
+/// numbers of grains.
 std::vector<StudiedSetting> lattice_settings(const Scene& scene);
 
-/// Returns the tolerance of a setting: that of equilibria or, of a lattice, that of its solution.
+/// Returns the tolerance of a setting: that of equilibria or, in a study of a lattice, that of its solution.
 double tolerance_of(const StudiedSetting& setting);
 
 /// Returns the time step of a setting in the unit of its dynamics: NumericalSettings::time_step or, for rigid grains,
-/// ContactDynamicsOptions::time_step. NaN for a lattice, and so is the patience.
+/// ContactDynamicsOptions::time_step. NaN in a study of a lattice.
 double time_step_of(const Scene& scene, const StudiedSetting& setting);
 
 double patience_of(const StudiedSetting& setting);
 
-/// Returns the keyword of how a setting finishes equilibria: equilibrium.finish, for rigid grains dynamics.finish, and of
-/// a lattice the method of its solution.
+/// Returns the keyword for how a setting finishes equilibria: the value of equilibrium.finish; for rigid grains that of
+/// dynamics.finish; for a lattice the method of its solution.
 std::string finish_of(const Scene& scene, const StudiedSetting& setting);
 
 /// Returns the options for running a scene with a setting of the study, on one thread.

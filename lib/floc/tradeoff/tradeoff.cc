@@ -17,22 +17,24 @@
 namespace floc {
 namespace {
 
-/// Number of grains of the small sample whose run measures the speed of this machine, of disks and of spheres. A study
-/// uses at least as many grains.
+/// Numbers of grains, of disks and of spheres, in the small sample whose run measures the speed of this machine. The
+/// samples of a study have at least this number of grains.
 constexpr int kMinDisks = 40;
 constexpr int kMinSpheres = 100;
-/// Number of samples that must fit into the budget with every setting; if they do not, the number of grains is reduced.
-/// The error of a mean cannot be estimated from fewer than two samples.
+/// Number of samples that must fit into the budget with every setting; otherwise the number of grains is reduced. The
+/// error of a mean can only be estimated from two or more samples.
 constexpr double kSamplesWanted = 2.0;
-/// Processor time of a run with the strictest settings over that with the settings of the scene, assumed before it is
-/// measured. The strictest settings have shorter time steps, and wait longer before a packing counts as at rest.
+/// Assumed ratio of the processor time of a run with the strictest settings to that of a run with the settings of the
+/// scene, before it is measured. The strictest settings have shorter time steps, and wait longer before a packing
+/// counts as at rest.
 constexpr double kReferenceCost = 4.0;
-/// Share of the processor time of the study that runs may take; comparing and fitting takes the rest.
+/// Fraction of the processor time of the study that runs may take; comparing and fitting takes the rest.
 constexpr double kShareOfRuns = 0.97;
-/// Processor time of a run over that with the strictest settings, beyond which the run is stopped and its setting left
-/// out.
+/// A run is stopped, and its setting left out, if its processor time exceeds that of the run with the strictest
+/// settings by this factor.
 constexpr double kLongestRun = 1.5;
-/// Safety factor on the expected processor time of a run, when it is checked whether the run fits into the budget.
+/// Safety factor by which the expected processor time of a run is multiplied before it is compared with the rest of the
+/// budget.
 constexpr double kMargin = 1.3;
 
 class Study {
@@ -59,24 +61,25 @@ class Study {
   struct Sample {
     int index;
     SamplePath path;
-    // Observables of the states of the reference path with the elastic moduli of this setting, if the setting changes
-    // only the computation of the moduli.
+    // If the setting changes only the computation of the moduli: observables of the states of the reference path with
+    // the moduli of this setting. Otherwise empty.
     std::vector<Observation> levels;
-    // If the setting changes only the computation of the moduli: processor time of the run (s), to which the time of
-    // the moduli is added.
+    // If the setting changes only the computation of the moduli: processor time of the run (s) without the moduli. The
+    // time of the moduli with this setting is added to it.
     double base_seconds = 0.0;
   };
 
-  /// Returns the expected processor time of a sample with a setting over that with the settings of the scene.
+  /// Returns the expected ratio of the processor time of a sample with a setting to that with the settings of the
+  /// scene.
   double relative_cost(const StudiedSetting& s) const {
     const double steps = time_step_of(scene_, settings_[1]) / time_step_of(scene_, s);
     const double size = s.n_grains > 0 ? static_cast<double>(s.n_grains) / scene_.grains.count : 1.0;
     return steps * size * s.steps_factor;
   }
 
-  /// Returns the expected processor time of one sample with every setting together (s).
+  /// Returns the expected sum of the processor times of one sample with each of the settings (s).
   /// @param n_grains  number of grains of the sample
-  /// @param speed  processor time measured on this machine over the time that expected_cost() predicts
+  /// @param speed  ratio of the processor time measured on this machine to the time that expected_cost() predicts
   double sample_cost(int n_grains, double speed) const {
     Scene sized = scene_;
     sized.grains.count = n_grains;
@@ -88,12 +91,14 @@ class Study {
 
   int least_grains() const { return scene_.dimension == 2 ? kMinDisks : kMinSpheres; }
 
-  /// Whether samples may have another number of grains than the scene: the diameters are not those of a list.
+  /// Whether samples may have another number of grains than the scene. They may unless the diameters are given as a
+  /// list.
   bool has_any_number_of_grains() const {
     return scene_.grains.diameter.kind != DiameterDistribution::Kind::list;
   }
 
-  /// Makes a sample. A sample that cannot be made, such as one of too few grains for its cell, has failed.
+  /// Makes a sample. If it cannot be made, for example because its cell would be too small, the result has a reason of
+  /// failure.
   static SamplePath tried_sample(const RunOptions& options, const ModuliOptions& moduli,
                                  const SamplePath* reference, const Deadline& deadline) {
     try {
@@ -123,8 +128,8 @@ class Study {
       scene_.grains.count = std::max(least_grains(), static_cast<int>(0.9 * scene_.grains.count));
     if (scene_.grains.count < wanted)
       left_out_.push_back(
-          fmt::format("some of the grains: the samples have {} grains in place of {}, because more do not fit "
-                      "into the budget",
+          fmt::format("some of the grains: the samples have {} grains instead of {}, because more grains do "
+                      "not fit into the budget",
                       scene_.grains.count, wanted));
   }
 
@@ -132,10 +137,10 @@ class Study {
     if (k == 0) return true;
     if (!last_seed_whole_) return false;
     if (kMargin * last_seed_seconds_ < deadline_.left()) return true;
-    left_out_.push_back(fmt::format(
-        "all samples beyond {} of {}, because the next sample would take {:.0f} s, but only {:.0f} s "
-        "of the budget are left",
-        k, options_.max_samples, last_seed_seconds_, deadline_.left()));
+    left_out_.push_back(
+        fmt::format("all samples after the first {} of {}, because the next sample would take {:.0f} s, but "
+                    "only {:.0f} s of the budget are left",
+                    k, options_.max_samples, last_seed_seconds_, deadline_.left()));
     return false;
   }
 
@@ -187,8 +192,8 @@ class Study {
     return path;
   }
 
-  /// Returns whether one more sample with a setting fits into the budget. If not even its first sample fits, the
-  /// setting is left out of the whole study.
+  /// Returns whether one more sample with a setting fits into the budget. If even the first sample with this setting
+  /// does not fit, the setting is left out of the whole study.
   /// @param i  index of the setting
   /// @param reference  path with the strictest settings from the same seed
   bool affordable(std::size_t i, const SamplePath& reference) {
@@ -214,7 +219,7 @@ class Study {
     left_out_.push_back(
         fmt::format("{} {}, seed {}: {}", settings_[i].parameter, settings_[i].value, seed, reason));
     if (budget_is_used_up) return;
-    skipped_.insert(i);  // later samples leave this setting out, because it may fail in them as well
+    skipped_.insert(i);  // later samples leave this setting out too, because it may fail again
   }
 
   Sample moduli_level(int k, const StudiedSetting& setting, const SamplePath& reference,
@@ -232,7 +237,7 @@ class Study {
     return sample;
   }
 
-  /// Returns the observables of the states of a path with moduli by another method.
+  /// Returns the observables of the states of a path with moduli computed by another method.
   template <int Dim>
   static std::vector<Observation> levels_of(const ModuliOptions& options, const SamplePath& path) {
     ModuliSequence<Dim> sequence(options);
@@ -285,10 +290,9 @@ void require_study(const Scene& scene, const TradeoffOptions& options) {
   require_in_range("budget", options.budget, kPositiveNumber);
   require_in_range("samples", options.max_samples, TradeoffOptions::kSamples);
   if (scene.starts_from_state())
-    throw InputError(
-        "assembly.protocol = \"state\"",
-        "the study makes samples with different numbers of grains, which requires a gas in place of a saved "
-        "state: expected \"direct\" or \"aggregation\"");
+    throw InputError("assembly.protocol = \"state\"",
+                     "the study varies the number of grains, so the samples must be made from a gas and not "
+                     "from a saved state: expected \"direct\" or \"aggregation\"");
 }
 
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options) {

@@ -11,7 +11,7 @@ namespace floc {
 
 struct TradeoffOptions {
   double budget = 600.0;  ///< processor time that the study may take (s)
-  /// largest number of samples; the seeds of the samples count up from that of the scene
+  /// largest number of samples; the first sample has the seed of the scene, and each further sample the next seed
   int max_samples = 8;
   static constexpr WholeRange kSamples{.least = 1, .most = 10000};
   /// Function that is called after each part of the work, with a description of it.
@@ -23,13 +23,13 @@ struct MeasuredSetting {
   StudiedSetting setting;
   int n_grains = 0;
   int n_samples = 0;  ///< number of samples (seeds) that were compared
-  /// mean processor time of a sample (s); for the parameter "samples", the time of all samples together
+  /// mean processor time of a sample (s); for the parameter "samples", the sum over all samples
   double core_seconds = 0.0;
   /// mean processor time of computing the elastic moduli of a sample (s); core_seconds includes it
   double moduli_seconds = 0.0;
-  /// processor time over that of the runs with the strictest settings from the same seeds
+  /// ratio of the processor time to that of the runs with the strictest settings from the same seeds
   double cost_ratio = 0.0;
-  /// largest memory that a sample took beside the program (MB); NaN if not known
+  /// largest memory of a sample, without that of the program (MB); NaN if not known
   double memory = 0.0;
   ObservableErrors errors;
 };
@@ -38,63 +38,63 @@ struct MeasuredSetting {
 struct Tradeoff {
   int n_grains = 0;  ///< number of grains of a sample with the strictest settings
   int n_states = 0;  ///< number of states (equilibria) of a sample
-  /// Mean of each observable with the strictest settings, over states and samples (in its unit, see unit_of()).
+  /// Mean of each observable with the strictest settings over states and samples (in the unit that unit_of() returns).
   Observation reference;
-  /// Standard deviation of that mean over states between samples, relative to the mean over samples; NaN for a single
-  /// sample.
+  /// Standard deviation, between samples, of the mean of each observable over the states of a sample, relative to the
+  /// mean over samples; NaN for a single sample.
   Observation scatter;
   std::vector<MeasuredSetting> settings;
   /// Descriptions of variants, samples or grains that did not fit into the budget, and of runs that failed.
   std::vector<std::string> left_out;
 };
 
-/// Studies how much accuracy a run loses if numerical settings save processor time. Runs a scene with its strictest
+/// Studies how much accuracy a run loses if numerical settings save processor time. It runs a scene with its strictest
 /// settings (the reference) and with several values of each parameter, all from the same seeds, and compares the
 /// observables that are usually reported.
 ///
 /// With every setting, a packing is assembled and taken through the load path. Unless the number of grains differs,
-/// each stage starts from the state from which the reference starts it, so that states can be compared one by one until
-/// the first collapse of the stage.
+/// each stage starts from the state from which the reference starts this stage. States can then be compared one by one
+/// until the first collapse of the stage.
 ///
 /// The study keeps its budget as follows:
-/// 1. The cost is measured on a small sample. The number of grains is reduced until two samples with every setting are
-/// expected to fit.
+/// 1. The processor time is measured on a small sample. The number of grains is reduced until two samples with every
+/// setting are expected to fit into the budget.
 /// 2. Samples are added until the next one would not fit. A setting that is too expensive in the first sample is left
 /// out of the study.
-/// 3. A run that reaches the deadline is stopped, and so is a run that takes longer than that with the strictest
-/// settings.
+/// 3. A run is stopped if it reaches the deadline, or if it takes more than about 1.5 times as long as the run with the
+/// strictest settings.
 /// @throws InputError if the budget is not positive, if the number of samples is outside of kSamples, or if the scene
-/// starts from a saved state: samples are made from a gas
+/// starts from a saved state, because samples are made from a gas
 Tradeoff study_tradeoff(Scene scene, const TradeoffOptions& options);
 
-/// Requires options and a scene from which a study can make samples. @throws InputError as study_tradeoff()
+/// Checks that a study can make samples from a scene with these options.
+/// @throws InputError under the conditions of study_tradeoff()
 void require_study(const Scene& scene, const TradeoffOptions& options);
 
-/// Describes the reference paths of a study: its members n_states, reference and scatter.
+/// Fills the members of `out` that describe the reference paths of a study: n_states, reference and scatter.
 /// @param references  paths of the runs with the strictest settings, one for each seed, at least one
 void describe_reference(const std::vector<const SamplePath*>& references,
                         const std::optional<PressureWindow>& window, Tradeoff& out);
 
-/// Returns a setting with the costs of its samples, without errors.
+/// Returns a setting with the cost of its samples, but without errors.
 /// @param scene  scene of the study
 /// @param references  paths of the runs with the strictest settings from the same seeds as `paths`
 MeasuredSetting cost_of(const Scene& scene, const StudiedSetting& setting,
                         const std::vector<const SamplePath*>& references,
                         const std::vector<const SamplePath*>& paths);
 
-/// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. It is the scatter
-/// between samples with the strictest settings.
+/// Adds to the results, under the parameter "samples", the error of a mean over 1, 2, 4, ... samples. This error is
+/// computed from the scatter between samples with the strictest settings.
 void add_sample_numbers(const Scene& scene, const StudiedSetting& strict,
                         const std::vector<const SamplePath*>& references,
                         const std::optional<PressureWindow>& window, Tradeoff& out);
 
-/// Returns for each setting of a study whether it is Pareto-optimal for an observable: no other setting is at least as
-/// cheap and at least as accurate, and cheaper or more accurate. The error of the observable is that of
-/// single_state_error().
+/// Returns, for each setting of a study, whether it is Pareto-optimal for an observable: no other setting is at least
+/// as cheap and at least as accurate, and cheaper or more accurate. The accuracy is measured by single_state_error().
 /// @param observable  index of the observable in ObservableErrors
 std::vector<bool> pareto_front(const Tradeoff& tradeoff, std::size_t observable);
 
-/// Returns the error of an observable in single states: the larger of two upper confidence limits, of the errors before
+/// Returns the error of an observable in single states: the larger of the two upper confidence limits for states before
 /// and after the first collapse of a stage; NaN if no states were compared.
 double single_state_error(const ObservableError& error);
 

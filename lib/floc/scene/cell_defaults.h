@@ -7,21 +7,21 @@ namespace floc {
 
 /// Default mass of the cell and default caps on its strain rate (measurements: docs/quasistatic.md).
 
-/// Default mass of the cell during the assembly, over the mass of all grains. With a lighter cell, packings made from a
-/// gas are looser than the published ones.
+/// Default mass of the cell during the assembly, divided by the mass of all grains. With a lighter cell, packings made
+/// from a gas are looser than the published packings.
 inline constexpr double kAssemblyCellMass = 1.0;
-/// Default mass of the cell on load paths, over the mass of all grains. A heavier cell overshoots the imposed stress
-/// and compacts the packing; a lighter one gives the same densities.
+/// Default mass of the cell on load paths, divided by the mass of all grains. A heavier cell overshoots the imposed
+/// stress and compacts the packing; a lighter cell gives the same densities as this one.
 inline constexpr double kLoadCellMass = 0.1;
 /// Default cap on the strain rate of the cell for cohesive grains, in units of 1/T0. T0 = sqrt(a m/F0), with the
 /// largest diameter a, the mass m of the largest grain and the pull-off force F0.
 inline constexpr double kStrainRateCap = 0.05;
 /// Default cap on the inertial number |L'/L| sqrt(m/P) of the cell, for grains without adhesion (side L of the cell,
-/// rate of change L', mass m of the largest grain, pressure P).
+/// its rate of change L', mass m of the largest grain, pressure P).
 inline constexpr double kLargestInertialNumber = 1e-3;
 
-/// Default cap on the inertial number of the cell for rigid grains, with or without adhesion. It is larger than that of
-/// elastic grains, because the number of time steps per strain is inversely proportional to it.
+/// Default cap on the inertial number of the cell for rigid grains, with or without adhesion. It is larger than the cap
+/// for elastic grains, because the number of time steps needed for a given strain is inversely proportional to it.
 inline constexpr double kInertialNumberOfRigidGrains = 0.02;
 
 /// Returns the default cap on the rate at which the cell deforms: kInertialNumberOfRigidGrains for rigid contacts, else

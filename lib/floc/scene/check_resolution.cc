@@ -25,9 +25,9 @@ std::vector<std::pair<const char*, double>> stresses_of(const LoadStage& stage) 
   return stresses;
 }
 
-/// Calls check(table, key, pressure) for every imposed pressure or stress of a scene in order, with the key that gives
-/// it: for the pressure of the assembly, then for the stresses at the ends of the stages. Ends before the first stage
-/// for which ends(stage) is true.
+/// Calls check(table, key, pressure) for every imposed pressure or stress of a scene in order: for the pressure of the
+/// assembly, then for the stresses at the ends of the stages. `key` is the key of the scene that gives the value. Stops
+/// before the first stage for which ends(stage) is true.
 template <class Check, class Ends>
 void for_each_pressure(TableReader& root, const Scene& scene, const Check& check, const Ends& ends) {
   TableReader assembly = root.table("assembly", "", Need::optional);
@@ -38,11 +38,11 @@ void for_each_pressure(TableReader& root, const Scene& scene, const Check& check
     for (const auto& [key, stress] : stresses_of(scene.load[k])) check(stages[k], key, stress);
 }
 
-/// Records a fault for every pressure that is not larger than the tolerance of a stress, because it cannot be
-/// distinguished from zero.
+/// Records a fault for every pressure that is not larger than the tolerance of a stress, because such a pressure cannot
+/// be distinguished from zero.
 void check_pressures(TableReader& root, const Scene& scene) {
   if (!scene.law.adheres() || scene.assembly.box || !(scene.grains.largest() > 0)) return;
-  // Area (in 2D length) that turns a stress into a force on a grain.
+  // Area (length in 2D) by which a stress is multiplied to give a force on a grain.
   const double area = std::pow(scene.grains.largest(), scene.dimension - 1);
   const double least = scene.relaxation.tolerance.stress * pull_off_force(scene) / area;
   const auto check = [&](TableReader& t, const char* key, double pressure) {
@@ -55,20 +55,20 @@ void check_pressures(TableReader& root, const Scene& scene) {
               "equilibrium.stress",
               t.path_of(key), pressure, scene.dimension == 2 ? "a" : "a^2", least));
   };
-  // The tolerance of a stress is proportional to the pull-off force. If a stage changes this force, the stage and all
-  // later ones are not checked.
+  // The tolerance of a stress is proportional to the pull-off force. If a stage changes this force, neither the stage
+  // nor the later stages are checked.
   for_each_pressure(root, scene, check, [](const LoadStage& stage) {
     return std::any_of(stage.set.begin(), stage.set.end(),
                        [](const auto& change) { return change.first == "adhesion.force"; });
   });
 }
 
-/// Records a fault if contacts are so stiff that rounding errors of the sides of the cell cause stresses above their
-/// tolerance, or rounding errors of positions cause net forces above their tolerance.
+/// Records a fault if contacts are so stiff that rounding errors exceed tolerances: rounding of the sides of the cell
+/// causes stresses, and rounding of positions causes net forces.
 void check_stiffness(TableReader& root, const Scene& scene) {
   constexpr double kHalfUnit = 0.5 * std::numeric_limits<double>::epsilon();
   const double a = scene.grains.largest();
-  // area (in 2D length) that turns a stress into a force on a grain
+  // Area (length in 2D) by which a stress is multiplied to give a force on a grain.
   const double area = std::pow(a, scene.dimension - 1);
   const double F1 = std::max(pull_off_force(scene), scene.assembly.pressure * area);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
@@ -77,8 +77,8 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   const double stiffness = area * scene.law.contact_modulus(scene.dimension, a);
   const bool varies = scene.law.force_exponent() != 1.0;
   const double kappa = varies ? std::pow(stiffness / F1, 2.0 / 3.0) : stiffness / F1;
-  // Each side of the cell is stored as one double. Its rounding error changes all overlaps, and thus the stress (see
-  // solve_statics()).
+  // Each side of the cell is stored as one double. Its rounding error changes all overlaps, and therefore the stress
+  // (see solve_statics()).
   if (4 * kHalfUnit * kappa >= scene.relaxation.tolerance.stress)
     contact.fault(
         "normal",
@@ -97,12 +97,13 @@ void check_stiffness(TableReader& root, const Scene& scene) {
   if (scene.relaxation.finish == Finish::dynamic && force >= scene.relaxation.tolerance.force)
     equilibrium.fault(
         "finish",
-        fmt::format("equilibrium.finish = \"dynamic\": rounding errors of the positions cause net forces of "
-                    "{:.1e} F1 on grains, where F1 is the larger of the pull-off force and P a^(d-1) (first "
-                    "pressure P, largest diameter a, dimension d), but "
-                    "equilibrium.force = {:.1e} requires smaller ones; expected a larger equilibrium.force, or "
-                    "finish = \"auto\", which stores each position as a sum of two numbers",
-                    force, scene.relaxation.tolerance.force));
+        fmt::format(
+            "equilibrium.finish = \"dynamic\": rounding errors of the positions cause net forces of "
+            "{:.1e} F1 on grains, where F1 is the larger of the pull-off force and P a^(d-1) (first "
+            "pressure P, largest diameter a, dimension d), but "
+            "equilibrium.force = {:.1e} requires smaller forces; expected a larger equilibrium.force, or "
+            "finish = \"auto\", which stores each position as a sum of two numbers",
+            force, scene.relaxation.tolerance.force));
 }
 
 /// Records a fault if spheres are so soft that they overlap too far at an imposed pressure. Their overlaps are

@@ -29,8 +29,8 @@ bool imposes_length(const PlannedEquilibrium& step) {
                                       [](const AxisStep& axis) { return axis.load.kind == AxisLoad::strain; });
 }
 
-/// Returns the largest factor by which springs may be softer in a step of a run.
-/// @param pressure  largest pressure on the packing in this step, also at its start (stress unit of the scene)
+/// Returns the largest allowed factor by which springs can be softened in a step of a run.
+/// @param pressure  largest pressure on the packing at the start or at the end of this step (stress unit of the scene)
 SofteningLimit limit_of(const PlannedEquilibrium& step, const Scene& scene, double pressure) {
   if (imposes_length(step))
     return {1.0,
@@ -40,7 +40,7 @@ SofteningLimit limit_of(const PlannedEquilibrium& step, const Scene& scene, doub
   return softening_limit(step.law, scene.dimension, scene.grains.largest(), pressure);
 }
 
-/// Records a fault if the softening of a table of the scene is larger than one of the limits of its steps.
+/// Records a fault if the softening in a table of the scene is larger than the limit of the steps to which it applies.
 void check_limit(TableReader& table, double s, const SofteningLimit& limit) {
   const std::string fault = limit.fault(s);
   if (!fault.empty())
@@ -56,14 +56,16 @@ void check_softening(TableReader& root, const SceneSource& source, const Scene& 
                               "equilibrium.softening is not allowed here: springs can be softened only in a "
                               "periodic cell, but the scene has walls");
   if (source.n_faults() > 0 || !(scene.grains.largest() > 0)) return;
-  // The tightest limit of each table that gives a softening: -2 is [equilibrium], -1 [assembly], others are [[load]].
+  // Smallest limit for each table that can give a softening. The key is -2 for [equilibrium], -1 for [assembly], and
+  // otherwise the index of the table [[load]].
   std::map<int, SofteningLimit> limits;
   double before = 0.0;
   for (const PlannedEquilibrium& step : plan_run(scene.assembly, scene.law, scene.load, scene.dimension)) {
     const double stress = largest_stress(step);
     const SofteningLimit limit =
-        root.has("accuracy") ? SofteningLimit{1.0, "the table of [accuracy] has no errors of soft springs"}
-                             : limit_of(step, scene, std::max(before, stress));
+        root.has("accuracy")
+            ? SofteningLimit{1.0, "the table of errors for [accuracy] was not measured with soft springs"}
+            : limit_of(step, scene, std::max(before, stress));
     before = stress;
     SofteningLimit& tightest = limits.try_emplace(step.cell.softening ? step.stage : -2, limit).first->second;
     if (limit.largest < tightest.largest) tightest = limit;

@@ -84,21 +84,22 @@ void add_reduced_pressures(const Scene& scene, double a, Groups& groups) {
 void add_cohesion(const Scene& scene, double a, Groups& groups) {
   const double F0 = pull_off_force(scene);
   const double K_N = std::pow(a, scene.dimension - 1) * scene.law.contact_modulus(scene.dimension, a);
-  groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact relative to its adhesion"});
+  groups.push_back({"kappa", K_N / F0, "a K_N/F0, stiffness of a contact divided by its adhesion"});
   add_reduced_pressures(scene, a, groups);
   groups.push_back({"h0/a", F0 / K_N, "overlap of two grains pulled together by their adhesion alone"});
 }
 
-/// Adds the dimensionless numbers of the liquid between grains. Those of a liquid bridge are given for two of the
-/// largest grains, on the assumption that each grain has three bridges.
+/// Adds the dimensionless numbers of the liquid between grains. The numbers of a liquid bridge are computed for two
+/// grains of the largest diameter, on the assumption that each grain has three bridges.
 void add_liquid(const CapillaryAdhesion& law, double a, Groups& groups) {
   const double share = law.liquid_volume(1.0);
   const double grain = std::numbers::pi / 6.0 * a * a * a;
   const Bridge<> bridge = law.bridge(0.5 * a, 0.5 * a, share * grain / kBridgesPerGrain);
-  groups.push_back({"V_l/V_s", share, "volume of the liquid over the volume of the grains"});
+  groups.push_back({"V_l/V_s", share, "volume of the liquid divided by the volume of the grains"});
   groups.push_back({"l/a", 1.0 / (bridge.decay * a),
                     "length over which the force of a liquid bridge decays, with three bridges per grain"});
-  groups.push_back({"hm/a", bridge.reach / a, "gap at which this liquid bridge breaks"});
+  groups.push_back(
+      {"hm/a", bridge.reach / a, "gap at which a liquid bridge breaks, with three bridges per grain"});
 }
 
 /// Adds the dimensionless numbers of elastic spheres. The overlap of two spheres is proportional to 1/kappa, and the
@@ -115,15 +116,15 @@ void add_spheres(const Scene& scene, Groups& groups) {
                     "(E~/P)^(2/3), E~ = E/(1 - nu^2), at the first pressure of the scene"});
   groups.push_back({"kappa", hertz_kappa(scene, highest), "(E~/P)^(2/3) at the highest pressure of the scene"});
   add_pressures(scene, E, "P/E~", "P/E~", groups);
-  // Largest pressure between the surfaces in a contact that carries the mean force. The mean force at a given pressure
-  // is that of a packing with z Phi = 4 (coordination number z, solid fraction Phi).
+  // Largest pressure between the surfaces in a contact that carries the mean force. The mean force is computed from the
+  // pressure for z Phi = 4 (coordination number z, solid fraction Phi).
   groups.push_back({"p_max/E~", 0.847131 / std::sqrt(hertz_kappa(scene, highest)),
                     "largest pressure between the surfaces of a contact with the mean force, at the highest "
                     "pressure of the scene"});
 }
 
-/// Returns a parameter of the contact law in dimensionless form, with its symbol as its name; std::nullopt for forces,
-/// pressures and volumes, which are used as units.
+/// Returns a parameter of the contact law in dimensionless form; its name is its symbol. Returns std::nullopt for
+/// forces, pressures and volumes, because these are used as units.
 /// @param K_N  normal stiffness of a contact
 /// @param a  largest diameter
 std::optional<DerivedGroup> group_of(const LawNumber& n, double K_N, double a) {
@@ -166,10 +167,10 @@ void add_law(const Scene& scene, double a, Groups& groups) {
         {"zeta", damping_ratio(damping.get<ViscousDamping>().restitution), "fraction of critical damping"});
 }
 
-/// Adds the caps on the strain rate of the cell, its mass, and the softening in one part of a run (the assembly, or a
-/// stage of the load path), if they differ from those in another part.
+/// Adds the caps on the strain rate of the cell, the mass of the cell, and the softening in one part of a run (the
+/// assembly, or a stage of the load path), if they differ from the values in another part.
 /// @param r  options in this part
-/// @param other  options in the part with which this one is compared
+/// @param other  options in the part with which `r` is compared
 /// @param where  words for this part of the run, for example " at assembly"
 void add_cell(const RelaxationOptions& r, const RelaxationOptions& other, const std::string& where,
               Groups& groups) {
@@ -179,7 +180,7 @@ void add_cell(const RelaxationOptions& r, const RelaxationOptions& other, const 
     groups.push_back({"I", *r.inertial_number_cap, "cap on the inertial number of the cell" + where});
   if (r.cell_mass != other.cell_mass)
     groups.push_back(
-        {"cell_mass", r.cell_mass, "mass of the cell's sides over the mass of all grains" + where});
+        {"cell_mass", r.cell_mass, "mass of the cell's sides divided by the mass of all grains" + where});
   if (r.softening != other.softening)
     groups.push_back(
         {"softening", r.softening, "factor by which springs are softer while a packing collapses" + where});
@@ -214,7 +215,7 @@ void add_rates(const Scene& scene, double a, double m, Groups& groups) {
                       "sqrt(a m/F0), unit of time of the motion of cohesive grains (time unit of the scene)"});
 }
 
-/// Returns T = sqrt(m/(p a^(D-2))), the unit of time of a compaction between walls, with the first pressure p and the
+/// Returns the unit of time of a compaction between walls, T = sqrt(m/(p a^(D-2))), with the first pressure p and the
 /// dimension D (time unit of the scene).
 /// @param a  largest diameter
 /// @param m  mass of a grain of this diameter
@@ -231,35 +232,36 @@ void add_box(const Scene& scene, double a, double m, Groups& groups) {
   const double p = scene.assembly.pressure;
   const double sc = scene.law.pull_off_force() / std::pow(a, scene.dimension - 1);
   const double se = scene.law.contact_modulus(scene.dimension, a);
-  groups.push_back({"sc", sc, "F0/a^(D-1), stress by the adhesion (unit of pressure of the scene)"});
-  groups.push_back({"eta", sc / p, "sc/p, stress by the adhesion over the first pressure p"});
+  groups.push_back({"sc", sc, "F0/a^(D-1), stress caused by the adhesion (unit of pressure of the scene)"});
+  groups.push_back({"eta", sc / p, "sc/p, stress caused by the adhesion divided by the first pressure p"});
   groups.push_back(
       {"eta_star", sc / std::sqrt(p * se),
        "sc/sqrt(p se) with se = K_N/a^(D-2), adhesion relative to impacts; grains bounce if it is below 1"});
   groups.push_back({"sc/se", sc / se,
                     "overlap of two grains by their adhesion, in diameters; above 0.02 it changes the void "
                     "ratio noticeably"});
-  groups.push_back(
-      {"se/p", se / p, "se/p with se = K_N/a^(D-2), stiffness of the contacts over the first pressure p"});
+  groups.push_back({"se/p", se / p,
+                    "se/p with se = K_N/a^(D-2), stiffness of the contacts divided by the first pressure p"});
   if (!scene.starts_from_state()) {
-    groups.push_back(
-        {"p_k/p", box.kinetic_pressure / p,
-         "kinetic pressure of the gas over the first pressure; above 1 the gas pushes the walls outwards"});
+    groups.push_back({"p_k/p", box.kinetic_pressure / p,
+                      "kinetic pressure of the gas divided by the first pressure; above 1 the gas pushes the "
+                      "walls outwards"});
     if (scene.assembly.solid_fraction > 0.0)
       groups.push_back({"e_i", 1.0 / scene.assembly.solid_fraction - 1.0, "void ratio of the gas"});
   }
   if (any_wall_moves(box, scene.dimension))
-    groups.push_back({"m_w/m", box.mass, "mass of a wall over that of the largest grain"});
+    groups.push_back({"m_w/m", box.mass, "mass of a wall divided by the mass of the largest grain"});
   groups.push_back({"f_w/F0", sc > 0.0 ? box.adhesion / scene.law.pull_off_force() : 0.0,
-                    "pull-off force of grains from walls over that between grains"});
+                    "pull-off force of grains from walls divided by the pull-off force between grains"});
   groups.push_back({"mu_w", box.friction, "friction coefficient of the walls"});
   groups.push_back({"T", compaction_time(scene, a, m),
                     "sqrt(m/(p a^(D-2))), unit of time of the compaction (time unit of the scene)"});
 }
 
-/// Adds the shares of the volume that grains of different sizes hold, beside those that their distribution asks for.
+/// Adds the fractions of the total volume in classes of grain size, together with the fractions of the size
+/// distribution.
 void add_sizes(const Scene& scene, Groups& groups) {
-  // With more grains the shares drawn and asked for are equal to six digits.
+  // With more grains, the fractions of the drawn diameters equal those of the distribution to six digits.
   constexpr int kMostGrains = 1'000'000;
   using Kind = DiameterDistribution::Kind;
   const Kind kind = scene.grains.diameter.kind;
@@ -271,30 +273,31 @@ void add_sizes(const Scene& scene, Groups& groups) {
   for (int k = 0; const SizeClass& c : size_quarters(scene.grains, scene.dimension))
     groups.push_back(
         {fmt::format("V_{}/V", ++k), c.share,
-         fmt::format("share of the {} of all grains that those with diameters from {:.4g} to {:.4g} have{}",
+         fmt::format("fraction of the total {} that is in grains with diameters from {:.4g} to {:.4g}{}",
                      volume, c.from, c.to, asked(c.share_asked))});
   if (kind != Kind::sieve) return;
   for (const SizeClass& c : size_classes(scene.grains, scene.dimension))
     groups.push_back(
         {fmt::format("passing({:.4g})", c.to), c.passing,
-         fmt::format("share of the mass of all grains that passes a sieve of this size; the sieve curve "
+         fmt::format("fraction of the mass of all grains that passes a sieve of this size; the sieve curve "
                      "gives {:.4g}",
                      c.passing_asked.value_or(c.passing))});
 }
 
-/// Adds the pressures and the unit of time of a scene of rigid grains. Rigid contacts have no stiffness to which
-/// pressures could be compared: without adhesion, only their ratios count.
+/// Adds the pressures and the unit of time of a scene of rigid grains. Rigid contacts have no stiffness with which
+/// pressures could be compared. Without adhesion, only the ratios of pressures affect the results.
 /// @param a  largest diameter
 void add_rigid_contacts(const Scene& scene, double a, Groups& groups) {
   if (scene.law.adheres())
     add_reduced_pressures(scene, a, groups);
   else
-    add_pressures(scene, scene.assembly.pressure, "P/P_1", "pressure over the first pressure P_1", groups);
+    add_pressures(scene, scene.assembly.pressure, "P/P_1", "pressure divided by the first pressure P_1",
+                  groups);
   groups.push_back({"T", time_unit_of_rigid_grains(scene),
                     "sqrt(m/(P_1 a^(d-2))), unit of time of the motion (time unit of the scene)"});
 }
 
-/// Returns the expected number of time steps of a compaction between walls under one pressure. It follows from the
+/// Returns the expected number of time steps of a compaction between walls under one pressure. It is computed from the
 /// longest time that the scene allows (equilibrium.stop_time) or, if the scene gives none, from the usual time for
 /// dense packings.
 double steps_of_compaction(const Scene& scene) {
@@ -304,9 +307,9 @@ double steps_of_compaction(const Scene& scene) {
          time_step_of_scene(scene);
 }
 
-/// Returns the normal stiffness K_N of a contact. For spheres it increases with the force, and is given for the mean
-/// force under the first pressure P: 0.665 kappa P a, for z Phi = 4 (stiffness number kappa, largest diameter a,
-/// coordination number z, solid fraction Phi).
+/// Returns the normal stiffness K_N of a contact. The stiffness of spheres increases with the force. It is given for
+/// the mean force under the first pressure P: 0.665 kappa P a, for z Phi = 4 (stiffness number kappa, largest diameter
+/// a, coordination number z, solid fraction Phi).
 double typical_stiffness(const Scene& scene) {
   const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
   if (scene.law.force_exponent() == 1.0) return modulus * std::pow(a, scene.dimension - 2);
@@ -326,8 +329,7 @@ double time_step_of_scene(const Scene& scene) {
 }
 
 double expected_cost(const Scene& scene) {
-  // Processor time for one sphere and one time step (s), with about two contacts per sphere, on a core of the year
-  // 2023.
+  // Processor time per sphere and time step (s), with about two contacts per sphere, on a core of the year 2023.
   constexpr double kSecondsPerGrainStep = 4.3e-8;
   if (scene.law.is_rigid()) {
     const Steps stages = count_steps(scene);
@@ -338,7 +340,7 @@ double expected_cost(const Scene& scene) {
     return kSecondsPerGrainStep * scene.grains.count * steps_of_compaction(scene) *
            (1 + stages.up + stages.down);
   }
-  // Processor time of assembling a packing from a gas over that of one equilibrium of loading.
+  // Ratio of the processor time of assembling a packing from a gas to that of one equilibrium of loading.
   constexpr double kAssembly = 6.0;
   constexpr double kUnloading = 0.25;
   constexpr double kSecondsPerGrainAndStep = 80.0 / (1400.0 * (26.0 + kAssembly));
@@ -358,7 +360,8 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
   const double m = mass_of(scene, a);
   Groups groups;
   groups.push_back({"N", static_cast<double>(scene.grains.count), "number of grains"});
-  groups.push_back({"d_min/a", scene.grains.smallest() / a, "smallest diameter over the largest diameter a"});
+  groups.push_back(
+      {"d_min/a", scene.grains.smallest() / a, "smallest diameter divided by the largest diameter a"});
   add_sizes(scene, groups);
   if (scene.grains.shape) add_shape_groups(scene, groups);
   if (scene.law.is_rigid()) {
@@ -384,7 +387,7 @@ std::vector<DerivedGroup> derived_groups(const Scene& scene) {
                         ? "longest time step of the motion at the first pressure (time unit of the scene)"
                         : "time step of the motion (time unit of the scene)"});
   const Steps steps = count_steps(scene);
-  // Most assemblies make one equilibrium. There are two if the grains are aggregated (first an equilibrium at zero
+  // Most assemblies make one equilibrium. They make two if the grains are aggregated (first an equilibrium at zero
   // pressure), or if a packing made from a gas is vibrated (an equilibrium before and one after the vibration).
   const bool twice = scene.assembly.protocol == AssemblyOptions::Protocol::aggregation ||
                      (scene.assembly.vibration && !scene.starts_from_state());

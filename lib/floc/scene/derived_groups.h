@@ -7,23 +7,24 @@
 
 namespace floc {
 
-/// Number computed from the parameters of a scene, with its name and its meaning in words. It is dimensionless unless
-/// `meaning` gives a unit.
+/// Number computed from the parameters of a scene, with its name and a text that gives its meaning. It is dimensionless
+/// unless `meaning` contains a unit.
 struct DerivedGroup {
   std::string name;
   double value;
   std::string meaning;
 };
 
-/// Returns the numbers that characterize a scene, such as kappa (stiffness), P* (reduced pressure) of every stage, Ia
-/// (strain rate), ratios of stiffnesses, D0/a (range of the adhesion), h0/a (overlap by adhesion), the fraction of
-/// critical damping and V0/V* (speed at the start); then the time T0, the time step, the number of equilibria and the
-/// expected cost. Here a is the largest diameter. Numbers about effects that the scene does not have are left out.
+/// Returns the numbers that characterize a scene. First come the dimensionless numbers, such as kappa (stiffness), P*
+/// (reduced pressure) of every stage, Ia (strain rate), ratios of stiffnesses, D0/a (range of the adhesion), h0/a
+/// (overlap caused by adhesion), the fraction of critical damping and V0/V* (speed at the start). Then follow the time
+/// T0, the time step, the number of equilibria and the expected cost. Here a is the largest diameter. Numbers about
+/// effects that do not occur in the scene are left out.
 std::vector<DerivedGroup> derived_groups(const Scene& scene);
 
 /// Returns the stiffness number kappa = (E~/P)^(2/3) of elastic spheres under a pressure P, with E~ = E/(1 - nu^2)
-/// (Young's modulus E, Poisson's ratio nu). Overlaps of spheres, divided by their diameter, are proportional to
-/// 1/kappa.
+/// (Young's modulus E, Poisson's ratio nu). The ratio of the overlap of two spheres to their diameter is proportional
+/// to 1/kappa.
 double hertz_kappa(const Scene& scene, double pressure);
 
 /// Returns the time step of a run of the scene (time unit of the scene). It is determined by the smallest grain.

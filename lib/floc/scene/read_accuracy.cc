@@ -13,8 +13,8 @@ namespace {
 
 constexpr NumberRule kRelativeError{positive, "a positive number (relative error)"};
 
-/// Records a fault for each key that gives a numerical setting which [accuracy] chooses: a scene may have either
-/// [accuracy] or these keys.
+/// Records a fault for each key of a numerical setting that [accuracy] chooses: a scene may give either [accuracy] or
+/// these keys.
 void refuse_settings(TableReader& root) {
   TableReader equilibrium = root.table("equilibrium", "", TableReader::Need::optional);
   TableReader run = root.table("run", "", TableReader::Need::optional);
@@ -28,8 +28,8 @@ void refuse_settings(TableReader& root) {
   refuse(run, "time_step");
 }
 
-/// Writes the chosen numerical settings into the TOML tables of the scene. Its text then gives the settings of the run,
-/// and they stay the same if a later version of floc has another table of measured errors.
+/// Writes the chosen numerical settings into the TOML tables of the scene. The text of the scene then contains the
+/// settings of the run, which stay the same even if a later version of floc has another table of measured errors.
 void write_choice(const AccuracyChoice& choice, toml::table& root) {
   const auto table = [&](const char* name) -> toml::table& {
     return *root.insert(name, toml::table{}).first->second.as_table();
@@ -48,7 +48,7 @@ void write_choice(const AccuracyChoice& choice, toml::table& root) {
 
 bool read_accuracy(TableReader& root, SceneSource& source, const std::string& prices, Scene& scene) {
   TableReader t = root.table("accuracy", "a table [accuracy]", TableReader::Need::optional);
-  // For rigid contacts, check_rigid() refuses the table.
+  // For rigid contacts, check_rigid() records the fault.
   if (!t || scene.law.is_rigid()) return false;
   WantedAccuracy wanted;
   for (const std::string& key : accuracy_keys())

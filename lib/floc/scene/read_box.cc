@@ -17,9 +17,9 @@ using Need = TableReader::Need;
 
 constexpr NumberRule kPositive{positive, "a positive number"};
 
-/// Reads the key box.boundary, which gives a keyword for each axis: "walls" (walls that move under the pressure),
-/// "fixed" (walls at rest), "periodic" (no walls), "floor" (a wall at rest below, free space above) or "lid" (a wall at rest
-/// below, one that moves under the pressure above).
+/// Reads the key box.boundary, which gives a keyword for each axis: "walls" (both walls move under the pressure),
+/// "fixed" (both walls are at rest), "periodic" (no walls), "floor" (the lower wall is at rest, the upper end is open)
+/// or "lid" (the lower wall is at rest, the upper wall moves under the pressure).
 void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
   constexpr std::array kSides = {BoxSide::walls, BoxSide::fixed, BoxSide::periodic, BoxSide::floor,
                                  BoxSide::lid};
@@ -33,7 +33,7 @@ void read_boundary(TableReader& t, int dimension, BoxOptions& box) {
   sides.refuse_other_keys();
 }
 
-/// Reads the key box.gravity, and checks that a wall bears the weight of the grains.
+/// Reads the key box.gravity, and checks that a wall at rest bears the weight of the grains.
 void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
   const bool given = t.has("gravity");
   if (given) {
@@ -59,16 +59,16 @@ void read_gravity(TableReader& t, int dimension, BoxOptions& box) {
                       "wall at rest bears the weight; expected \"floor\", \"lid\" or \"fixed\"",
                       a + 1, side == BoxSide::periodic ? "periodic" : "walls"));
     if (has_floor && !(box.gravity[a] < 0.0))
-      return t.fault(
-          given ? "gravity" : "boundary",
-          fmt::format("box.gravity: axis {} has a floor at its lower end, so that gravity has to act towards "
-                      "it; expected a negative number for this axis",
-                      a + 1));
+      return t.fault(given ? "gravity" : "boundary",
+                     fmt::format("box.gravity: axis {} has a floor at its lower end, so gravity must act "
+                                 "towards the floor; expected a negative number for this axis",
+                                 a + 1));
   }
 }
 
-/// Reads the pressure on the walls that move. Without such walls, the unit of pressure of the scene is the weight of a layer of
-/// the largest grains: m g/a^(D-1), with their mass m and diameter a.
+/// Reads the pressure on the walls that move. If no wall moves, the unit of pressure of the scene is the weight per
+/// area of a layer of the largest grains: m g/a^(D-1), with their mass m and diameter a, the acceleration g due to
+/// gravity and the dimension D.
 void read_pressure(TableReader& t, Scene& scene, const BoxOptions& box) {
   if (any_wall_moves(box, scene.dimension) || box.gravity.isZero(0.0)) {
     scene.assembly.pressure =
@@ -118,8 +118,8 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
   if (scene.law.adheres_by_itself())
     t.fault("adhesion",
             fmt::format(
-                "box.adhesion: with contact.normal.law = \"{}\" grains adhere to walls as they do to each "
-                "other, so no other adhesion can be given; expected a periodic cell, or another contact law",
+                "box.adhesion: with contact.normal.law = \"{}\" grains adhere to walls with the same law as to "
+                "each other, so box.adhesion cannot be given; expected a periodic cell, or another contact law",
                 scene.law.normal_keyword()));
   if (box.friction > 0 && !scene.law.has_friction())
     t.fault(
@@ -129,7 +129,7 @@ void read_contacts(TableReader& t, const Scene& scene, BoxOptions& box) {
                     box.friction));
 }
 
-/// Checks that the box is so large that its grains can be placed in it at random.
+/// Checks that the box is large enough for its grains to be placed in it at random.
 void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
   const double d = scene.grains.largest();
   if (scene.starts_from_state() || !(d > 0) || scene.grains.count == 0) return;
@@ -141,7 +141,7 @@ void check_room(TableReader& t, const Scene& scene, const BoxOptions& box) {
             fmt::format(
                 "box.sides: the side {} along axis {} is too short; expected more than the largest diameter {}",
                 box.sides[a], a + 1, d));
-  // Lower bound on the volume of the grains: all of them are counted with the smallest diameter.
+  // Lower bound on the volume of the grains: every grain is counted with the smallest diameter.
   const double least = std::pow(scene.grains.smallest(), scene.dimension) * std::numbers::pi /
                        (scene.dimension == 2 ? 4.0 : 6.0) * scene.grains.count;
   const double volume = box.sides.head(scene.dimension).prod();
@@ -177,7 +177,7 @@ void read_boxed_gas(TableReader& assembly, Scene& scene) {
         "assembly.kinetic_pressure is not allowed here: the grains of the file assembly.state start at rest");
     return;
   }
-  // At higher solid fractions than those accepted here, grains cannot be placed at random without overlap.
+  // Above the largest accepted solid fraction, grains cannot be placed at random without overlap.
   const bool plane = scene.dimension == 2;
   scene.assembly.solid_fraction =
       assembly
@@ -208,7 +208,7 @@ void read_box(TableReader& root, Scene& scene) {
   read_pressure(t, scene, box);
   if (any_wall_moves(box, scene.dimension) || box.gravity.isZero(0.0))
     box.mass = t.number("mass", {kPositive.holds,
-                                 "a positive number (mass of a wall over the mass of the largest grain)"})
+                                 "a positive number (mass of a wall divided by the mass of the largest grain)"})
                    .value_or(1);
   scene.assembly.cell.wall_speed = t.number("speed",
                                             {kPositive.holds,
@@ -235,10 +235,10 @@ void read_compaction_end(TableReader& t, Scene& scene) {
   scene.relaxation.tolerance.stress = CompactionEnd::kSettledPressure;
   const auto chosen = t.choice("end", {"settled", "energy_ratio"}, Need::optional);
   if (chosen && *chosen == 1) end.criterion = CompactionEnd::Criterion::energy_ratio;
-  end.energy_ratio =
-      t.number("energy_ratio", {kPositive.holds, "a positive number (kinetic energy over elastic energy)"},
-               Need::optional)
-          .value_or(end.energy_ratio);
+  end.energy_ratio = t.number("energy_ratio",
+                              {kPositive.holds, "a positive number (kinetic energy divided by elastic energy)"},
+                              Need::optional)
+                         .value_or(end.energy_ratio);
   if (t.has("energy_ratio") && end.criterion != CompactionEnd::Criterion::energy_ratio)
     t.fault(
         "energy_ratio",

@@ -9,8 +9,8 @@ namespace floc {
 /// pressure of the gas from which the packing is made.
 void read_boxed_gas(TableReader& assembly, Scene& scene);
 
-/// Reads the table [box] of a scene, which describes walls around the grains. It replaces the table [cell], which
-/// describes a periodic cell.
+/// Reads the table [box] of a scene, which describes walls around the grains. A scene with walls has this table instead
+/// of the table [cell], which describes a periodic cell.
 /// @pre the tables [assembly] and [grains] have been read
 void read_box(TableReader& root, Scene& scene);
 

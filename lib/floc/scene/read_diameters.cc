@@ -96,8 +96,8 @@ void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
   // with the same sigma and a median that is smaller by the factor exp(-Dim sigma^2).
   const bool by_mass = t.choice("by", {"number", "mass"}, Need::optional) == 1;
   d.median = by_mass ? median * std::exp(-dimension * d.sigma * d.sigma) : median;
-  // Smallest share of the complete lognormal distribution that must lie between min and max. With a smaller share, its
-  // quantiles would lose more than half of their digits.
+  // Smallest fraction of the complete lognormal distribution that must lie between min and max. With a smaller
+  // fraction, the quantiles between min and max would lose more than half of their digits.
   constexpr double kLeastShare = 1e-12;
   if (!(d.min > 0 && d.min < d.max && median > 0 && d.sigma > 0)) return;
   const double share = d.median > 0.0 ? share_within_bounds(d) : 0.0;
@@ -109,7 +109,8 @@ void read_lognormal(TableReader& t, int dimension, DiameterDistribution& d) {
                                   d.min, d.max, kLeastShare));
 }
 
-/// Reads the key that says at which fractions of the number of grains the diameters are quantiles.
+/// Reads the key `quantiles`: the diameters are quantiles at the ends or in the middle of equal fractions of the number
+/// of grains.
 void read_quantiles(TableReader& t, DiameterDistribution& d) {
   if (t.choice("quantiles", {"ends", "middle"}, Need::optional) == 1)
     d.quantiles = DiameterDistribution::Quantiles::middle;
@@ -127,7 +128,7 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
   if (!chosen) return d;
   d.kind = std::array{Kind::uniform,   Kind::constant,  Kind::bidisperse, Kind::list, Kind::power_law,
                       Kind::lognormal, Kind::power_law, Kind::power_law,  Kind::sieve}[*chosen];
-  // Three keywords stand for power laws: "power_law", and "uniform_by_volume" and "uniform_by_area", which fix the
+  // Three keywords select power laws: "power_law", and "uniform_by_volume" and "uniform_by_area", which fix the
   // exponent.
   constexpr std::size_t kByVolume = 6, kByArea = 7;
   switch (d.kind) {
@@ -142,7 +143,7 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       read_sizes(t, "small", "large", d);
       d.share_of_large =
           t.number("share_of_large", {[](double x) { return x >= 0 && x <= 1; },
-                                      "the number of large grains over the number of all grains, 0 to 1"})
+                                      "the number of large grains divided by the number of all grains, 0 to 1"})
               .value_or(0);
       break;
     case Kind::list:
@@ -165,13 +166,14 @@ DiameterDistribution read_diameters(TableReader t, SceneSource& source, const st
       read_lognormal(t, dimension, d);
       break;
     case Kind::sieve:
-      // A single grain of the size that just passes the coarsest sieve may hold much of the mass.
+      // With quantiles at the ends, one grain of the largest size is always included, and it may hold much of the mass.
       d.quantiles = DiameterDistribution::Quantiles::middle;
       read_sieve(t, source, directory, units, d);
       break;
   }
   t.refuse_other_keys();
-  // Later checks read the ends of the distribution, but only a valid one has quantiles.
+  // Later checks read the ends of the distribution. A distribution with faults has no quantiles, so they are set to its
+  // ends.
   if (source.n_faults() > n_faults) d.quantiles = DiameterDistribution::Quantiles::ends;
   return d;
 }

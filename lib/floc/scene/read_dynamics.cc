@@ -10,7 +10,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Whether the normal law of the scene could be read. If not, the contact law of the scene is a placeholder.
+/// Whether the normal law of the scene was read without faults. Otherwise the contact law of the scene is a
+/// placeholder.
 bool knows_normal_law(TableReader& root, const SceneSource& source) {
   return root.table("contact", "", Need::optional).has("normal") && !source.is_faulty("contact.normal") &&
          !source.is_faulty("contact.normal.law");
@@ -27,11 +28,11 @@ void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
                Need::optional)
           .value_or(options.time_step);
   options.sweep_tolerance =
-      t.number("sweep_tolerance",
-               {[](double x) { return x > 0 && x <= 0.1; },
-                "a number in (0, 0.1] (error of the impulses of a time step over the mean "
-                "normal impulse)"},
-               Need::optional)
+      t.number(
+           "sweep_tolerance",
+           {[](double x) { return x > 0 && x <= 0.1; },
+            "a number in (0, 0.1] (error of the impulses of a time step divided by the mean normal impulse)"},
+           Need::optional)
           .value_or(options.sweep_tolerance);
   options.max_sweeps = static_cast<int>(
       t.integer("max_sweeps",
@@ -49,17 +50,18 @@ void read_contact_dynamics(TableReader& t, ContactDynamicsOptions& options) {
   options.gap_tolerance = t.number("gap_tolerance",
                                    {[](double x) { return x > 0 && x <= 0.1; },
                                     "a number in (0, 0.1] (largest gap or overlap of a contact that carries a "
-                                    "force, over the diameter of its smaller grain)"},
+                                    "force, divided by the diameter of its smaller grain)"},
                                    Need::optional);
 }
 
-/// Key of a scene that has no meaning for one of the two methods, and the words for what is expected in its place.
+/// Key that is not allowed with one of the two methods, and the end of the message, which says what is expected
+/// instead.
 struct KeyInPlace {
   const char* key;
   const char* expectation;
 };
 
-/// Records a fault for each setting of contact dynamics, in a scene of elastic contacts.
+/// Records a fault for each setting of contact dynamics in a scene of elastic contacts.
 void refuse_contact_dynamics(TableReader& t) {
   constexpr const char* kNone = "no key";
   constexpr KeyInPlace kRefusedKeys[] = {{"time_step", "run.time_step"},
@@ -80,11 +82,11 @@ void refuse_contact_dynamics(TableReader& t) {
 void refuse_smooth_dynamics(TableReader& root) {
   constexpr KeyInPlace kRefusedInRun[] = {
       {"time_step", "the time step of rigid grains is given by dynamics.time_step"},
-      {"skin", "the lists of neighbours follow dynamics.time_step; remove the key"}};
+      {"skin", "the skin of the neighbour lists is chosen from dynamics.time_step; remove the key"}};
   constexpr KeyInPlace kRefusedInEquilibrium[] = {
-      {"finish", "the forces in which rigid grains end are chosen by dynamics.finish"},
-      {"patience",
-       "motion ends by criteria of its own, and dynamics.finish chooses the forces; remove the key"}};
+      {"finish",
+       "dynamics.finish chooses among the possible forces of rigid grains at rest; give this key instead"},
+      {"patience", "contact dynamics has its own criteria for the end of motion; remove the key"}};
   TableReader run = root.table("run", "", Need::optional);
   TableReader equilibrium = root.table("equilibrium", "", Need::optional);
   const auto refuse = [](TableReader& t, const KeyInPlace& k) {
@@ -94,8 +96,8 @@ void refuse_smooth_dynamics(TableReader& root) {
   for (const KeyInPlace& k : kRefusedInEquilibrium) refuse(equilibrium, k);
 }
 
-/// Records a fault for each stage of the load path that imposes the lengths of all axes: forces of rigid grains have no
-/// scale then.
+/// Records a fault for each stage of the load path that imposes the lengths of all axes. Without an imposed stress, the
+/// forces of rigid grains have no scale.
 void check_stages(TableReader& root, const Scene& scene) {
   if (scene.load.empty()) return;
   std::vector<TableReader> stages = root.tables("load", "tables [[load]]");
@@ -109,14 +111,14 @@ void check_stages(TableReader& root, const Scene& scene) {
       t.fault(
           "control",
           fmt::format(
-              "{} = \"{}\": this stage imposes the lengths of all axes, but rigid grains need a stress on one "
-              "axis at least, because their forces have no scale otherwise; expected a stage that keeps or "
+              "{} = \"{}\": this stage imposes the lengths of all axes, but rigid grains need a stress on at "
+              "least one axis, because otherwise their forces have no scale; expected a stage that keeps or "
               "imposes a stress",
               t.path_of("control"), stage.control));
   }
 }
 
-/// Records a fault for each way to assemble a packing that is not possible with rigid contacts.
+/// Records a fault for each method of assembly that is not possible with rigid contacts.
 void check_assembly(TableReader& root, const Scene& scene) {
   TableReader t = root.table("assembly", "", Need::optional);
   if (scene.assembly.protocol == AssemblyOptions::Protocol::aggregation)
@@ -139,8 +141,8 @@ void read_dynamics(TableReader& root, const SceneSource& source, Scene& scene) {
   const bool rigid = knows_law ? scene.law.is_rigid() : method != std::optional<std::size_t>(0);
   if (knows_law && method && rigid && *method == 0)
     t.fault("method",
-            "dynamics.method = \"smooth\": rigid contacts have no stiffness, so that only contact dynamics can "
-            "move the grains; expected method = \"contact_dynamics\", or no key method");
+            "dynamics.method = \"smooth\": rigid contacts have no stiffness, so only contact dynamics can move "
+            "the grains; expected method = \"contact_dynamics\", or no key method");
   if (knows_law && method && !rigid && *method == 1)
     t.fault(
         "method",
@@ -171,8 +173,8 @@ void check_rigid(TableReader& root, const SceneSource& source, const Scene& scen
       "version of floc; expected a table [cell]");
   root.refuse(
       "accuracy",
-      "[accuracy] is not allowed with rigid contacts: the errors in the table shipped with floc were "
-      "measured on elastic grains; expected the numerical settings themselves ([equilibrium], [dynamics])");
+      "[accuracy] is not allowed with rigid contacts: the errors in the table shipped with floc were measured "
+      "on elastic grains; remove [accuracy] and give the numerical settings ([equilibrium], [dynamics])");
   check_assembly(root, scene);
   check_stages(root, scene);
   refuse_smooth_dynamics(root);

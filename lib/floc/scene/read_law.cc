@@ -12,7 +12,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Number that takes the place of an invalid one, so that later checks still find a complete contact law.
+/// Number that replaces an invalid number, so that later checks still find a complete contact law.
 constexpr double kPlaceholder = 1.0;
 
 NumberRule rule_of(const DeclaredNumber& n) {
@@ -24,8 +24,8 @@ NumberRule rule_of(const DeclaredNumber& n) {
   return {kHolds[static_cast<int>(n.at_first)], n.expectation.c_str()};
 }
 
-/// Returns words for the table that a component of the contact law must have, for messages; for example: a table {law =
-/// "tail", force, range} or {law = "constant", force}.
+/// Returns a description, for messages, of the table that a component of the contact law must have. Example: a table
+/// {law = "tail", force, range} or {law = "constant", force}.
 std::string expected_table(const DeclaredSlot& slot) {
   std::string text = "a table ";
   for (const DeclaredModel& model : slot.models)
@@ -33,7 +33,7 @@ std::string expected_table(const DeclaredSlot& slot) {
   return text;
 }
 
-/// Records a fault for each key in the table of a component of the contact law that the chosen model does not have, but
+/// Records a fault for each key in the table of a component of the contact law that the chosen model does not have but
 /// another model of this component has.
 void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const DeclaredModel& chosen) {
   for (const DeclaredModel& other : slot.models)
@@ -44,10 +44,9 @@ void refuse_keys_of_others(TableReader& t, const DeclaredSlot& slot, const Decla
                                     t.path_of(n.key), chosen.keyword, slot.key, n.key, other.keyword, n.key));
 }
 
-/// Returns the index of the model that the table of a component of the contact law stands for if it has no key "law":
-/// the default model (or the default of the family of the normal law), unless the table has a number that only another
-/// model has.
-/// @param law  contact law with the components that have been read before
+/// Returns the index of the model of a component of the contact law whose table has no key "law". This is the default
+/// model (or the default of the family of the normal law), unless the table has a number that only another model has.
+/// @param law  contact law with the components that were read earlier
 std::size_t unnamed_model(const TableReader& t, const DeclaredSlot& slot, const LawParameters& law) {
   std::size_t meant = 0;
   for (std::size_t k = 0; k < slot.models.size(); ++k)
@@ -67,8 +66,8 @@ void read_slot(TableReader t, const DeclaredSlot& slot, LawParameters& law) {
   const auto chosen = t.choice("law", keywords, names_its_model(slot) ? Need::required : Need::optional);
   if (!chosen && (t.has("law") || (slot.models.size() > 1 && names_its_model(slot)))) return;
   const DeclaredModel& model = slot.models[chosen ? *chosen : unnamed_model(t, slot, law)];
-  // If the chosen model cannot be combined with the models of other components, only this fault is reported, not the
-  // numbers of the model.
+  // If the chosen model cannot be combined with the models of other components, this is the only fault reported: the
+  // numbers of the model are not checked.
   const bool goes_together = fits(model, law);
   model.choose(law);
   bool all_right = true;

@@ -28,9 +28,9 @@ constexpr double kRoundingPerStep = 1e-6;
 
 constexpr NumberRule kStrain{
     is_strain,
-    "a logarithmic strain from -2 to 2 (compression positive; at larger strains the cell would vanish)"};
-/// Largest shear strain of one stage. It is large enough for every test: a packing reaches its steady state much
-/// earlier.
+    "a logarithmic strain from -2 to 2 (compression positive; at larger strains the cell would nearly vanish)"};
+/// Largest shear strain of one stage. It is large enough for every test, because a packing reaches its steady state
+/// much earlier.
 constexpr NumberRule kShear{[](double x) { return x >= -100 && x <= 100; }, "a shear strain from -100 to 100"};
 const std::vector<std::string> kControls = {"isotropic",       "oedometric", "triaxial",
                                             "constant_volume", "axes",       "simple_shear"};
@@ -41,7 +41,7 @@ std::vector<std::string> law_keys(LawParameters law) {
   return keys;
 }
 
-/// Applies the changes of the contact law that a stage makes (its key "set"), and records faults in them.
+/// Applies the changes of the contact law that a stage makes (key "set" of the stage), and records faults in them.
 /// @param present  contact law before the stage, replaced by the law during the stage
 void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
   LawParameters law = present;
@@ -63,7 +63,7 @@ void apply_changes(TableReader& t, const LoadStage& stage, Law& present) {
 
 /// Reads the load that a stage imposes on one axis at its end: a stress, or a logarithmic strain (key "strain").
 /// @param stress_key  key that gives the stress
-/// @param of_stress  words for the accepted stresses, for messages
+/// @param of_stress  description of the accepted stresses, for messages
 AxisLoad read_axis_load(TableReader& t, const char* stress_key, const char* of_stress) {
   const bool has_stress = t.has(stress_key);
   const auto stress = t.number(stress_key, {not_negative, of_stress}, Need::optional);
@@ -106,9 +106,9 @@ std::vector<AxisLoad> read_axes(TableReader& t, int dimension) {
   return axes;
 }
 
-/// Returns the loads on all axes in a test that drives one axis to a stress or a strain.
-/// @param control  keyword of the test, which determines the loads on the other axes: "oedometric" (they keep their
-/// lengths), "triaxial" (they keep their stresses) or "constant_volume"
+/// Returns the loads that a test imposes on all axes. The test drives one axis to a stress or to a strain.
+/// @param control  keyword of the test, which determines the loads on the other axes: "oedometric" (their lengths stay
+/// constant), "triaxial" (their stresses stay constant) or "constant_volume"
 /// @param axis  axis that is driven, counted from 0
 std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int axis, int dimension) {
   if (control == "constant_volume" && t.has("to"))
@@ -125,7 +125,7 @@ std::vector<AxisLoad> read_test(TableReader& t, const std::string& control, int 
 }
 
 /// Reads a stage of simple shear. The planes perpendicular to the axis `stage.axis` move along the first axis. The
-/// stress on `stage.axis`, and the lengths of all other axes, stay as they are.
+/// stress on `stage.axis` and the lengths of all other axes stay constant.
 void read_shear(TableReader& t, int dimension, LoadStage& stage) {
   const char* which = dimension == 2
                           ? "the number of the axis perpendicular to the planes that are sheared, 2"
@@ -162,7 +162,7 @@ void read_axes_of(TableReader& t, int dimension, LoadStage& stage) {
 }
 
 /// Whether the key steps_per_decade determines the number of steps of a stage. It does if every imposed stress is
-/// positive at the end of the stage, and positive and known before the run at its start.
+/// positive at the end of the stage, and is known before the run and positive at the start of the stage.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 bool counts_in_decades(const KnownStress& from, const LoadStage& stage) {
   bool any = false;
@@ -191,7 +191,8 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
         fmt::format("{} is not allowed here: the stage imposes no strain; expected steps or steps_per_decade",
                     t.path_of("strain_step")));
   if (strain_step && strain > 0.0) {
-    // kRoundingPerStep: if the strain is a multiple of strain_step, rounding must not add one more step.
+    // The tolerance kRoundingPerStep prevents an additional step by rounding if the strain is a multiple of
+    // strain_step.
     const double n = std::ceil(strain / *strain_step - kRoundingPerStep);
     if (n > static_cast<double>(kMaxSteps))
       t.fault("strain_step",
@@ -200,8 +201,8 @@ void read_step_size(TableReader& t, const KnownStress& from, LoadStage& stage) {
     else
       stage.steps = std::max(1, static_cast<int>(n));
   }
-  // The number of steps follows from the ratio of the stresses at the end and at the start of the stage, so both must
-  // be positive and known.
+  // steps_per_decade gives the number of steps from the ratio of the stresses at the end and at the start of the stage.
+  // Both stresses must therefore be positive and known.
   if (stage.steps_per_decade && !counts_in_decades(from, stage))
     t.fault("steps_per_decade",
             fmt::format("{} is not allowed here: the stress at the start of the stage is zero or not known "
@@ -232,9 +233,9 @@ void check_isotropic_steps(TableReader& t, const KnownStress& from, bool has_end
                                             t.path_of("steps_per_decade")));
 }
 
-/// Returns the name of a stage to which the scene gives none: "load", "unload" or "hold" for an isotropic or oedometric
-/// stage, if it is known before the run whether the load increases; otherwise the control of the stage, for example
-/// "triaxial".
+/// Returns the name of a stage whose name the scene does not give. For an isotropic or oedometric stage it is "load",
+/// "unload" or "hold", if it is known before the run whether the load increases. Otherwise it is the control of the
+/// stage, for example "triaxial".
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 std::string default_name(const KnownStress& from, const LoadStage& stage) {
   const std::size_t axis = static_cast<std::size_t>(stage.axis);
@@ -247,8 +248,8 @@ std::string default_name(const KnownStress& from, const LoadStage& stage) {
   return driven.end > *before ? "load" : driven.end < *before ? "unload" : "hold";
 }
 
-/// Checks the change of volume of a stage that imposes a strain on every axis. The sum of the logarithmic strains must
-/// not be so large that the cell vanishes.
+/// Checks the change of volume in a stage that imposes a strain on every axis: the sum of the logarithmic strains must
+/// not be so large that the cell nearly vanishes.
 void check_volume(TableReader& t, const LoadStage& stage) {
   double sum = 0.0;
   for (const AxisLoad& axis : stage.axes) {
@@ -257,12 +258,12 @@ void check_volume(TableReader& t, const LoadStage& stage) {
   }
   if (sum > kLargestStrain)
     t.fault("axes", fmt::format("{}: the strains of all axes add up to {}, expected at most {} (at larger "
-                                "strains the cell would vanish)",
+                                "strains the cell would nearly vanish)",
                                 t.path_of("axes"), sum, kLargestStrain));
 }
 
-/// Checks that no axis keeps a stress of zero during a stage if the grains do not adhere: nothing would hold them
-/// together. Stresses that are not known before the run are not checked.
+/// Checks that no axis keeps a stress of zero during a stage if the grains do not adhere, because nothing would hold
+/// them together. Stresses that are not known before the run are not checked.
 /// @param from  stress on each axis at the start of the stage, as far as it is known before the run
 void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage& stage, const Law& law) {
   if (law.adheres()) return;
@@ -275,10 +276,10 @@ void check_kept_stress(TableReader& t, const KnownStress& from, const LoadStage&
                       t.path_of("control"), stage.control, a + 1));
 }
 
-/// Checks a stage that ends at zero stress on an axis: grains must adhere and must not be rigid, and the cell must be
-/// able to move.
+/// Checks a stage that ends at zero stress on an axis. The grains must adhere and must not be rigid, and the caps on
+/// the strain rate must allow the cell to move.
 /// @param has_end  whether the stage has a valid pressure "to"
-/// @param cell_cap  whether the table [cell] caps the inertial number, which allows no motion at zero pressure
+/// @param cell_cap  whether the table [cell] caps the inertial number; such a cap allows no motion at zero pressure
 void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, const Law& law, bool cell_cap) {
   const bool zero = stage.is_isotropic()
                         ? has_end && stage.to == 0.0
@@ -289,8 +290,8 @@ void check_zero_stress(TableReader& t, const LoadStage& stage, bool has_end, con
   const char* key = t.has("axes") ? "axes" : "to";
   if (law.is_rigid()) {
     if (t.has(key))
-      t.fault(key, fmt::format("{} = 0: rigid grains need a positive pressure, because without one no force is "
-                               "determined; expected a positive pressure",
+      t.fault(key, fmt::format("{} = 0: rigid grains need a positive pressure, because at zero pressure their "
+                               "forces are not determined; expected a positive pressure",
                                t.path_of(key)));
     return;
   }
@@ -327,7 +328,7 @@ void check_walls(TableReader& t, const BoxOptions& box, const LoadStage& stage) 
   }
 }
 
-/// Reads the rate at which a stage strains rigid grains.
+/// Reads the strain rate of a stage of rigid grains.
 void read_strain_rate(TableReader& t, const Law& law, LoadStage& stage) {
   constexpr const char* kKey = "inertial_number";
   if (!law.is_rigid())
@@ -366,8 +367,8 @@ LoadStage read_stage(TableReader t, const Scene& scene, const KnownStress& from,
                                 t.path_of(key)));
   } else {
     read_axes_of(t, dimension, stage);
-    // If all stresses in the key "axes" are equal, the stage is treated as isotropic, so that both ways to write it
-    // give identical results.
+    // If all stresses in the key "axes" are equal, the stage is treated as isotropic, so that both notations give
+    // identical results.
     if (stage.control == "axes" && !stage.axes.empty() && stage.axes[0].kind == AxisLoad::stress &&
         std::count(stage.axes.begin(), stage.axes.end(), stage.axes[0]) == dimension) {
       stage.to = stage.axes[0].end;
@@ -447,11 +448,9 @@ void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene) {
   for (TableReader& t : root.tables("load", "tables [[load]]")) {
     if (scene.assembly.box && !any_wall_moves(*scene.assembly.box, scene.dimension) &&
         !scene.assembly.box->gravity.isZero(0.0))
-      t.fault(
-          "control",
-          fmt::format("{}: no wall of the box moves, so that no pressure can be imposed; expected no tables "
-                      "[[load]], or a box.boundary with \"walls\" or \"lid\"",
-                      t.path_of("control")));
+      t.fault("control", fmt::format("{}: no wall of the box moves, so no pressure can be imposed; remove the "
+                                     "tables [[load]], or give a box.boundary with \"walls\" or \"lid\"",
+                                     t.path_of("control")));
     scene.load.push_back(read_stage(t, scene, from, law));
     scene.load.back().cell = scene.load.back().cell.or_else(unsaid);
     from = after_stage(from, scene.load.back());

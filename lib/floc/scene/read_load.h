@@ -6,12 +6,12 @@
 namespace floc {
 
 inline constexpr NumberRule kCellMass{
-    positive, "a positive number (mass of the cell's sides over the mass of all grains)"};
+    positive, "a positive number (mass of the cell's sides divided by the mass of all grains)"};
 
-/// Condition for the factor by which springs are softer while grains rearrange.
+/// Condition that the factor by which springs are softened while grains rearrange must satisfy.
 inline constexpr NumberRule kSoftening{
     [](double x) { return x >= 1; },
-    "a number >= 1 (factor by which the springs of contacts are softer while grains rearrange)"};
+    "a number >= 1 (factor by which the springs of contacts are softened while grains rearrange)"};
 inline constexpr NumberRule kInertialNumberCap{
     positive,
     "a positive number (inertial number |L'/L| sqrt(m/P) of a side L of the cell; largest mass m, pressure P)"};
@@ -25,15 +25,15 @@ inline constexpr NumberRule kStrainRateCapRule{positive,
 /// @param t  table of the scene that has these keys
 CellResponse read_rate_caps(TableReader& t);
 
-/// Reads the keys that say how the boundary follows its load during the assembly or a stage of the load path: for a
-/// periodic cell its mass and a cap on its strain rate, for walls their speed.
+/// Reads the keys that determine how the boundary responds to its load during the assembly or a stage of the load path:
+/// for a periodic cell, its mass and a cap on its strain rate; for walls, their speed.
 /// @param t  table of the scene that has these keys
 /// @param boxed  whether the scene has walls (table [box])
 CellResponse read_cell_response(TableReader& t, bool boxed);
 
 /// Reads the stages of the load path of a scene, its tables [[load]].
 /// @param unsaid  default mass of the cell and default caps on its strain rate, for stages that do not give these
-/// values; values that the table [cell] gives are left out
+/// values; without the values that the table [cell] gives
 /// @pre the tables [contact], [assembly] and [box] have been read
 void read_load(TableReader& root, const CellResponse& unsaid, Scene& scene);
 

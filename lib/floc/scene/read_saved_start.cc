@@ -17,7 +17,8 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Reads the packing from which a run starts, when the run begins. The state file was read once before, with the scene.
+/// Reads the packing from which a run starts, at the beginning of the run. The state file was first read with the
+/// scene.
 /// @param sha256  SHA-256 checksum that the file had when the scene was read
 /// @throws InputError if the file has changed since then
 std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const std::string& sha256) {
@@ -28,8 +29,8 @@ std::variant<Packing<2>, Packing<3>> read_again(const std::string& file, const s
                     read_state(file));
 }
 
-/// Returns the number of copies of the saved packing along each axis, from the key assembly.copies; in 2D it is 1 along
-/// the third axis.
+/// Returns the number of copies of the saved packing along each axis, from the key assembly.copies. In 2D the number
+/// along the third axis is 1.
 Vec<3, int> read_copies(TableReader& t, int dimension) {
   const bool plane = dimension == 2;
   const char* example = plane
@@ -51,7 +52,7 @@ Vec<3, int> read_copies(TableReader& t, int dimension) {
 template <int Dim>
 std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   if (Dim != scene.dimension)
-    return fmt::format("the state has dimension {}: expected a state of {}, like the scene", Dim,
+    return fmt::format("the state has dimension {}: expected dimension {}, as in the scene", Dim,
                        scene.dimension == 2 ? "disks" : "spheres");
   if (state.units != scene.units)
     return fmt::format("the units of the state are \"{}\": expected the units of the scene, \"{}\"",
@@ -60,11 +61,11 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
     return "the grains of the state have shapes, which need rigid contacts in this version of floc: expected "
            "contact.normal = {law = \"rigid\"}";
   if (is_open(state.packing.walls) && !scene.assembly.box)
-    return "the state ends in free space along an axis: expected a state that is periodic, or a table [box] in "
+    return "the state has an open end along an axis: expected a periodic state, or a table [box] in "
            "the "
            "scene";
   if (std::ranges::any_of(state.packing.contacts, [](const auto& c) { return c.bonded; }))
-    return "the state has bonds (contacts/bonded), which runs do not keep: expected a state without them";
+    return "the state has bonds (contacts/bonded), which a run cannot keep: expected a state without bonds";
   const bool has_walls = !state.packing.walls.empty();
   if (has_walls != scene.assembly.box.has_value())
     return has_walls ? "the state has walls: expected a table [box] in the scene"
@@ -72,16 +73,16 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
   const Cell<Dim>& cell = state.packing.cell;
   if (!cell.matrix.isLowerTriangular(0.0) || cell.matrix.diagonal().minCoeff() <= 0.0)
     return "the cell of the state (cell/matrix) is rotated: expected a first lattice vector along the first "
-           "axis and a "
-           "second one in the plane of the first two, so that its sides can follow the load";
+           "axis and a second lattice vector in the plane of the first two axes, so that the sides of the cell "
+           "can follow the load";
   if (scene.law.is_rigid() && !cell.rectangular())
     return "the cell of the state (cell/matrix) is skewed: rigid grains need a rectangular cell in this "
            "version of floc";
   return "";
 }
 
-/// Returns the grains of a saved packing in the form in which a scene gives them: their number, their sizes, and their
-/// density, which is computed from the heaviest grain.
+/// Returns the grains of a saved packing as a scene would describe them: their number, their sizes, and their density,
+/// which is computed from the heaviest grain.
 /// @param n_tiles  number of copies of the packing that the run starts from
 template <int Dim>
 GrainOptions grains_of(const Grains<Dim>& grains, int n_tiles) {
@@ -112,7 +113,7 @@ std::string start_description(const State<Dim>& state, const std::string& file, 
                        : "of the scene, in place of the contact law in the state file: " + law_text(law));
 }
 
-/// Takes the stresses of a state as those with which the run begins, if the scene gives no pressure.
+/// Sets the stresses at the beginning of the run to those of the state, if the scene gives no pressure.
 /// @param has_pressure  whether the scene gives a pressure
 template <int Dim>
 void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Scene& scene) {
@@ -127,15 +128,15 @@ void keep_stress(TableReader& t, const State<Dim>& state, bool has_pressure, Sce
   if (stress.isConstant(stress.mean())) return;
   if (scene.law.is_rigid())
     return t.fault("pressure",
-                   "assembly.pressure is missing: expected a positive number (first pressure of the "
-                   "packing), because the state bears different stresses on its axes, which rigid grains "
-                   "cannot keep in this version of floc");
+                   "assembly.pressure is missing: expected a positive number (first pressure of the packing), "
+                   "because the stresses of the state differ between its axes, and rigid grains cannot keep "
+                   "such stresses in this version of floc");
   scene.assembly.saved.kept =
       KeptStress{{stress.begin(), stress.end()}, state.path.turn.empty() ? Dim - 1 : state.path.turn.axis};
 }
 
-/// Fills in the data that a scene which starts from a saved state does not give itself: grains, solid fraction, and a
-/// description of the start in words.
+/// Completes a scene that starts from a saved state with its grains, its solid fraction, and a text that describes the
+/// start.
 /// @param file  name of the state file
 template <int Dim>
 void describe_start(TableReader& t, const State<Dim>& state, const std::string& file, Scene& scene) {
@@ -163,7 +164,8 @@ void read_saved_start(TableReader& t, const std::string& directory, Scene& scene
       t.text("state_sha256", "the SHA-256 of the state file, which floc writes", Need::optional);
   SavedStart& start = scene.assembly.saved;
   start.copies = read_copies(t, scene.dimension);
-  // Without a state, later checks find no stress and would report that too.
+  // A placeholder for the pressure. If the state cannot be read, later checks would otherwise report a missing stress
+  // too.
   const bool has_pressure = t.has("pressure");
   if (!has_pressure && !scene.assembly.box) scene.assembly.pressure = 1.0;
   if (!name) return;

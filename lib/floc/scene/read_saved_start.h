@@ -13,9 +13,9 @@ namespace floc {
 /// - `state_sha256`: the SHA-256 checksum of the file, which floc writes into the text of a scene.
 ///
 /// Writes the number, sizes and density of the grains, the solid fraction, and a description of the start into the
-/// scene. The packing itself is read when the run begins. Faults are recorded if the file is not a state file; if its
-/// unit system, dimension or checksum is another; if its cell is rotated; and if there are too many grains. Without the
-/// key `pressure` the run begins with the stresses of the state.
+/// scene. The packing itself is read when the run begins. If the key `pressure` is missing, the run begins with the
+/// stresses of the state. Faults are recorded if the file is not a state file; if it has another unit system, dimension
+/// or checksum than expected; if its cell is rotated; and if there are too many grains.
 /// @param t  table [assembly]
 /// @param directory  directory to which the name of the state file is relative
 /// @param scene  scene that is completed

@@ -41,8 +41,8 @@ constexpr bool is_gas_of_disks(double x) {
 constexpr bool is_gas_of_spheres(double x) {
   return x > 0 && x <= kDensestGasOfSpheres;
 }
-/// Whether a time step, in units of sqrt(m_min/K_N), is stable: the explicit time integration is unstable from 0.4 on
-/// (see RelaxationOptions::time_step).
+/// Whether a time step is stable: the explicit time integration is unstable from 0.4 sqrt(m_min/K_N) on (see
+/// RelaxationOptions::time_step).
 /// @param x  time step in units of sqrt(m_min/K_N), with the mass m_min of the smallest grain and the normal stiffness
 /// K_N
 constexpr bool is_stable_step(double x) {
@@ -81,8 +81,8 @@ void read_grains(TableReader& root, SceneSource& source, const std::string& dire
 }
 
 /// Reads the table [cell] of a scene with a periodic cell.
-/// @return default mass of the cell and default caps on its strain rate on the load path, without the values that
-/// [cell] gives itself
+/// @return default mass of the cell and default caps on its strain rate on the load path, except the values that [cell]
+/// itself gives
 CellResponse read_cell(TableReader& root, Scene& scene) {
   const bool from_state = scene.starts_from_state();
   TableReader t = root.table("cell", "a table [cell]", from_state ? Need::optional : Need::required);
@@ -91,13 +91,14 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
              "cell.solid_fraction is not allowed here: the cell comes from the file assembly.state");
   else
     scene.assembly.solid_fraction =
-        t.number("solid_fraction", scene.dimension == 2
-                                       ? NumberRule{is_gas_of_disks,
-                                                    "the solid fraction of the gas in (0, 0.6]; at larger ones "
-                                                    "grains cannot be placed at random without overlap"}
-                                       : NumberRule{is_gas_of_spheres,
-                                                    "the solid fraction of the gas in (0, 0.49]; at larger "
-                                                    "ones spheres cannot be placed at random without overlap"})
+        t.number("solid_fraction",
+                 scene.dimension == 2
+                     ? NumberRule{is_gas_of_disks,
+                                  "the solid fraction of the gas in (0, 0.6]; at larger solid fractions grains "
+                                  "cannot be placed at random without overlap"}
+                     : NumberRule{is_gas_of_spheres,
+                                  "the solid fraction of the gas in (0, 0.49]; at larger solid fractions "
+                                  "spheres cannot be placed at random without overlap"})
             .value_or(0);
   CellResponse said = read_rate_caps(t);
   said.cell_mass = t.number("mass", kCellMass, Need::optional);
@@ -114,8 +115,8 @@ CellResponse read_cell(TableReader& root, Scene& scene) {
   return unsaid;
 }
 
-/// Whether a scene has walls: it has either a table [box] (walls) or a table [cell] (periodic cell). With rigid
-/// contacts, a table [box] is a fault (see check_rigid()), and the scene is read as one with a periodic cell.
+/// Whether a scene has walls (table [box]) instead of a periodic cell (table [cell]). With rigid contacts, a table
+/// [box] is a fault (see check_rigid()), and the scene is read as one with a periodic cell.
 bool has_box(const TableReader& root, const Scene& scene) {
   return root.has("box") && !scene.law.is_rigid();
 }
@@ -169,8 +170,9 @@ void read_assembly(TableReader& root, const std::string& directory, Scene& scene
       positive,
       "a positive number (speed of the grains at the start, in units of sqrt(F0 D0/m) with "
       "the pull-off force F0, the range D0 of the adhesion and the largest mass m)"};
-  // The key "agitation" gives the speed of the grains at the start. The protocol "aggregation" requires it, to bring
-  // grains into contact. Cohesive grains that are compressed directly must not have it.
+  // The key "agitation" gives the speed of the grains at the start. The protocol "aggregation" requires this key,
+  // because the motion brings the grains into contact. The key is not allowed for cohesive grains that are compressed
+  // directly.
   const bool aggregates = scene.assembly.protocol == Protocol::aggregation;
   if (boxed && aggregates)
     t.fault("protocol",
@@ -268,7 +270,7 @@ void read_run(TableReader& root, Scene& scene) {
            "time_step",
            {is_stable_step,
             "a number in (0, 0.4) (time step in units of sqrt(m_min/K) with the smallest mass m_min and the "
-            "contact stiffness K; larger ones are unstable)"},
+            "contact stiffness K; larger time steps are unstable)"},
            Need::optional)
           .value_or(scene.relaxation.time_step);
   scene.relaxation.skin = t.number(
@@ -292,7 +294,7 @@ void check_consistency(TableReader& root, SceneSource& source, const Scene& scen
                fmt::format("{} is not allowed here: its unit 1/T0, with T0 = sqrt(a m/F0), requires a pull-off "
                            "force F0, but the grains do not adhere; expected inertial_number_cap",
                            t->path_of("strain_rate_cap")));
-  // For rigid grains, check_rigid() refuses this protocol with other words.
+  // For rigid grains, check_rigid() reports this protocol with another message.
   if (scene.assembly.protocol != AssemblyOptions::Protocol::aggregation || scene.law.is_rigid()) return;
   if (!cohesive || (scene.law.has_adhesion() && scene.law.range() == 0))
     assembly.fault(
@@ -323,7 +325,7 @@ bool inline_diameters(toml::table& root, const DiameterDistribution& d) {
   if (d.kind == DiameterDistribution::Kind::sieve) {
     insert("sizes", d.curve.sizes);
     insert("passing", d.curve.passing);
-    // The curve has been multiplied by the scale already, and cut off at its ends.
+    // The curve has already been multiplied by the scale and cut off at its ends.
     for (const char* key : {"scale", "min", "max"}) diameter->erase(key);
   } else {
     insert("values", d.values);
@@ -334,7 +336,8 @@ bool inline_diameters(toml::table& root, const DiameterDistribution& d) {
 
 /// Writes the SHA-256 checksum of the file of shapes into the TOML tables of a scene.
 /// @param root  root table of the scene
-/// @return whether it was written; it is not if no such file is given or its checksum is there already
+/// @return whether the checksum was written; it is not written if no such file is given or if the checksum is present
+/// already
 bool name_shape_file(toml::table& root, const Scene& scene) {
   const auto* file = scene.grains.shape ? std::get_if<FileShapeOptions>(&scene.grains.shape->kind) : nullptr;
   return file && root["grains"]["shape"].as_table()->insert("sha256", file->sha256).second;
@@ -342,7 +345,8 @@ bool name_shape_file(toml::table& root, const Scene& scene) {
 
 /// Writes the SHA-256 checksum of the state file from which the run starts into the TOML tables of a scene.
 /// @param root  root table of the scene
-/// @return whether it was written; it is not if no state file is given or its checksum is there already
+/// @return whether the checksum was written; it is not written if no state file is given or if the checksum is present
+/// already
 bool name_state(toml::table& root, const Scene& scene) {
   return scene.starts_from_state() &&
          root["assembly"].as_table()->insert("state_sha256", scene.assembly.saved.sha256).second;
@@ -358,7 +362,7 @@ std::string as_text(const toml::table& root) {
 
 Scene parse_scene(const std::string& text, const std::string& place, const std::string& directory,
                   const std::vector<std::string>& overrides, const std::string& prices) {
-  // A table that is not valid is refused even if the scene does not choose by it.
+  // A table of prices that is not valid is refused even if the scene does not use it.
   if (!prices.empty()) (void)read_price_table(read_text(prices), prices);
   SceneSource source(text, place, overrides);
   TableReader root(source);

@@ -14,8 +14,8 @@ namespace floc {
 /// @param overrides  texts "key.path=value", each of which replaces a value of the scene. They are applied in order
 /// before the scene is checked. The value is TOML, but a word without quotation marks is taken as a string. An item of
 /// an array is addressed by its index from 0: "load.0.to=1".
-/// @param prices  file of a table of prices, by which the table [accuracy] chooses numerical settings; empty: the table
-/// shipped with floc
+/// @param prices  file of the table of prices from which the table [accuracy] chooses numerical settings; if empty, the
+/// table shipped with floc
 /// @throws InputError that names every fault of the scene on a line of its own: "file:line: key = value: expectation",
 /// or "--set key=value: ..." for an override
 Scene read_scene(const std::string& path, const std::vector<std::string>& overrides = {},

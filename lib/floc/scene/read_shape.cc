@@ -21,7 +21,7 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Kind of shape, with the keys of grains.shape that it has beside "kind".
+/// Kind of shape, with the keys of grains.shape that it has in addition to "kind".
 struct ShapeKind {
   const char* name;
   std::vector<std::string> keys;
@@ -75,12 +75,11 @@ CutOptions read_cut(TableReader& t) {
                                       "the number of planes that cut a shape, one whole number or the "
                                       "smallest and the largest, e.g. [10, 20]"))
     std::tie(cut.least_faces, cut.most_faces) = *n;
-  cut.spread =
-      t.number("spread",
-               any_number("a number from 0 to 1 (range of the distances of the planes from the centre over "
-                          "their mean)"),
-               Need::optional)
-          .value_or(cut.spread);
+  cut.spread = t.number("spread",
+                        any_number("a number from 0 to 1 (range of the distances of the planes from the "
+                                   "centre, divided by their mean)"),
+                        Need::optional)
+                   .value_or(cut.spread);
   return cut;
 }
 
@@ -88,11 +87,10 @@ VoronoiOptions read_voronoi(TableReader& t) {
   VoronoiOptions voronoi;
   voronoi.cells =
       read_whole(t, "cells", "the number of Voronoi cells, a whole number from 8 to 5000", voronoi.cells);
-  voronoi.relaxed =
-      read_whole(t, "relaxed",
-                 "how often each point is moved to the centre of mass of its cell, a whole number "
-                 "from 0 to 100",
-                 voronoi.relaxed);
+  voronoi.relaxed = read_whole(t, "relaxed",
+                               "the number of times that each point is moved to the centre of mass of its "
+                               "cell, a whole number from 0 to 100",
+                               voronoi.relaxed);
   return voronoi;
 }
 
@@ -106,9 +104,9 @@ FileShapeOptions read_file_options(TableReader& t, const std::string& directory)
   return file;
 }
 
-/// Records a fault for each key of grains.shape that the chosen kind does not have, but other kinds have.
+/// Records a fault for each key of grains.shape that the chosen kind does not have but another kind has.
 void refuse_keys_of_other_kinds(TableReader& t, const ShapeKind& chosen) {
-  // kinds that have a key, in words, by key
+  // names of the kinds that have a key, as text; the map's key is the key of grains.shape
   std::map<std::string, std::string> kinds_with;
   for (const ShapeKind& other : shape_kinds())
     for (const std::string& key : other.keys) {
@@ -145,7 +143,7 @@ auto read_kind(TableReader& t, std::size_t kind, const std::string& directory) -
       return read_voronoi(t);
     case 5:
       return CapsuleOptions{
-          t.number("aspect", any_number("a number from 1 to 20 (length over thickness of the capsules)"))
+          t.number("aspect", any_number("a number from 1 to 20 (ratio of length to thickness of the capsules)"))
               .value_or(CapsuleOptions{}.aspect)};
     default:
       return read_file_options(t, directory);
@@ -153,8 +151,8 @@ auto read_kind(TableReader& t, std::size_t kind, const std::string& directory) -
 }
 
 /// Records a fault in the options of the shapes.
-/// @param words  message; if it begins with a key of grains.shape, the fault is recorded at this key. The path
-/// "grains.shape" is added unless the message begins with it.
+/// @param words  message; if it begins with a key of grains.shape, the fault is recorded at this key. The prefix
+/// "grains.shape" is added if the message does not begin with it.
 void record_shape_fault(TableReader& t, const std::string& words) {
   const std::string key = words.substr(0, words.find_first_of(" ["));
   const auto& kinds = shape_kinds();
@@ -175,7 +173,8 @@ std::vector<std::string> option_faults(const ShapeOptions& options, int dimensio
   return {};
 }
 
-/// Draws the shapes of a scene, records a fault if this fails, and adds the remarks about their file to the scene.
+/// Draws the shapes of a scene and adds the remarks about their file to the scene. Records a fault if the shapes cannot
+/// be drawn.
 /// @return whether the shapes could be drawn
 template <int Dim>
 bool draws_shapes(TableReader& t, Scene& scene) {
@@ -234,7 +233,7 @@ std::optional<ShapeOptions> read_shape(TableReader& grains, const SceneSource& s
   options.kind = read_kind(t, *chosen, directory);
   if (has_key(kind, "rounding"))
     options.rounding =
-        t.number("rounding", any_number("a number from 0 to 0.45 (radius of rounding over the diameter)"),
+        t.number("rounding", any_number("a number from 0 to 0.45 (radius of rounding divided by the diameter)"),
                  Need::optional)
             .value_or(options.rounding);
   if (has_key(kind, "count"))

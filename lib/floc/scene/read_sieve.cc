@@ -17,11 +17,11 @@ namespace {
 
 using Need = TableReader::Need;
 
-/// Rows of a sieve analysis as they are given, and their place in messages.
+/// Rows of a sieve analysis as the user gives them, and their place for messages.
 struct Sieves {
   std::string place;
   std::vector<double> sizes;    ///< sizes of the openings (unit of the scene)
-  std::vector<double> passing;  ///< percentage of the mass that passes each
+  std::vector<double> passing;  ///< percentage of the mass that passes each sieve
   std::vector<int> lines;       ///< line of each row in the file; empty for arrays in the scene
 
   std::string place_of(std::size_t row) const {
@@ -29,7 +29,7 @@ struct Sieves {
   }
 };
 
-/// Returns the factor from the unit of the column of sizes to the unit of length of the scene.
+/// Returns the factor that converts the column of sizes to the unit of length of the scene.
 /// @param scaled  whether the key `scale` is given
 double length_factor(const CsvTable& table, const UnitColumn& column, const std::string& units, bool scaled) {
   const std::string place =
@@ -44,19 +44,19 @@ double length_factor(const CsvTable& table, const UnitColumn& column, const std:
   return 1.0;
 }
 
-/// Returns the factor from the numbers of the column of passing masses to percent.
+/// Returns the factor that converts the column of passing masses to percent.
 double percent_factor(const CsvTable& table, const UnitColumn& column) {
   const std::string& header = table.columns()[static_cast<std::size_t>(column.index)];
   if (!column.unit.empty())
     return 100.0 * share_of_one(fmt::format("{}, column {}", table.place(), header), column.unit);
-  // A unit that says "pure numbers" means fractions; a column without a unit is in percent.
+  // A unit such as [-] marks the numbers as fractions; a column without any unit is in percent.
   const bool are_fractions =
       name_and_unit(header).first != header || states_no_unit(table.unit_cell(column.index));
   return are_fractions ? 100.0 : 1.0;
 }
 
-/// Returns the column that floc calls `name`.
-/// @throws InputError with what the column contains and the columns of the table if there is none
+/// Returns the column that has one of the accepted names of `name`.
+/// @throws InputError that names the content of the missing column and the existing columns
 UnitColumn column_of(const NamedColumns& columns, const std::string& name, const char* content,
                      const char* names) {
   if (const auto found = columns.find(name)) return *found;
@@ -106,14 +106,15 @@ std::optional<Sieves> read_rows(TableReader& t, SceneSource& source, const std::
   }
   if (sieves.sizes.empty() || sieves.passing.empty()) return std::nullopt;
   if (sieves.sizes.size() != sieves.passing.size()) {
-    t.fault("passing", fmt::format("{} has {} numbers, but {} has {}: expected as many", t.path_of("passing"),
-                                   sieves.passing.size(), t.path_of("sizes"), sieves.sizes.size()));
+    t.fault("passing",
+            fmt::format("{} has {} numbers, but {} has {}: expected equally many", t.path_of("passing"),
+                        sieves.passing.size(), t.path_of("sizes"), sieves.sizes.size()));
     return std::nullopt;
   }
   return sieves;
 }
 
-/// Sorts the rows by size: tables of sieves begin with the finest or with the coarsest.
+/// Sorts the rows by size, because tables of sieves may begin with the finest or with the coarsest sieve.
 void sort_by_size(Sieves& sieves) {
   std::vector<std::size_t> order(sieves.sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -128,7 +129,8 @@ void sort_by_size(Sieves& sieves) {
   sieves = std::move(sorted);
 }
 
-/// Returns the place and the words of the first fault of rows sorted by size; std::nullopt if they are a grading curve.
+/// Returns the place and the message of the first fault in rows sorted by size; std::nullopt if the rows form a valid
+/// grading curve.
 std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
   const auto at = [&](std::size_t row, std::string words) {
     return std::pair{s.place_of(row), std::move(words)};
@@ -137,8 +139,8 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
     if (!(s.sizes[k] > 0.0))
       return at(k,
                 fmt::format("the size of a sieve is {:g}: expected a positive size. Between sizes the curve is "
-                            "linear in the logarithm of the size, so a pan has to be given as the size that "
-                            "no grain is finer than, with 0 % passing",
+                            "linear in the logarithm of the size, so a pan must be given as the largest size "
+                            "that all grains exceed, with 0 % passing",
                             s.sizes[k]));
     if (!(s.passing[k] >= 0.0 && s.passing[k] <= 100.0))
       return at(
@@ -151,7 +153,7 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
       return at(
           k, fmt::format("{:g} % of the mass pass the sieve of size {:g}, but {:g} % pass the finer sieve of "
                          "size {:g}: expected the percentage of the whole mass that is finer than each sieve, "
-                         "which does not decrease with the size (not what each sieve retains)",
+                         "which does not decrease with the size (not the percentage that each sieve retains)",
                          s.passing[k], s.sizes[k], s.passing[k - 1], s.sizes[k - 1]));
   }
   if (s.sizes.size() < 2)
@@ -159,17 +161,16 @@ std::optional<std::pair<std::string, std::string>> fault_of(const Sieves& s) {
   return std::nullopt;
 }
 
-/// Records a fault for each end of the curve that does not reach 0 or 100 % and is not cut off by a key.
+/// Records a fault for each end of the curve that does not reach 0 or 100 % and is not cut off by the key min or max.
 /// @return whether there is such an end
 bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& source) {
   const std::size_t last = s.sizes.size() - 1;
   if (s.passing.front() > 0.0 && !has_min)
-    source.fault_at(
-        s.place_of(0),
-        fmt::format("{:g} % of the mass are finer than the finest sieve, {:g}: expected a row for the "
-                    "size that no grain is finer than, with 0 % passing, or the key grains.diameter.min, "
-                    "below which grains are left out",
-                    s.passing.front(), s.sizes.front()));
+    source.fault_at(s.place_of(0),
+                    fmt::format("{:g} % of the mass are finer than the finest sieve, {:g}: expected a row for "
+                                "the largest size that all grains exceed, with 0 % passing, or the key "
+                                "grains.diameter.min, below which grains are left out",
+                                s.passing.front(), s.sizes.front()));
   if (s.passing.back() < 100.0 && !has_max)
     source.fault_at(
         s.place_of(last),
@@ -180,7 +181,7 @@ bool has_open_end(const Sieves& s, bool has_min, bool has_max, SceneSource& sour
   return (s.passing.front() > 0.0 && !has_min) || (s.passing.back() < 100.0 && !has_max);
 }
 
-/// Returns the last size with 0 % or the first with 100 %: the ends of the range of sizes that have mass.
+/// Returns the ends of the range of sizes that contains mass: the last size with 0 % and the first size with 100 %.
 std::pair<double, double> ends_of(const Sieves& s) {
   double low = s.sizes.front(), high = s.sizes.back();
   for (std::size_t k = 0; k < s.sizes.size(); ++k)
@@ -217,7 +218,8 @@ void read_sieve(TableReader& t, SceneSource& source, const std::string& director
   if (!(d.min < d.max) || passing_at(d.curve, d.min) >= passing_at(d.curve, d.max))
     return t.fault("min", fmt::format("no grains are between the sizes {:g} and {:g}: expected a wider range",
                                       d.min, d.max));
-  // A complete curve stays as it is, bit by bit, so that a scene with the content of the file gives the same grains.
+  // A complete curve is left unchanged, bit by bit, so that a scene that contains the rows of the file gives the same
+  // grains.
   if (min || max) d.curve = cut_curve(d.curve, d.min, d.max);
 }
 

@@ -13,14 +13,14 @@
 namespace floc {
 namespace {
 
-/// Returns the grains of a scene with shapes, as a run of it makes them, but without their positions.
+/// Returns the grains, with shapes but without positions, that a run of the scene makes.
 template <int Dim>
 Grains<Dim> unplaced_grains(const Scene& scene) {
   RandomStream random(scene.seed, kAssemblyStream);
   return shaped_grains<Dim>(scene.grains, draw_diameters(scene.grains, random), scene.seed);
 }
 
-/// Returns the largest over the smallest extent of a shape along its principal axes.
+/// Returns the ratio of the largest to the smallest extent of a shape along its principal axes.
 template <int Dim>
 double aspect_of(const Shape<Dim>& shape) {
   if (shape.is_round()) return 1.0;
@@ -39,10 +39,11 @@ void add_shape_groups_of(const Scene& scene, std::vector<DerivedGroup>& groups) 
       {"n_shapes", static_cast<double>(grains.shapes->size()),
        fmt::format("number of different shapes of kind \"{}\"", shape_kind_name(*scene.grains.shape))});
   groups.push_back({"V/V_ball", share_of_bounding_balls(grains),
-                    fmt::format("volume of the grains over that of their circumscribed {}",
+                    fmt::format("volume of the grains divided by the volume of their circumscribed {}",
                                 Dim == 2 ? "circles" : "spheres")});
   groups.push_back(
-      {"aspect", aspect, "largest over smallest extent along the principal axes, mean over the grains"});
+      {"aspect", aspect,
+       "ratio of the largest to the smallest extent along the principal axes, averaged over the grains"});
 }
 
 template <int Dim>

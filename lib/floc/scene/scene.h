@@ -8,25 +8,25 @@
 
 namespace floc {
 
-/// Largest number of grains of a packing. The number of unknowns of its equilibrium (three per disk, six per sphere)
-/// then still fits into an int.
+/// Largest number of grains of a packing. Up to this number, the unknowns of its equilibrium (three per disk, six per
+/// sphere) can be counted by an int.
 inline constexpr std::int64_t kMaxGrains = 100'000'000;
 
 /// Content of a scene file: the options of a run, the name of the scene and the interval of checkpoints, and texts that
-/// describe how it was read.
+/// describe how the file was read.
 struct Scene : RunOptions {
   std::string name;
   double checkpoint_every = 60.0;  ///< wall time between two checkpoints (s)
   /// description of the saved packing from which the run starts; empty if it does not start from a saved packing
   std::string start;
-  /// remarks in words about the file of shapes, such as points that are not vertices of the shape
+  /// remarks about the file of shapes, for example about points that are not vertices of the shape
   std::vector<std::string> remarks;
-  /// numerical settings that the table [accuracy] chose, with the reason, in words; empty without this table
+  /// sentence with the numerical settings that the table [accuracy] chose and the reason; empty without this table
   std::string accuracy;
 
   bool starts_from_state() const { return assembly.protocol == AssemblyOptions::Protocol::state; }
   /// Whether runs of the scene with different seeds give different packings. This is false only for a run that starts
-  /// from a saved packing, with its grains at rest and not vibrated.
+  /// from a saved packing whose grains are at rest and not vibrated.
   bool is_random() const {
     return !starts_from_state() || assembly.agitation > 0.0 || assembly.vibration.has_value();
   }

@@ -18,8 +18,8 @@ std::string below(const std::string& path, const std::string& key) {
   return path.empty() ? key : path + "." + key;
 }
 
-/// Adds all values in a TOML node to `values`. Their keys are written with dots; tables in an array are numbered from
-/// 0, as in "load.0.to".
+/// Adds all values in a TOML node to `values`, each with its key. The parts of a key are joined by dots, and tables in
+/// an array are numbered from 0, as in "load.0.to".
 /// @param path  key of the node itself; empty for the root table
 void flatten(const toml::node& node, const std::string& path, Values& values) {
   if (const toml::table* table = node.as_table()) {
@@ -47,7 +47,7 @@ std::string value_or_absent(const Values& values, const std::string& key) {
   return found == values.end() ? "absent" : "= " + found->second;
 }
 
-/// Returns the number of the stage of the load path that a key belongs to, as 3 for "load.3.to"; -1 for other keys.
+/// Returns the number of the load stage that a key belongs to, for example 3 for "load.3.to"; -1 for other keys.
 int stage_of(const std::string& key) {
   constexpr std::string_view kLoad = "load.";
   if (!key.starts_with(kLoad)) return -1;

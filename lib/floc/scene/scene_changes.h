@@ -13,9 +13,9 @@ namespace floc {
 std::vector<std::string> scene_changes(const std::string& first, const std::string& here,
                                        const std::string& second, const std::string& there);
 
-/// Returns whether a scene continues the load path of another one and is the same otherwise: it has further stages, or
-/// other ends or numbers of steps of the last stage (keys to, strain, stress and steps). Whether the steps of the last
-/// stage stay the same up to its former end is not checked.
+/// Returns whether a scene continues the load path of another scene and is otherwise equal to it. It may have further
+/// stages, and its last common stage may have another end or number of steps (keys to, strain, stress and steps). It is
+/// not checked whether the steps of this stage are unchanged up to its former end.
 /// @param longer, begun  texts of the two scenes (TOML)
 /// @throws InputError if a text is not TOML
 bool continues_path(const std::string& longer, const std::string& begun);

@@ -15,9 +15,9 @@
 namespace floc {
 namespace {
 
-/// Returns the stiffness number of a scene (largest diameter a, normal stiffness K_N, first pressure P): a K_N/F0 of
-/// cohesive grains with the pull-off force F0, (E~/P)^(2/3) of elastic spheres, otherwise K_N/P. Rigid contacts have
-/// none.
+/// Returns the stiffness number of a scene (largest diameter a, normal stiffness K_N, first pressure P): a K_N/F0 for
+/// cohesive grains with the pull-off force F0, (E~/P)^(2/3) for elastic spheres, otherwise K_N/P. Scenes with rigid
+/// contacts have none.
 std::optional<double> stiffness_number(const Scene& scene) {
   if (scene.law.is_rigid()) return std::nullopt;
   const double a = scene.grains.largest(), modulus = scene.law.contact_modulus(scene.dimension, a);
@@ -31,8 +31,8 @@ const char* stiffness_name(const Scene& scene) {
   return scene.law.force_exponent() != 1.0 ? "(E~/P)^(2/3)" : "K_N/P";
 }
 
-/// Returns the options of the relaxation, with the mass and the caps of the cell, in each part of a run: first in the
-/// assembly, then in each stage of the load path.
+/// Returns the options of the relaxation, with the mass of the cell and the caps on its strain rate, in each part of a
+/// run: first in the assembly, then in each stage of the load path.
 std::vector<RelaxationOptions> motions_of_cell(const Scene& scene) {
   if (scene.assembly.box) return {};
   std::vector<RelaxationOptions> parts = {scene.assembly.cell.applied_to(scene.relaxation)};
@@ -44,14 +44,14 @@ std::string errors_in(const PriceTable& table) {
   return table.is_shipped ? "table of errors shipped with floc" : table.name();
 }
 
-/// Whether tables of the kind of a scene are measured with the default cell, so that the cell of the scene can be
-/// compared with theirs: those of cohesive grains, whose default is a cap on the strain rate. Without adhesion the cap
-/// is on the inertial number, for which each material has its own value.
+/// Whether the cell of a scene can be compared with the cell in tables of prices for its kind of scenes. It can for
+/// cohesive grains, whose tables are measured with the default cap on the strain rate. For grains without adhesion the
+/// default cap is on the inertial number, and its value differs between materials.
 bool has_default_cells(const Scene& scene) {
   return default_cap(scene.law).strain_rate_cap.has_value();
 }
 
-/// Returns why a table of prices does not apply to the cell of a scene; empty if it does.
+/// Returns the reason why a table of prices does not apply to the cell of a scene; empty if it applies.
 std::string problem_of_cell(const PriceTable& table, const Scene& scene) {
   if (!has_default_cells(scene)) return "";
   for (const RelaxationOptions& part : motions_of_cell(scene))
@@ -69,7 +69,7 @@ std::string problem_of_cell(const PriceTable& table, const Scene& scene) {
   return "";
 }
 
-/// Returns why a table of prices of the kind of a scene does not apply to the scene; empty if it does.
+/// Returns the reason why a table of prices for the kind of a scene does not apply to the scene; empty if it applies.
 std::string problem_of(const PriceTable& table, const Scene& scene) {
   const std::optional<double> kappa = stiffness_number(scene);
   if (kappa && !covers_stiffness(table, *kappa))
@@ -88,8 +88,8 @@ std::vector<CellFactors> cells_of(const Scene& scene) {
   for (const RelaxationOptions& part : motions_of_cell(scene))
     cells.push_back(
         {part.cell_mass / kLoadCellMass, part.strain_rate_cap.value_or(kStrainRateCap) / kStrainRateCap});
-  // The mass of the cell during the assembly determines which packing is made. It does not affect the accuracy, so it
-  // counts as the default.
+  // The mass of the cell during the assembly influences which packing is made, but not the accuracy. It is therefore
+  // treated as the default.
   if (!cells.empty()) cells.front().mass = 1.0;
   return cells;
 }
@@ -99,18 +99,16 @@ ScenePrices prices_of(const Scene& scene, const std::string& file) {
   std::optional<PriceTable> table =
       file.empty() ? shipped_prices(kind) : read_price_table(read_text(file), file);
   if (!table)
-    return {
-        std::nullopt,
-        fmt::format("the scene is of the kind {}, for which no table of prices is shipped with floc: expected "
-                    "one of the kinds {}, or a table of this kind that floc tradeoff has written (--prices "
-                    "FILE)",
-                    kind, fmt::join(priced_kinds(), ", "))};
-  if (table->kind != kind)
     return {std::nullopt,
             fmt::format(
-                "the scene is of the kind {}, but the {} is about scenes of the kind {}; tables are shipped "
-                "for the kinds {}",
-                kind, table->name(), table->kind, fmt::join(priced_kinds(), ", "))};
+                "the scene is of the kind {}, for which no table of prices is shipped with floc: expected a "
+                "scene of one of the kinds {}, or a table for this kind, written by floc tradeoff (--prices "
+                "FILE)",
+                kind, fmt::join(priced_kinds(), ", "))};
+  if (table->kind != kind)
+    return {std::nullopt, fmt::format("the scene is of the kind {}, but the {} describes scenes of the kind "
+                                      "{}; tables are shipped for the kinds {}",
+                                      kind, table->name(), table->kind, fmt::join(priced_kinds(), ", "))};
   const std::string problem = problem_of(*table, scene);
   return problem.empty() ? ScenePrices{std::move(table), ""} : ScenePrices{std::nullopt, problem};
 }

@@ -12,18 +12,19 @@ namespace floc {
 /// Table of prices that applies to a scene, or the reason why there is none.
 struct ScenePrices {
   std::optional<PriceTable> table;
-  /// Reason why no table applies, in words that begin with a property of the scene; empty if one does.
+  /// Reason why no table applies, as text that begins with a property of the scene; empty if a table applies.
   std::string problem;
 };
 
-/// Returns the table of prices for a scene: for its kind (see scene_kind()), its stiffness and its cells.
+/// Returns the table of prices that applies to the kind of a scene (see scene_kind()), to its stiffness and to its
+/// cell.
 /// @param file  file of a table that floc tradeoff has written; empty: the table shipped with floc
 /// @throws InputError if there is no such file, or if the table is not valid
 ScenePrices prices_of(const Scene& scene, const std::string& file);
 
-/// Returns the mass of the cell, and the cap on its strain rate, in each part of a run, first in the assembly and then
-/// in each stage of the load path, divided by the default values for cohesive grains. The result is empty for grains
-/// without adhesion, whose tables are not measured with the default cell, and for boxes.
+/// Returns the mass of the cell and the cap on its strain rate in each part of a run, divided by the default values for
+/// cohesive grains: first in the assembly, then in each stage of the load path. The result is empty for scenes with
+/// walls, and for grains without adhesion, because their tables are not measured with the default cell.
 std::vector<CellFactors> cells_of(const Scene& scene);
 
 }  // namespace floc

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Returns the mass that a grain of the given diameter has in a scene. If the scene gives no density, a grain of
-/// diameter 1 has mass 1.
+/// Returns the mass of a grain of the given diameter in a scene. If the scene gives no density, a grain of diameter 1
+/// has mass 1.
 inline double mass_of(const Scene& scene, double diameter) {
   const double unit_volume = scene.dimension == 2 ? std::numbers::pi / 4.0 : std::numbers::pi / 6.0;
   const double cube = scene.dimension == 2 ? diameter * diameter : diameter * diameter * diameter;

@@ -38,10 +38,10 @@ toml::table parse_value(const std::string& text) {
   }
 }
 
-/// Returns the TOML node that one part of the key of an override (the text between two dots) leads to from `node`. If
-/// `node` is a table, the part is a key in it; if the table does not have this key, an empty table is added under it.
-/// If `node` is an array, the part is the index of an item. Returns null if the array has no such item, or if `node` is
-/// neither a table nor an array.
+/// Follows one part of the key of an override (the text between two dots) from a TOML node to the next node. If `node`
+/// is a table, the part is a key in it, and a missing key is added with an empty table as its value. If `node` is an
+/// array, the part is the index of an item. Returns null if the array has no such item, or if `node` is neither a table
+/// nor an array.
 /// @param part  part of the key
 toml::node* descend(toml::node* node, const std::string& part) {
   if (toml::table* table = node->as_table()) {
@@ -87,8 +87,8 @@ void SceneSource::apply(const std::string& override_text) {
     toml::node* below = descend(parent, parts[k]);
     if (!below || !(below->is_table() || below->is_array()))
       throw InputError(
-          place,
-          fmt::format("the scene has no table or array item '{}' in which a key could be set", parts[k]));
+          place, fmt::format("the scene has no table or array item '{}' in which this override could set a key",
+                             parts[k]));
     parent = below;
   }
   toml::table* table = parent->as_table();
@@ -96,7 +96,7 @@ void SceneSource::apply(const std::string& override_text) {
   const toml::table value = parse_value(trimmed(override_text.substr(equals + 1)));
   value.get("v")->visit([&](const auto& v) { table->insert_or_assign(parts.back(), v); });
   // If several overrides have the same key, the last one determines the value. It is stored first, because messages
-  // name the first one that they find.
+  // name the first stored override of a key.
   overrides_.insert(overrides_.begin(), {key, override_text});
 }
 
@@ -113,7 +113,7 @@ unsigned SceneSource::line_of(const std::string& key, const toml::node* node) co
 std::string SceneSource::place_of(const std::string& key, const toml::node* node) const {
   if (const Override* o = override_of(key)) return "--set " + o->text;
   if (const unsigned line = line_of(key, node)) return fmt::format("{}:{}", place_, line);
-  // If the key has no line in the file, an override below this key has added its table. The message names that
+  // If the key has no line in the file, its table was added by an override of a key in it. The message names this
   // override.
   for (const Override& o : overrides_)
     if (is_below(o.key, key)) return "--set " + o.text;
@@ -144,7 +144,7 @@ void SceneSource::throw_faults() const {
 
 std::string as_written(const toml::node& node) {
   if (node.is_table()) return "a table";
-  // fmt prints a number with as few digits as identify it, whereas toml++ prints 17 digits.
+  // fmt prints a number with the fewest digits that identify it, whereas toml++ prints 17 digits.
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
   std::ostringstream out;
   node.visit([&](const auto& n) { out << n; });

@@ -37,7 +37,7 @@ class SceneSource {
   /// @param place  name of the other file, with the number of the line; empty if `problem` contains it
   void fault_at(const std::string& place, const std::string& problem);
 
-  /// Whether a fault has been recorded for a key. Faults of keys in its table, if it has one, do not count.
+  /// Whether a fault has been recorded for this key. If the key is a table, faults of keys in the table do not count.
   bool is_faulty(const std::string& key) const;
 
   /// Returns the number of faults recorded so far.

@@ -20,11 +20,11 @@ namespace {
 
 using Warnings = std::vector<std::string>;
 
-/// Smallest residual of the net force on a grain that double precision allows, in units of the typical force F1. About
-/// four contact forces of a few F1 act on a grain, and their rounding errors add up.
+/// Smallest net force on a grain that double precision can resolve, in units of the typical force F1. About four
+/// contact forces of a few F1 act on a grain, and their rounding errors add up.
 constexpr double kRounding = 1e-15;
 /// Kinetic energy of a grain that rounding errors maintain, in the unit of the tolerance equilibrium.energy. It
-/// corresponds to velocities of 1e-12 in their natural unit.
+/// corresponds to velocities of 1e-12 in the natural unit of velocity.
 constexpr double kLeastEnergy = 1e-24;
 
 void warn_of_tolerances(const Scene& scene, Warnings& warnings) {
@@ -59,9 +59,9 @@ double largest_stress(const LoadStage& stage) {
   return largest;
 }
 
-/// Returns the overlap of two grains of the largest diameter over their radius, under their adhesion and a multiple of
-/// the mean contact force. The mean force F at a pressure P follows from P = z Phi F/(pi a^(d-1)), where z Phi = 4 is
-/// assumed (coordination number z, solid fraction Phi, largest diameter a, dimension d).
+/// Returns the ratio of the overlap of two grains of the largest diameter to their radius, under their adhesion and a
+/// multiple of the mean contact force. The mean force F is computed from the pressure P = z Phi F/(pi a^(d-1)) with the
+/// assumption z Phi = 4 (coordination number z, solid fraction Phi, largest diameter a, dimension d).
 /// @param law  contact law
 /// @param pressure  pressure P
 /// @param times_mean  number by which the mean force is multiplied
@@ -110,7 +110,8 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
                     scene.law.range(), radius));
 }
 
-/// Returns the largest water content during a run: the one at its beginning, or one that a stage of the load path sets.
+/// Returns the largest water content during a run: that at the beginning, or a larger one that a stage of the load path
+/// sets.
 /// @param at_first  water content at the beginning
 double most_water(const Scene& scene, double at_first) {
   double most = at_first;
@@ -120,8 +121,8 @@ double most_water(const Scene& scene, double at_first) {
   return most;
 }
 
-/// Warns if the liquid between grains has effects that the values in the scene do not suggest: if the grains are in
-/// fact dry, if liquid bridges merge, and if walls stay dry.
+/// Warns if the liquid between grains has effects that may surprise: if the grains are in fact dry, if liquid bridges
+/// merge, and if walls stay dry.
 void warn_of_liquid(const Scene& scene, Warnings& warnings) {
   const auto& adhesion = scene.law.parameters().adhesion;
   if (!adhesion.holds<CapillaryAdhesion>()) return;
@@ -134,10 +135,10 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
         "the volume of a liquid bridge");
   else if (!law.acts())
     warnings.push_back(
-        "contact.adhesion.contact_angle = 90: at this angle the liquid does not attract; the grains behave as "
-        "if they were dry");
-  // Largest volume of a liquid bridge between grains of radius R, divided by R^3, at which the bridges of a grain do
-  // not merge yet, for three bridges per grain.
+        "contact.adhesion.contact_angle = 90: at this angle liquid bridges do not attract the grains, which "
+        "behave as if they were dry");
+  // Largest volume of a liquid bridge between grains of radius R, divided by R^3, up to which the three bridges of a
+  // grain do not merge.
   constexpr double kMerging = 0.1;
   const double filled = law.liquid_volume(4.0 / 3.0 * std::numbers::pi) / kBridgesPerGrain;
   if (filled > kMerging)
@@ -152,17 +153,17 @@ void warn_of_liquid(const Scene& scene, Warnings& warnings) {
         "between grains");
 }
 
-/// Returns the unit of time sqrt(a m/F1) at a pressure, with the largest diameter a, the mass m of a grain of this
-/// diameter, and the typical force F1 (the larger of the pull-off force and the pressure times a^(d-1), in d
-/// dimensions); 0 if F1 is zero.
+/// Returns the unit of time sqrt(a m/F1) at a pressure, with the largest diameter a and the mass m of a grain of this
+/// diameter. The typical force F1 is the larger of the pull-off force and the pressure times a^(d-1), in d dimensions.
+/// Returns 0 if F1 is zero.
 double time_unit(const Scene& scene, double pressure) {
   const double a = scene.grains.largest(), m = mass_of(scene, a);
   const double F1 = std::max(pull_off_force(scene), pressure * std::pow(a, scene.dimension - 1));
   return F1 > 0.0 ? std::sqrt(a * m / F1) : 0.0;
 }
 
-/// Warns if the compression of a gas takes so long that the first step is given up, at the time equilibrium.max_time,
-/// before the grains touch.
+/// Warns if the compression of a gas takes so long that the first step ends unfinished, at the time
+/// equilibrium.max_time, before the grains touch.
 void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   // Smallest solid fraction at which a gas compressed under pressure (protocol "direct") may come to rest, even if its
   // grains adhere.
@@ -172,9 +173,9 @@ void warn_of_slow_compression(const Scene& scene, Warnings& warnings) {
   if (!gas || !(phi > 0.0) || phi >= loosest || !(pressure > 0.0)) return;
   const double unit = time_unit(scene, pressure);
   const RelaxationOptions r = scene.assembly.cell.applied_to(scene.relaxation);
-  // strain_rate_cap is a strain rate times `free_unit`; inertial_number_cap is a strain rate times sqrt(m/P) for disks,
-  // or sqrt(m/(P a)) for spheres. The latter time equals sqrt(a m/F1) if the pressure P determines the typical force
-  // F1.
+  // strain_rate_cap is given as a strain rate times `free_unit`; inertial_number_cap as a strain rate times sqrt(m/P)
+  // for disks, or times sqrt(m/(P a)) for spheres. The latter time equals sqrt(a m/F1) if the pressure P determines the
+  // typical force F1.
   const double free_unit = scene.law.adheres() ? time_unit(scene, 0.0) : unit;
   const double rate = r.strain_rate_cap       ? *r.strain_rate_cap / free_unit
                       : r.inertial_number_cap ? *r.inertial_number_cap / unit
@@ -198,17 +199,17 @@ double packed_side(const Scene& scene) {
   return std::pow(scene.grains.count * unit_volume / densest, 1.0 / scene.dimension);
 }
 
-/// Returns the mass of the smallest grain over that of the largest grain.
+/// Returns the ratio of the mass of the smallest grain to that of the largest grain.
 double lightest(const Scene& scene) {
   return std::pow(scene.grains.smallest() / scene.grains.largest(), scene.dimension);
 }
 
-/// Warns if the cell is so light that it makes the time step much smaller: a cell that weighs less than a few grains
-/// vibrates faster than the grains (see cell_time_step_of()).
+/// Warns if the cell is so light that the time step must be much smaller than for the grains alone: a cell that weighs
+/// less than a few grains vibrates faster than the grains (see cell_time_step_of()).
 void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
   // The implicit time steps of rigid grains are stable with cells of any mass.
   if (scene.assembly.box || scene.law.is_rigid()) return;
-  // smallest time step without a warning, over the time step that the grains allow
+  // smallest ratio of the time step to that which the grains alone allow, down to which there is no warning
   constexpr double kSlow = 0.1;
   const double along = scene.dimension == 2 ? 1.5 : 2.0;
   const auto check = [&](const std::string& key, const CellResponse& cell) {
@@ -228,8 +229,8 @@ void warn_of_light_cell(const Scene& scene, Warnings& warnings) {
       return;
 }
 
-/// Warns if the walls are too light: only the grains determine the time step, and if it is too long for the walls,
-/// their motion diverges.
+/// Warns if the walls are so light that their motion diverges. The time step is chosen for the grains alone, and may be
+/// too long for light walls.
 void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
   if (!scene.assembly.box) return;
   // About two thirds of the grains that fit side by side along a wall touch it. The motion of a wall diverges if dt w >
@@ -246,23 +247,24 @@ void warn_of_light_walls(const Scene& scene, Warnings& warnings) {
 }
 
 /// Warns if contacts are so stiff relative to the load that the motion into equilibrium takes very many time steps.
-/// This is checked only for spheres: their forces depend on the path, so their equilibria cannot be found by Newton
-/// steps without motion.
+/// Only spheres are checked: their forces depend on the path, so Newton steps without motion cannot find their
+/// equilibria.
 void warn_of_stiff_contacts(const Scene& scene, Warnings& warnings) {
-  // Largest number of time steps per unit of time sqrt(a m/F1) without a warning: twice that of any scene shipped with
-  // floc.
+  // Largest number of time steps per unit of time sqrt(a m/F1) for which there is no warning: twice the largest number
+  // in scenes shipped with floc.
   constexpr double kMany = 3000.0;
   if (scene.law.force_exponent() == 1.0) return;
   const double pressure = scene.assembly.pressure;
   const double unit = time_unit(scene, pressure);
   const double step = time_step_of_scene(scene);
   if (!(unit > 0.0) || !(step > 0.0) || unit / step < kMany) return;
-  warnings.push_back(fmt::format(
-      "contact.normal: relative to the load the contacts are so stiff that motion over the time sqrt(a m/F1) "
-      "(largest diameter a, its mass m, typical force F1) takes {:.1e} time steps, and every state needs "
-      "several hundred times as many; expected softer contacts (results hardly depend on the stiffness if the "
-      "stiffness number kappa is above 1e5) or a higher pressure than assembly.pressure = {:g}",
-      unit / step, pressure));
+  warnings.push_back(
+      fmt::format("contact.normal: relative to the load the contacts are so stiff that motion over the time "
+                  "sqrt(a m/F1) (largest diameter a, its mass m, typical force F1) takes {:.1e} time steps, "
+                  "and every state takes several hundred times this number; expected softer contacts (results "
+                  "hardly depend on the stiffness if the "
+                  "stiffness number kappa is above 1e5) or a higher pressure than assembly.pressure = {:g}",
+                  unit / step, pressure));
 }
 
 void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
@@ -273,9 +275,9 @@ void warn_of_no_sticking(const Scene& scene, Warnings& warnings) {
         "dissipate no energy, so that grains separate again; expected one of these tables");
 }
 
-/// Warns if a single grain makes up much of the volume of all grains. One grain always has the largest diameter,
-/// however rare this diameter is in the distribution: the diameters are equally spaced quantiles, including both ends
-/// of the distribution.
+/// Warns if a single grain makes up much of the volume of all grains. The diameters are equally spaced quantiles,
+/// including both ends of the distribution, so one grain always has the largest diameter, even if this diameter is very
+/// rare in the distribution.
 void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.05;
   const DiameterDistribution& d = scene.grains.diameter;
@@ -289,13 +291,14 @@ void warn_of_largest_grain(const Scene& scene, Warnings& warnings) {
   if (1.0 / sum > kMuch)
     warnings.push_back(
         fmt::format("grains.diameter: the largest of the {} grains has {:.2g} % of their total {}, more than "
-                    "the distribution gives to its size, because a grain of the largest diameter is always "
+                    "its size has in the distribution, because a grain of the largest diameter is always "
                     "included; expected more grains, or grains.diameter.quantiles = \"middle\"",
                     scene.grains.count, 100.0 / sum, scene.dimension == 2 ? "area" : "volume"));
 }
 
-/// Warns if quantiles at the middle of equal shares of the number of grains do not have the volumes that their
-/// distribution asks for: of rare large grains there may be none, or one that counts too much.
+/// Warns if the volumes of the drawn grains differ from those of the size distribution. Quantiles in the middle of
+/// equal fractions of the number of grains may include no rare large grain, or one whose volume is too large a
+/// fraction.
 void warn_of_sizes(const Scene& scene, Warnings& warnings) {
   constexpr double kMuch = 0.02;
   if (scene.grains.diameter.quantiles != DiameterDistribution::Quantiles::middle || scene.grains.count < 1)

@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// Condition that a real number in a scene must satisfy: a function that tests the number, and words for messages, for
-/// example "a positive number (K_N, force per length)".
+/// Condition that a real number in a scene must satisfy: a function that tests the number, and a description for
+/// messages, for example "a positive number (K_N, force per length)".
 struct NumberRule {
   bool (*holds)(double);
   const char* expectation;
@@ -23,13 +23,14 @@ constexpr bool not_negative(double x) {
   return x >= 0;
 }
 
-/// Condition that a whole number in a scene must satisfy: its smallest and largest value, and words for messages.
+/// Condition that a whole number in a scene must satisfy: its smallest and largest value, and a description for
+/// messages.
 struct IntegerRule {
   std::int64_t at_least, at_most;
   const char* expectation;
 };
 
-/// Reads the keys of one table of a scene. The reader remembers which keys it has read, so that all other keys of the
+/// Reads the keys of one table of a scene. The reader records which keys it has read, so that all other keys of the
 /// table can be reported as unknown. If a value is missing or invalid, the reader records a fault in the SceneSource
 /// (it throws nothing) and returns no value. A reader of a missing table returns no values and records no faults.
 class TableReader {
@@ -49,33 +50,33 @@ class TableReader {
   std::optional<double> number(const std::string& key, NumberRule rule, Need need = Need::required);
   std::optional<std::int64_t> integer(const std::string& key, IntegerRule rule, Need need = Need::required);
   std::optional<std::string> text(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns the index, in `choices`, of the keyword that a key has as its value.
+  /// Returns the index, in `choices`, of the keyword that is the value of a key.
   /// @param choices  all keywords that the key accepts
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& choices,
                                     Need need = Need::required);
   TableReader table(const std::string& key, const char* expectation, Need need = Need::required);
-  /// Returns one reader for each table in the array of tables that a key has as its value; the result is empty if the
+  /// Returns one reader for each table in the array of tables that is the value of a key; the result is empty if the
   /// key is missing.
   std::vector<TableReader> tables(const std::string& key, const char* expectation);
-  /// Returns the numbers in the table that a key has as its value, each with its key. The keys of numbers in inner
+  /// Returns the numbers in the table that is the value of a key, each with its own key. The keys of numbers in inner
   /// tables are written with dots, for example "adhesion.force".
   std::vector<std::pair<std::string, double>> flat_numbers(const std::string& key);
-  /// Returns the numbers in the array that a key has as its value: at least one, each of which satisfies the rule. The
-  /// result is empty if the key is missing or its value is invalid.
+  /// Returns the numbers in the array that is the value of a key: at least one number, and each number satisfies the
+  /// rule. The result is empty if the key is missing or its value is invalid.
   std::vector<double> numbers(const std::string& key, NumberRule rule);
 
-  /// Returns the smallest and the largest whole number of an interval. The value of the key is an array of these two,
-  /// or one whole number that is both.
+  /// Returns the smallest and the largest whole number of an interval. The value of the key is an array of these two
+  /// numbers, or one whole number that is both ends of the interval.
   std::optional<std::pair<int, int>> whole_interval(const std::string& key, const char* expectation);
 
-  /// Returns the texts in the array that a key has as its value. The result is empty if the key is missing or its value
+  /// Returns the texts in the array that is the value of a key. The result is empty if the key is missing or its value
   /// is invalid.
   std::vector<std::string> texts(const std::string& key, const char* expectation);
 
   /// Records a fault at a key of this table, or, if the table does not have the key, at the table itself.
   void fault(const std::string& key, const std::string& problem);
 
-  /// Records a fault if the table has a key that other scenes may have but this scene may not.
+  /// Records a fault if the table has a key that is allowed in other scenes but not in this one.
   void refuse(const std::string& key, const std::string& problem);
 
   /// Records a fault for every key of the table that has not been read. The message names the most similar key among

@@ -13,7 +13,8 @@ struct ChainOptions {
   int n = 0;           ///< number of disks
   double R = 0.0;      ///< radius of the disks (length)
   ChainStiffness k{};  ///< stiffnesses of the contacts
-  double bend = 0.0;   ///< angle between successive lines that join centres of touching disks (degrees)
+  /// angle between the lines that join the centres of successive pairs of touching disks (degrees)
+  double bend = 0.0;
 };
 
 /// One compliance of a chain of disks, computed by a closed formula and by a numerical solution.

@@ -28,8 +28,8 @@ Table to_table(const std::vector<Column<Row>>& columns, const std::vector<Row>& 
   return table;
 }
 
-/// Gives a table the columns `names` if it has no columns yet. If an earlier state has already added rows, checks that
-/// the table has these columns.
+/// Sets the columns of a table to `names` if it has no columns yet. Otherwise checks that the table, to which an
+/// earlier state has added rows, has these columns.
 /// @param file  file of the state that is about to add rows, for messages
 /// @throws InputError if the table has other columns, because the earlier state has another dimension
 inline void expect_columns(const std::string& file, const std::vector<std::string>& names, Table& table) {

@@ -7,7 +7,8 @@ namespace floc {
 
 /// Description of a column of a table, as docs/columns.md gives it.
 struct DescribedColumn {
-  std::string name;  ///< name, or pattern of several names such as "C??", with the wildcards `*` and `?`
+  /// name, or pattern that several names match, such as "C??", with the wildcards `*` and `?`
+  std::string name;
   std::string unit;  ///< unit; empty for a column without unit, such as a count or a name
   std::string meaning;
 };
@@ -16,7 +17,7 @@ struct DescribedColumn {
 struct DescribedTable {
   /// Name of the command, with the option that writes the table, such as "moduli --increments".
   std::string name;
-  /// Columns that are shown on a terminal, the most important ones first; if empty, all columns are shown.
+  /// Columns that are shown on a terminal, the most important first; if empty, all columns are shown.
   std::vector<std::string> on_terminal;
   std::vector<DescribedColumn> columns;
 };

@@ -11,19 +11,19 @@ namespace floc {
 
 /// Options of the tables of `floc compare`.
 struct CompareTableOptions {
-  /// Largest relative motion of two grains in contact that still belong to one rigid cluster. It limits both the
-  /// distance between the points at which the grains touched, in largest diameters, and the difference of the rotations
-  /// of the grains, in radians.
+  /// Largest relative motion of two grains in contact that still belong to one rigid cluster. It limits two numbers:
+  /// the distance between the two points at which the grains touched, in units of the largest diameter, and the
+  /// difference between the rotations of the two grains, in radians.
   double rigid_tolerance = 0.01;
-  bool displacements = false;  ///< adds the table with a row for each grain
-  bool contacts = false;       ///< adds the table with a row for each contact
+  bool displacements = false;  ///< whether the table with a row for each grain is computed
+  bool contacts = false;       ///< whether the table with a row for each contact is computed
 };
 
 /// One row of the table of `floc compare`: the changes from one state (before) to another state (after).
 struct CompareRow {
   std::string before, after;
   int n_grains = 0;
-  /// Reduced pressure and solid fraction: at index 0 of the state `before`, at index 1 of the state `after`.
+  /// Reduced pressure and solid fraction; index 0 is the state `before`, index 1 the state `after`.
   double pressure[2] = {}, solid_fraction[2] = {};
   int n_before = 0, n_after = 0, n_kept = 0, n_lost = 0, n_gained = 0, n_parted = 0;
   Eigen::MatrixXd strain;  ///< strain of the cell from `before` to `after`; shortening is positive
@@ -36,7 +36,7 @@ struct CompareTables {
   Table displacements, contacts;
 };
 
-/// Compares two states of the same grains. Adds rows to the tables in `side` that the options select.
+/// Compares two states of the same grains. Adds rows to those tables in `side` that the options select.
 /// @throws InputError if the two states do not have equal grains
 template <int Dim>
 CompareRow compare_row(const std::string& old_file, const State<Dim>& before, const std::string& new_file,

@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Returns the first and the last pressure to which the parameters of a fit belong.
+/// Returns the first and the last of the fitted pressures.
 std::pair<double, double> window_of(const CompressedPath& compressed, const CompressionFit& fit) {
   const std::vector<double>& P = compressed.loading.curve.P_star;
   return {P[static_cast<std::size_t>(fit.first)], P[static_cast<std::size_t>(fit.first + fit.n_points - 1)]};

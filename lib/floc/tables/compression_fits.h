@@ -9,21 +9,21 @@
 
 namespace floc {
 
-/// Options of `floc fit compression`. Those that are texts contain the keywords that the command accepts.
+/// Options of `floc fit compression`. The members of type string contain keywords of the command.
 struct CompressionFitOptions {
   std::string law = "all";             ///< name of a compression law, or "all"
   std::string density = "out-of-die";  ///< "out-of-die", or "in-die" for densities measured under load
   CompressionOptions fit;
 };
 
-/// Compression laws fitted to the first loading of a load path, the best by Akaike's criterion first.
+/// Compression laws fitted to the first loading of a load path, sorted by Akaike's criterion, the best law first.
 struct CompressedPath {
   Loading loading;
   std::vector<CompressionFit> fits;
 };
 
-/// Fits compression laws to the first loading of a load path. The bound of solid fractions is lifted for densities
-/// in a die.
+/// Fits compression laws to the first loading of a load path. For densities measured under load (in-die), solid
+/// fractions above 1 are allowed.
 CompressedPath compression_fits(const PathTable& path, const CompressionFitOptions& asked);
 
 /// Returns the name of a compression law.

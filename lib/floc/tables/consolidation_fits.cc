@@ -25,8 +25,8 @@ constexpr LeftOutStep kLeftOut[] = {
     {PathStep::first_loading, "before_loading", "before the branch \"load\""},
 };
 
-/// Applies the option --P0: sets the fitted window to begin at the pressure of the curve that is nearest to P0, and to
-/// end at the last pressure. Does nothing if P0 is not positive.
+/// Applies the option --P0: sets the beginning of the fitted window to the pressure of the curve that is nearest to P0,
+/// and its end to the last pressure. Does nothing if P0 is not positive.
 void start_at_P0(double P0, const ConsolidationCurve& curve, ConsolidationOptions& options) {
   if (P0 <= 0.0 || curve.P_star.empty()) return;
   const auto distance = [P0](double P) { return std::abs(std::log(P / P0)); };
@@ -76,8 +76,8 @@ Json change_as_json(const std::optional<ChangePoint>& change, const Consolidatio
           {"probability", change->places.empty() ? Json(nullptr) : Json(change->places.front().probability)}};
 }
 
-/// Returns the numbers of the table rows from which the points `first` to `end - 1` of a sample were read. For the mean
-/// of several tables, which has no rows, returns the indices of the points.
+/// Returns the numbers of the table rows that contain the points `first` to `end - 1` of a sample. For the mean of
+/// several tables, which has no rows, returns the indices of the points.
 Json rows_of(const ConsolidationSample& sample, int first, int end) {
   Json rows = Json::array();
   for (int i = first; i < end; ++i)
@@ -96,7 +96,8 @@ Json regimes_as_json(const ConsolidationSample& sample, const ConsolidationFit& 
           {"rows_III", rows_of(sample, r.end_of_two, n)}};
 }
 
-/// Returns the cells window_low and window_high of a parameter, which only lambda and C_c have.
+/// Returns the cells window_low and window_high of a parameter. They are empty for parameters other than lambda and
+/// C_c.
 std::vector<TableValue> cells_of_range(const FittedParameter& p, const ConsolidationFit& fit) {
   const double unit = p.name == "C_c" ? std::numbers::ln10 : 1.0;
   const auto range = p.name == "lambda" || p.name == "C_c" ? range_of_lambda(fit) : std::nullopt;
@@ -117,7 +118,7 @@ std::vector<std::vector<double>> ConsolidationSample::loops() const {
   bool inside = false;
   for (std::size_t i = 1; i < path.size(); ++i) {
     const bool is_loop = steps[i] == PathStep::unloading || steps[i] == PathStep::reloading;
-    // A loop begins at the row from which the pressure falls.
+    // A loop begins at the last row before the pressure falls.
     if (is_loop && !inside) add(i - 1);
     if (is_loop) add(i);
     if (!is_loop && inside) points.push_back(gap);

@@ -11,8 +11,8 @@
 
 namespace floc {
 
-/// Options of a fit of the consolidation law to load paths. Options that are texts contain the keywords that
-/// `floc fit consolidation` accepts.
+/// Options of a fit of the consolidation law to load paths. The members of type string contain keywords of `floc fit
+/// consolidation`.
 struct ConsolidationFitOptions {
   std::string law = "auto";
   std::string protocol;
@@ -24,30 +24,31 @@ struct ConsolidationFitOptions {
   int n_bootstrap = 0;
   std::uint64_t seed = 1;
   std::string stress = "driven";
-  double phi_limit = 1.0;  ///< largest solid fraction to which a law may tend; infinity for no bound
+  double phi_limit = 1.0;  ///< largest solid fraction that a law may approach; infinity for no bound
 
-  /// Returns whether floc chooses the law that the data support. The options --protocol and --P0 belong to the full law.
+  /// Whether floc chooses the law that the data support. The options --protocol and --P0 require the full law.
   bool chooses_law() const { return law == "auto" && protocol.empty() && P0 <= 0.0; }
 };
 
-/// Consolidation curve of a sample, with the table rows from which it was read. The mean curve of several samples has
-/// no rows.
+/// Consolidation curve of a sample, with the table rows that it was read from. The mean curve of several samples has no
+/// rows.
 struct ConsolidationSample {
   std::string name;
   Loading loading;
   std::vector<PathStep> steps;  ///< kind of step that leads to each row of the table
-  std::string unit;             ///< unit of the pressures; empty if the table does not say it
-  /// Stress that is taken as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the
-  /// axes); empty if the table has no such rows.
+  std::string unit;             ///< unit of the pressures; empty if the table does not contain it
+  /// Stress used as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the axes);
+  /// empty if the table has no such rows.
   std::string stress = {};
   std::vector<PathRow> path = {};  ///< rows of the table; empty for the mean of several tables
 
-  /// Returns P* and 1/Phi of the unloadings and reloadings of the table; a row of NaN ends each.
+  /// Returns pairs (P*, 1/Phi) of the unloadings and reloadings in the table. A pair of NaN ends each unloading or
+  /// reloading.
   std::vector<std::vector<double>> loops() const;
 };
 
 /// A kind of step of a load path, such as unloading, whose rows are left out of fits of the consolidation law. It has a
-/// json key, and a description for messages.
+/// key in the json output, and a description for messages.
 struct LeftOutStep {
   PathStep step;
   const char *key, *description;
@@ -55,47 +56,49 @@ struct LeftOutStep {
 /// Returns all kinds of steps whose rows are left out of fits of the consolidation law.
 std::span<const LeftOutStep> left_out_steps();
 
-/// Returns the indices of the table rows of a sample that are not fitted because a step of the given kind leads to
-/// them.
+/// Returns the indices of the table rows of a sample that are not fitted, because they are at the end of a step of the
+/// given kind.
 std::vector<int> left_out(const ConsolidationSample& sample, PathStep step);
 
 /// Returns the consolidation curve of a load path. Its points are the rows of the first loading and, if the option
 /// `loading` is "virgin", the rows of later loadings at pressures above the largest pressure reached before.
 ConsolidationSample consolidation_sample(const PathTable& path, const ConsolidationFitOptions& asked);
 
-/// Returns the bound of solid fractions that the option --phi-limit gives: a positive number, or infinity for "none".
-/// @throws InputError with the name of the option for any other text
+/// Returns the upper bound of solid fractions from the option --phi-limit: a positive number, or infinity for "none".
+/// @throws InputError that names the option if the text is anything else
 double phi_limit_of(const std::string& text);
 
 /// Converts the keywords of `floc fit consolidation` to the options of fit_consolidation().
-/// @throws InputError with the name of an option that is not valid
+/// @throws InputError that names the option that is not valid
 ConsolidationOptions consolidation_options(const ConsolidationFitOptions& asked);
 
 /// Returns the samples to fit: all given samples and, if there are several, their mean as the last element.
-/// @param only_pooled  whether the mean is returned alone, without the samples
+/// @param only_pooled  whether only the mean is returned, without the samples
 std::vector<ConsolidationSample> with_pooled(std::vector<ConsolidationSample> samples, bool only_pooled);
 
-/// Returns the smallest and the largest value of lambda for windows that begin or end one row earlier or later, and for
-/// the window fitted; absent if the law has no lambda, or if another window leaves no regime II.
+/// Returns the smallest and the largest value of lambda over several fitted windows: the given one, and those that
+/// begin or end one row earlier or later. Absent if the law has no lambda, or if one of these windows contains no
+/// regime II.
 std::optional<std::pair<double, double>> range_of_lambda(const ConsolidationFit& fit);
 
 /// Fits the consolidation law to one sample.
-/// @param asked    options as keywords; only `weights` and `P0` are used, whose effect depends on the sample
+/// @param asked    options as keywords; only `weights` and `P0` are used here, because their effect depends on the
+/// sample
 /// @param options  all other options, from consolidation_options()
 ConsolidationFit fit_of(const ConsolidationSample& sample, const ConsolidationFitOptions& asked,
                         const ConsolidationOptions& options);
 
-/// Fits the consolidation law to one or several load paths in a single call, as `floc fit consolidation` does. Several
-/// load paths are fitted by their mean.
+/// Fits the consolidation law to one or several load paths in a single call, as `floc fit consolidation` does. For
+/// several load paths, the law is fitted to their mean.
 /// @param inputs   csv tables with the columns P_star and phi or void_ratio, or directories of floc run
-/// @param columns  headers of the columns P_star, phi and void_ratio, if the tables have other headers for them
+/// @param columns  headers of the columns P_star, phi and void_ratio, if the tables use other headers
 /// @throws InputError if an input is not a load path or an option is not valid
 ConsolidationFit consolidation_fit(const std::vector<std::string>& inputs,
                                    const ConsolidationFitOptions& options = {},
                                    const ColumnNames& columns = {});
 
-/// Returns the main source of the standard error of a parameter, as the word "samples" (too few samples), "points" (too
-/// few points on the curve) or "regimes" (uncertain ends of the regimes).
+/// Returns the main source of the standard error of a parameter: "samples" (too few samples), "points" (too few points
+/// on the curve) or "regimes" (uncertain ends of the regimes).
 /// @param parts  parts of this standard error
 const char* limit_of(const ErrorParts& parts, const ConsolidationFit& fit);
 

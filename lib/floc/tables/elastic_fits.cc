@@ -6,24 +6,24 @@
 namespace floc {
 namespace {
 
-/// Returns the moduli of the state with which a fit to a branch is compared, in the unit of the pressures of `path`.
-/// 1. If `state` is not empty, it is the state file.
-/// 2. Otherwise the row number `row` of the path names the state file. Returns nothing if this file is not in the
-/// directory of the table.
+/// Returns the moduli of the state with which the fit to a branch is compared, in the unit of the pressures of `path`.
+/// 1. If `state` is not empty, it is the name of the state file.
+/// 2. Otherwise row number `row` of the path names the state file. Returns nothing if this file is not in the directory
+/// of the table.
 /// @param axis  driven axis of an oedometer test, from 0; -1 for other load paths
 std::optional<StateModuli> find_state(const std::string& state, const PathTable& path, int row, int axis) {
   const auto found = state.empty() ? moduli_of_row(path, row, axis) : std::optional(moduli_of(state, axis));
   return found ? std::optional(in_unit_of(path, *found)) : std::nullopt;
 }
 
-/// Returns the modulus that relates the mean stress to ln Phi (Phi: solid fraction): B_uniaxial in an oedometer test,
-/// otherwise B_S.
+/// Returns the modulus K for which d ln Phi = dP/K (solid fraction Phi, mean stress P): B_uniaxial in an oedometer
+/// test, otherwise B_S.
 double bulk_modulus_of(const StateModuli& state) {
   return state.B_uniaxial.value_or(state.B_S);
 }
 
-/// Returns the driven axis of a branch, from 0. Returns -1 unless all steps of the branch are those of an oedometer
-/// test with this one driven axis.
+/// Returns the axis (from 0) that an oedometer test drives in all steps of a branch; -1 if the branch contains other
+/// steps or other driven axes.
 int driven_axis_of(const PathTable& path, const Loading& branch) {
   int axis = driven_axis(path, branch.rows.back());
   for (std::size_t i = 1; i < branch.rows.size(); ++i)
@@ -31,7 +31,7 @@ int driven_axis_of(const PathTable& path, const Loading& branch) {
   return axis;
 }
 
-/// Returns a branch with its pressures, which are mean stresses, replaced by the stresses on the driven axis.
+/// Returns a branch in which the pressures, which were mean stresses, are replaced by the stresses on the driven axis.
 Loading against_driven_stress(const PathTable& path, Loading branch) {
   for (std::size_t i = 0; i < branch.rows.size(); ++i)
     branch.curve.P_star[i] *= path.rows[static_cast<std::size_t>(branch.rows[i])].driven_over_mean;
@@ -114,7 +114,7 @@ Json as_json(const PathTable& path, const ElasticBranch& branch) {
   object["rms"] = branch.fit.found() ? Json(branch.fit.rms) : Json(nullptr);
   object["secant_low"] = number_or_null(branch.fit.secant_low);
   object["secant_high"] = number_or_null(branch.fit.secant_high);
-  // Every object has every key, so that scripts may rely on them. A value that a branch does not have is null.
+  // Every object contains every key, so that scripts can rely on them. A value that a branch does not have is null.
   object["state"] = nullptr;
   if (branch.state)
     object["state"] = {{"file", branch.state->file},

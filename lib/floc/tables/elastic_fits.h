@@ -24,7 +24,7 @@ struct ElasticBranch {
 
   /// Returns the parameters of `fit` and, if `driven` exists, its modulus M.
   std::vector<FittedParameter> parameters() const;
-  /// Returns the warnings of `fit` and `driven`. Those of `driven` begin with the words "fit of the modulus M".
+  /// Returns the warnings of `fit` and `driven`. The warnings of `driven` begin with the words "fit of the modulus M".
   std::vector<std::string> warnings() const;
 };
 
@@ -32,9 +32,9 @@ struct ElasticBranch {
 /// oedometer test, also the modulus M against the stress on the driven axis. Compares each fit with the moduli of a
 /// saved state.
 /// @param path   load path, read with OedometerPressure::mean
-/// @param state  file of the saved state. If it is empty, each branch is compared with the state that its first row
-/// names or, if the branch is curved, the middle row of its straight part. If the file of this state is not in the
-/// directory of the table, the branch is not compared
+/// @param state  file of the saved state. If it is empty, each branch is compared with the state that is named in its
+/// first row or, if the branch is curved, in the middle row of its straight part. If this file is not in the directory
+/// of the table, the branch is not compared
 std::vector<ElasticBranch> elastic_branches(const PathTable& path, const std::string& state);
 
 /// Returns the distance of an unloading branch from the elastic line of a saved state: the root mean square difference

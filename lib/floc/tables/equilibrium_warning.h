@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Warns if a state is not in equilibrium. The warning lists those residuals of forces, moments and stress that exceed
+/// Warns if a state is not in equilibrium. The warning lists the residuals of forces, moments and stress that exceed
 /// their tolerances.
 /// @param file  name of the state in the warning
 template <int Dim>

@@ -17,9 +17,9 @@
 namespace floc {
 namespace {
 
-/// Checks that the pressures along each branch of a load path all grow, all fall or are all equal.
+/// Checks the pressures along each branch of a load path: they must all increase, all decrease, or all be equal.
 /// @param pressure  name of the column of pressures, for messages
-/// @param place     function that returns where a row was read (file and line), for messages
+/// @param place     function that returns the place of a row (file and line), for messages
 /// @throws InputError if a pressure breaks this rule
 void require_path(const std::vector<PathRow>& rows, const std::string& pressure,
                   const std::function<std::string(int)>& place) {
@@ -80,10 +80,9 @@ class PressureUnit {
     if (first_ == 0.0) first_ = last_ = unit;
     if (std::abs(unit / last_ - 1.0) > kSameUnit)
       notes.push_back(
-          fmt::format("row {}: the unit of the reduced pressure P* changes from a stress of {:.6g} to one of "
-                      "{:.6g}, because a "
-                      "stage of the load path sets another force or stiffness of the contacts: P* is converted "
-                      "to the unit of the first rows, {:.6g}",
+          fmt::format("row {}: the unit of the reduced pressure P* changes from a stress of {:.6g} to a stress "
+                      "of {:.6g}, because a stage of the load path sets another force or stiffness of the "
+                      "contacts: P* is converted to the unit of the first rows, {:.6g}",
                       row, last_, unit, first_));
     last_ = unit;
     return std::abs(unit / first_ - 1.0) > kSameUnit ? unit / first_ : 1.0;
@@ -97,15 +96,15 @@ class PressureUnit {
   double first_ = 0.0, last_ = 0.0;
 };
 
-/// Names of the columns of a load path beside the pressure.
+/// Names of the columns of a load path other than the pressure.
 std::vector<std::string> path_names() {
   std::vector<std::string> names = density_names();
   names.emplace_back("branch");
   return names;
 }
 
-/// Finds the column of the pressures: that which the user named, then the first of the `names` that the table has, then
-/// a column with a usual name of a pressure. @return name and column
+/// Finds the column of the pressures. Candidates are, in this order, the column that the user named, the columns in
+/// `names`, and columns with a usual name of a pressure. @return name and column
 std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
                                                    const std::vector<std::string>& names) {
   for (const std::string& name : names)
@@ -115,7 +114,7 @@ std::pair<std::string, UnitColumn> pressure_column(const NamedColumns& columns,
   return {names.back(), columns.unit_column(names.back())};
 }
 
-/// @throws InputError if the unit of the pressures is known and measures something else
+/// @throws InputError if the column has a known unit that is not a unit of pressure
 void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure) {
   const std::string measures = quantity_of_unit(pressure.unit);
   if (measures.empty() || measures == "pressure" || measures.starts_with("force")) return;
@@ -125,7 +124,7 @@ void require_unit_of_pressure(const CsvTable& table, const UnitColumn& pressure)
                                table.columns()[static_cast<std::size_t>(pressure.index)], pressure.unit));
 }
 
-/// Says in one line what was read from a table.
+/// Returns a summary in one line of the data that were read from a table.
 std::string reading_of(const PathTable& path, const std::string& density) {
   const int n_reversals = count_reversals(path.rows);
   const std::string description = path.table.description();
@@ -134,13 +133,13 @@ std::string reading_of(const PathTable& path, const std::string& density) {
                      n_reversals == 1 ? "" : "s", description.empty() ? "" : "; ", description);
 }
 
-/// Adds notes about the rows that do not count because a later row has the same pressure, and about the stress that
-/// counts as pressure in rows of oedometer tests.
+/// Adds notes about rows that are left out because a later row has the same pressure, and about the stress used as the
+/// pressure in rows of oedometer tests.
 void add_notes(PathTable& path) {
   if (const std::vector<int> rows = superseded_rows(path.rows); !rows.empty())
     path.notes.push_back(
-        fmt::format("{} row{} the pressure of the next row, as in a hold (creep) or where the load "
-                    "turns: the last row of each pressure counts (row numbers left out: {})",
+        fmt::format("{} row{} the pressure of the next row, as in a hold (creep) or at a reversal of the load: "
+                    "of rows at one pressure only the last is used (row numbers left out: {})",
                     rows.size(), rows.size() == 1 ? " has" : "s have", ranges(rows)));
   if (!path.stress.empty())
     path.notes.push_back(fmt::format(
@@ -192,7 +191,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
     double P = table.number(i, pressure.index) * unit.factor(i, path.notes);
     double driven_over_mean = 1.0;
     if (load == PathLoad::other)
-      P = std::max(P, 0.0);  // cohesive grains may be under tension, which counts as pressure 0
+      P = std::max(P, 0.0);  // cohesive grains may be under tension, which is treated as pressure 0
     if (load == PathLoad::oedometric) {
       driven_over_mean = loads.driven_over_mean(i);
       if (oedometer == OedometerPressure::driven) P *= driven_over_mean;

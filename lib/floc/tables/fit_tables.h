@@ -12,8 +12,8 @@
 
 namespace floc {
 
-/// Returns the files of the tables that an argument of a command stands for: the file itself or, for a directory DIR,
-/// the file DIR/path.csv of a run or the files DIR/seed-N/path.csv of an ensemble, in the order of N.
+/// Returns the files of the tables that an argument of a command denotes: the file itself or, for a directory DIR, the
+/// file DIR/path.csv of a run or the files DIR/seed-N/path.csv of an ensemble, in the order of N.
 /// @throws InputError for a directory that contains none of these files
 std::vector<std::string> tables_of(const std::string& input);
 
@@ -21,33 +21,34 @@ std::vector<std::string> tables_of(const std::string& input);
 struct PathTable {
   std::string name;
   std::vector<PathRow> rows;
-  std::string unit;  ///< unit of the pressures; empty if the header of their column has no unit
+  std::string unit;  ///< unit of the pressures; empty if the header of the column has no unit
   CsvTable table;
-  /// Stress that is taken as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the
-  /// axes); empty if the table has no such rows.
+  /// Stress used as the pressure in rows of oedometer tests: "driven" (on the driven axis) or "mean" (over the axes);
+  /// empty if the table has no such rows.
   std::string stress = {};
   /// Summary of the table in one line: number of rows, quantities, units and reversals of the load.
   std::string reading = {};
-  bool is_of_run = false;  ///< whether the table is that of a run of floc, so that `reading` says nothing new
+  /// whether the table was written by floc run, so that `reading` contains nothing new
+  bool is_of_run = false;
   std::vector<std::string> notes =
-      {};  ///< messages about conversions of the pressures, and rows that do not count
+      {};  ///< messages about conversions of the pressures, and about rows that are left out
 
   /// Returns `stress` as a table cell, which is empty if `stress` is empty.
   TableValue stress_of_rows() const { return or_undefined(stress); }
 };
 
-/// Stress that is taken as the pressure in rows of oedometer tests: that on the driven axis, or the mean over the axes.
+/// Stress used as the pressure in rows of oedometer tests: the stress on the driven axis, or the mean over the axes.
 enum class OedometerPressure { driven, mean };
 
-/// Reads a load path from a table: the pressure, the solid fraction (see solid_fractions()) and, if the table has it, the
-/// name of the branch. Of successive rows of one pressure the last counts. If a table of `floc run` contains rows of oedometer tests, `oedometer` says
-/// which stress is their pressure. If the unit of P_star changes along a path of `floc run`, the pressures are
-/// converted to the unit of the first rows.
-/// @param columns    headers of the columns, for quantities whose columns have neither the names that floc uses nor usual
-/// names
-/// @param pressures  names of columns of pressures; the first one that the table has is read
+/// Reads a load path from a table: the pressure, the solid fraction (see solid_fractions()) and, if the table has it,
+/// the name of the branch. If successive rows have the same pressure, only the last of them is used. In rows of
+/// oedometer tests in a table of `floc run`, the pressure is the stress that `oedometer` selects. If the unit of P_star
+/// changes along a path of `floc run`, the pressures are converted to the unit of the first rows.
+/// @param columns    headers of columns whose names are neither the names that floc uses nor other usual names of the
+/// quantity
+/// @param pressures  names of columns of pressures; the first of them that exists in the table is read
 /// @throws InputError with file, line and value if a column is missing, if a value is not a number or is negative, or
-/// if the pressures along a branch neither all grow, nor all fall, nor are all equal
+/// if the pressures along a branch are neither all increasing, nor all decreasing, nor all equal
 PathTable read_path(const std::string& file, const ColumnNames& columns,
                     const std::vector<std::string>& pressures = {"P_star"},
                     OedometerPressure oedometer = OedometerPressure::driven);
@@ -56,7 +57,7 @@ PathTable read_path(const std::string& file, const ColumnNames& columns,
 /// @throws InputError if only one of the paths has a unit, or if the units cannot be converted
 void convert_pressures(const PathTable& to, PathTable& path);
 
-/// A load path that a caller of the Python package gives as arrays, with one element for each point of the path.
+/// A load path that a caller of the Python package passes as arrays, with one element for each point of the path.
 struct PathArrays {
   std::string name;  ///< name of the path in messages
   std::vector<double> pressure;
@@ -67,7 +68,7 @@ struct PathArrays {
 
 /// Converts arrays to a load path, without a table.
 /// @throws InputError with the name of the arrays, the index and the value, if a value is negative, or if the pressures
-/// along a branch neither all grow, nor all fall, nor are all equal
+/// along a branch are neither all increasing, nor all decreasing, nor all equal
 PathTable path_of_arrays(const PathArrays& arrays);
 
 /// Returns ascending row numbers as a text of ranges, such as "1-9, 12".

@@ -16,11 +16,10 @@
 namespace floc {
 namespace {
 
-/// Tolerance for contact forces, in mean normal forces. A smaller force counts as zero, and friction counts as
-/// mobilised if it is within this tolerance of its limit. Balanced forces are computed to a few digits more.
+/// Tolerance for contact forces, in units of the mean normal force. A smaller force counts as zero, and friction counts
+/// as mobilised if it is within this tolerance of its limit. Balanced forces are computed to a few digits more.
 constexpr double kNothing = 1e-6;
-/// If the ranges of the forces of a state are predicted to take longer than this (s), a remark gives the predicted
-/// time.
+/// If computing the ranges of all forces is predicted to take longer than this (s), a remark gives the predicted time.
 constexpr double kLongSeconds = 2.0;
 
 const char* name_of(ForceSelection selection) {
@@ -39,7 +38,7 @@ std::optional<Mat<Dim>> stress_of(const std::vector<double>& components) {
   if (n == 1) return Mat<Dim>(components[0] * Mat<Dim>::Identity());
   Mat<Dim> stress = Mat<Dim>::Zero();
   for (int s = 0; s < n; ++s) {
-    // For a shear component, unit_strain() has 1/2 in each of two entries, where the stress needs 1.
+    // For a shear component, unit_strain() has 1/2 in each of two entries. A stress has 1 in these entries.
     const Mat<Dim> unit = unit_strain<Dim>(s);
     stress += components[s] * (s < Dim ? unit : Mat<Dim>(2.0 * unit));
   }
@@ -70,7 +69,7 @@ void count_contacts(const BalancedForces<Dim>& forces, ForcesRow& row) {
   row.mobilised = static_cast<double>(mobilised) / row.n_carrying;
 }
 
-/// Returns the range of the normal force of each contact; absent for the contacts whose range is not computed.
+/// Returns the range of the normal force of each contact; absent for contacts that the options do not select.
 template <int Dim>
 std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, StaticForces<Dim>& forces,
                                                  int n_contacts, const ForcesTableOptions& options,
@@ -81,14 +80,15 @@ std::vector<std::optional<ForceRange>> ranges_of(const std::string& file, Static
   for (const int k : chosen)
     if (k < 0 || k >= n_contacts)
       throw InputError(
-          file, fmt::format("contact {}: this state has no contact with this number: expected 0 to {}", k,
-                            n_contacts - 1));
+          file,
+          fmt::format("contact {}: this state has no contact with this number: expected a number from 0 to {}",
+                      k, n_contacts - 1));
   if (chosen.empty())
     for (int k = 0; k < n_contacts; ++k) chosen.push_back(k);
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t n = 0; n < chosen.size(); ++n) {
     out[chosen[n]] = forces.range(chosen[n]);
-    // The time that the first ranges took predicts the time for all ranges.
+    // The time for all ranges is predicted from the time that the first ranges took.
     const double seconds = seconds_since(start);
     const std::size_t sample = std::min<std::size_t>(5, chosen.size());
     if (n + 1 == sample &&

@@ -8,9 +8,9 @@
 namespace floc {
 
 /// Adds a row for each contact of a state to the table of `floc moduli --increments`. The row contains the increments
-/// of the contact forces when the isotropic stress or the deviatoric stress grows by 1, the elastic energy of these
-/// increments, and the rank of the contact by this energy. It also tells whether the contact is a dead end or part of a
-/// backbone. The increments of contacts of rattlers are zero.
+/// of the contact forces for an increase of the isotropic stress or of the deviatoric stress by 1, the elastic energy
+/// of these increments, and the rank of the contact by this energy. It also contains whether the contact is a dead end
+/// or part of a backbone. The increments of contacts of rattlers are zero.
 /// @throws InputError if the table already contains a state of another dimension
 template <int Dim>
 void add_increments(const std::string& file, const Packing<Dim>& packing, const ContactNetwork<Dim>& network,

@@ -67,8 +67,7 @@ void add_history(const State<Dim>& state, std::vector<Entry>& entries) {
   entries.push_back({"program", or_undefined(state.provenance.program)});
   entries.push_back({"commit", or_undefined(state.provenance.commit)});
   entries.push_back({"compiler", or_undefined(state.provenance.compiler)});
-  // The seed is written as text. As an integer cell it could overflow, because such cells are signed, and readers of
-  // json round integers of this size.
+  // The seed is written as text. A signed integer cell could overflow, and readers of json round integers of this size.
   entries.push_back({"seed", fmt::format("{}", state.provenance.seed)});
   entries.push_back({"source", or_undefined(state.provenance.source)});
   entries.push_back({"parent_sha256", or_undefined(state.provenance.parent_sha256)});

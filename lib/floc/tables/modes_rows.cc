@@ -75,9 +75,8 @@ std::vector<std::string> words_on(const ContactNetwork<Dim>& network, const Modu
   std::vector<std::string> words;
   if (moduli.response.n_mechanisms > 0)
     words.push_back(fmt::format(
-        "the grains have {} mechanism(s): {} of them follow from how the contacts are connected, the others "
-        "from "
-        "the positions of the grains",
+        "the grains have {} mechanism(s): {} of them are determined by which grains are in contact, the others "
+        "also by the positions of the grains",
         moduli.response.n_mechanisms, structural_mechanisms(network, StrainSet::diagonal).n_mechanisms));
   const int listed = static_cast<int>(std::count_if(soft.modes.begin(), soft.modes.end(),
                                                     [](const auto& m) { return m.kind != ModeKind::elastic; }));
@@ -126,7 +125,7 @@ std::vector<std::string> add_modes_rows(const std::string& file, const State<Dim
   add_modes(file, packing.grains, soft, rows);
   if (!soft.complete)
     remarks.warn(
-        file, "the list of modes may lack some modes of repeated eigenvalues; another --count may find them");
+        file, "some modes of repeated eigenvalues may be missing in the list; another --count may find them");
   return words_on(network, moduli, soft);
 }
 

@@ -12,9 +12,9 @@
 
 namespace floc {
 
-/// One row of the table of `floc modes`. It describes one of three things: all free motions of one kind, by their
-/// number; a strain of the cell that costs no energy (a mechanism); or a mode, that is, an eigenvector of the stiffness
-/// matrix. Free motions, such as those of rattlers, follow from the structure of the contact network alone.
+/// One row of the table of `floc modes`. It describes one of three things: the number of free motions of one kind; a
+/// strain of the cell that costs no energy (a mechanism); or a mode, that is, an eigenvector of the stiffness matrix.
+/// Free motions, such as the motions of rattlers, are determined by the structure of the contact network alone.
 struct ModeRow {
   std::string file;
   std::string kind;
@@ -29,8 +29,8 @@ struct ModeRow {
 
 /// Adds the rows of one state to the table of `floc modes`: its free motions by kind, the strains of its cell that cost
 /// no energy, and its softest modes.
-/// @param count  number of modes to add. If absent, all modes are added whose eigenvalues are below the largest value
-/// of |F_N|/r over the contacts, but at least 10 and at most 100; F_N is the normal force, r the distance of the two
+/// @param count  number of modes to add. If absent, all modes are added whose eigenvalues are below the largest |F_N|/r
+/// of the contacts, but at least 10 and at most 100 modes; F_N is the normal force, r the distance between the two
 /// grain centres
 /// @return messages, for stderr, about the mechanisms and about the modes with eigenvalues below the largest |F_N|/r
 /// @throws InputError if the state has walls

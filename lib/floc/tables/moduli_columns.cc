@@ -27,8 +27,8 @@ std::string entry_name(int a, int b) {
   return fmt::format("C{}{}", a + 1, b + 1);
 }
 
-/// Returns the indices of those entries of the stiffness matrix C that follow C11, C22 and C12 in the table: the rest
-/// of the upper triangle of C, first its diagonal, then its other entries row by row.
+/// Returns the indices of the entries of the stiffness matrix C that follow C11, C22 and C12 in the table. These are
+/// the other entries of the upper triangle of C: first those on its diagonal, then the others row by row.
 /// @param size  number of rows of C
 std::vector<std::pair<int, int>> further_entries(int size) {
   std::vector<std::pair<int, int>> entries;
@@ -43,8 +43,8 @@ TableValue entry(const Eigen::MatrixXd& c, int a, int b) {
   return c(a, b);
 }
 
-/// Returns the mean of the diagonal entries of the stiffness matrix C that belong to shear strains: C33 for disks, C44,
-/// C55 and C66 for spheres. The cell is empty if C was computed without shear strains.
+/// Returns the mean of the diagonal entries of the stiffness matrix C for shear strains: C33 for disks, C44, C55 and
+/// C66 for spheres. The cell is empty if C was computed without shear strains.
 TableValue shear_strain_modulus(const ModuliRow& r) {
   const Eigen::Index n_shear = r.moduli.C.rows() - r.dimension;
   if (n_shear <= 0) return {};
@@ -52,8 +52,8 @@ TableValue shear_strain_modulus(const ModuliRow& r) {
 }
 
 /// Returns the compliance matrix, the inverse of the stiffness matrix C. Returns nothing if C cannot be inverted. If C
-/// was computed without shear strains, the compliance describes a cell that cannot shear; otherwise, one whose shear
-/// strains are free.
+/// was computed without shear strains, the compliance describes a cell whose shear strains are zero; otherwise, one
+/// whose shear stresses are zero.
 std::optional<Eigen::MatrixXd> compliance(const ModuliRow& r) {
   const Eigen::FullPivLU<Eigen::MatrixXd> factor(r.moduli.C);
   if (!r.moduli.C.allFinite() || !factor.isInvertible()) return std::nullopt;
@@ -65,7 +65,7 @@ using ModuliColumn = Column<ModuliRow>;
 
 std::vector<ModuliColumn> contract_columns() {
   // Only the method "factor" counts negative eigenvalues and mechanisms. With other methods the cells are empty,
-  // because a zero would state that there are none.
+  // because a zero would mean that there are none.
   const auto counted = [](const ModuliRow& r, int n) {
     return r.moduli.method == ModuliMethod::factor ? TableValue{std::int64_t{n}} : TableValue{};
   };
@@ -159,7 +159,7 @@ std::vector<ModuliColumn> budget_columns() {
 }
 
 /// Returns the columns of Young's modulus E_a along each axis a, and of Poisson's ratio nu_ab for each pair of axes a
-/// and b. They are needed for anisotropic states, of which B and G are only means over the axes.
+/// and b. They are needed for anisotropic states, for which B and G give only means over the axes.
 std::vector<ModuliColumn> axis_columns(int dimension) {
   std::vector<ModuliColumn> columns;
   for (int a = 0; a < dimension; ++a)

@@ -13,10 +13,10 @@
 
 namespace floc {
 
-/// Returns the method that a keyword of `floc moduli --method` stands for.
+/// Returns the method that a keyword of `floc moduli --method` denotes.
 /// @pre the keyword is valid
 ModuliMethod moduli_method(const std::string& keyword);
-/// Returns the set of strains that a keyword of `floc moduli --strains` stands for: "diagonal" or "full".
+/// Returns the set of strains that a keyword of `floc moduli --strains` denotes: "diagonal" or "full".
 /// @pre the keyword is valid
 StrainSet strain_set(const std::string& keyword);
 
@@ -47,23 +47,23 @@ struct ModuliRow {
   std::optional<double> G_prestress;
   std::optional<double> rolling_stiffness;
   std::optional<double> kn_named,
-      kt_named;  ///< stiffnesses named for the contacts of rigid grains (force/length)
+      /// stiffnesses --kn and --kt that the user gave for the contacts of rigid grains (force/length)
+      kt_named;
   MeanFieldEstimates mean_field;
-  double seconds;            ///< processor time that the moduli took (s)
-  double seconds_row = 0.0;  ///< processor time that the whole row took, including reading the state (s)
+  double seconds;            ///< processor time for computing the moduli (s)
+  double seconds_row = 0.0;  ///< processor time for the whole row, including reading the state (s)
 };
 
-/// Options on which the columns of the table of `floc moduli` depend.
+/// Options that determine the columns of the table of `floc moduli`.
 struct ModuliColumnChoice {
-  /// Whether the user gave rolling stiffnesses, which replace those of the states.
+  /// Whether the user gave rolling stiffnesses, which replace the rolling stiffnesses in the states.
   bool rolling_stiffness = false;
   bool prestress = false;
 };
 
-/// Returns the columns of the table of `floc moduli`. The first columns never change their order, because scripts may
+/// Returns the columns of the table of `floc moduli`. The order of the first columns never changes, because scripts may
 /// rely on it.
-/// @param rows  all rows of the table; the size of the largest stiffness matrix in them decides which of its entries
-/// have columns
+/// @param rows  all rows of the table; a column exists for each entry of the largest stiffness matrix in them
 std::vector<Column<ModuliRow>> moduli_columns(const ModuliColumnChoice& choice,
                                               const std::vector<ModuliRow>& rows);
 

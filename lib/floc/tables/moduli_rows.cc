@@ -46,18 +46,18 @@ ModuliRow described(const std::string& file, const State<Dim>& state) {
   return row;
 }
 
-/// Sentence for states of rigid grains without named stiffnesses, as require_elastic() takes it.
+/// Beginning of the message for states of rigid grains for which --kn and --kt are not given, as require_elastic()
+/// expects it.
 const std::string kNeedsStiffness = "without named stiffnesses --kn and --kt, moduli are computed";
 
-/// Returns a state of rigid grains with the stiffnesses that the options name, and says that they are no property of it.
+/// Returns a state of rigid grains with the stiffnesses --kn and --kt, and warns that these are no property of the
+/// grains.
 template <int Dim>
 State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const ModuliTableOptions& options,
                                 const Remarks& remarks) {
   if (state.motion)
     throw InputError(
-        file,
-        "this state is one of motion, whose forces do not balance: moduli are computed for states at "
-        "rest");
+        file, "this state is in motion, so its forces do not balance: moduli are computed for states at rest");
   try {
     state.packing =
         with_named_stiffness(std::move(state.packing), {options.kn.value_or(0.0), options.kt.value_or(0.0)});
@@ -65,14 +65,13 @@ State<Dim> with_named_stiffness(const std::string& file, State<Dim> state, const
     throw InputError(file, error.what());
   }
   remarks.warn(file,
-               "the grains are rigid: these moduli are those of springs --kn and --kt in the contacts of the "
-               "state, and are "
-               "no property of the grains");
+               "the grains are rigid: these moduli are the moduli of springs --kn and --kt in the contacts of "
+               "the state, and are not a property of the grains");
   return state;
 }
 
-/// Warns if rounding of the grain positions in a state causes residual forces or stresses that reach the tolerances of
-/// its equilibrium.
+/// Warns if the rounding of the grain positions in a state causes residual forces or stresses that reach the tolerances
+/// of equilibrium.
 template <int Dim>
 void warn_of_rounding(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const RoundingFloor floor = rounding_floor(state.packing, state.target_stress);
@@ -86,16 +85,16 @@ void warn_of_rounding(const std::string& file, const State<Dim>& state, const Re
                  std::max(floor.force / state.tolerance.force, floor.stress / state.tolerance.stress));
 }
 
-/// Warns if the contact stiffnesses that are stored in a state differ from those that its contact law gives. The moduli
-/// are computed from the stored stiffnesses.
+/// Warns if the contact stiffnesses that are stored in a state differ from the stiffnesses of its contact law. The
+/// moduli are computed from the stored stiffnesses.
 template <int Dim>
 void warn_of_stiffnesses(const std::string& file, const State<Dim>& state, const Remarks& remarks) {
   const std::string differences = stiffness_differences(state.packing);
   if (!differences.empty()) remarks.warn(file, differences, first_number(differences));
 }
 
-/// Adds the mechanics of the contact network to a row that already contains the moduli. Also adds a row for each
-/// contact to the table `increments`, unless `increments` is null.
+/// Adds the mechanics of the contact network to a row that already contains the moduli. If `increments` is not null,
+/// also adds a row for each contact to this table.
 template <int Dim>
 void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row, Table* increments,
                  const Remarks& remarks) {
@@ -121,11 +120,12 @@ void add_network(const State<Dim>& state, ModuliOptions options, ModuliRow& row,
                                                                options, row.moduli);
     if (with.failure.empty()) row.B_prestress = with.B, row.G_prestress = with.G;
   }
-  row.moduli.response = {};  // frees its memory, because all rows are kept until they are printed
+  // frees the memory of the response, because all rows are kept until they are printed
+  row.moduli.response = {};
 }
 
-/// Returns the options with a rolling stiffness that replaces that of the state. If `rolling_stiffness` is absent,
-/// returns the options unchanged.
+/// Returns the options with a rolling stiffness that replaces the rolling stiffness of the state. If
+/// `rolling_stiffness` is absent, returns the options unchanged.
 ModuliOptions with_rolling(ModuliOptions options, std::optional<double> rolling_stiffness) {
   if (rolling_stiffness) options.rolling_stiffness = rolling_stiffness;
   return options;
@@ -153,7 +153,7 @@ bool by_factor(const ModuliTableOptions& options) {
 }
 
 /// Sets the memory that a Cholesky factor of the stiffness matrix may take: the value in the options or, if there is
-/// none, 70 % of the free memory. The remaining memory is for the matrix itself and for workspace.
+/// none, 70 % of the free memory. The remaining memory is needed for the matrix itself and for workspace.
 ModuliTableOptions with_largest_factor(ModuliTableOptions options) {
   constexpr double kShare = 0.7;
   if (options.solver == ModuliSolver::automatic && by_factor(options))
@@ -176,8 +176,8 @@ ModuliRows::ModuliRows(const ModuliTableOptions& options)
       space_(options_.moduli),
       last_row_(processor_seconds()) {}
 
-/// Computes the moduli of a packing whose stiffness matrix is predicted to have a Cholesky factor that is too large for
-/// the memory. Uses PETSc, which needs no factor; if floc was built without PETSc, tries to compute the factor
+/// Computes the moduli of a packing if the Cholesky factor of its stiffness matrix is predicted to be too large for the
+/// memory. Uses PETSc, which needs no factor. If floc was built without PETSc, tries to compute the factor
 /// nevertheless.
 /// @param bytes  predicted size of the factor (bytes)
 template <int Dim>
@@ -316,16 +316,17 @@ std::vector<std::string> ModuliTableOptions::validate() const {
         "increments: needs --method factor, because other methods compute only approximate forces");
   if (increments && rolling_stiffness.size() > 1)
     faults.push_back(
-        "increments: expected at most one value of --rolling-stiffness, because the file contains one set of "
-        "forces for each "
+        "increments: expected at most one value of --rolling-stiffness, because the file contains only one set "
+        "of forces for each "
         "contact");
   for (const auto& [name, value] : {std::pair{"kn", kn}, {"kt", kt}})
     if (value && !(*value > 0.0 && std::isfinite(*value)))
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
-  if (kt && !kn) faults.push_back("kt: expected a normal stiffness, --kn, beside it");
+  if (kt && !kn) faults.push_back("kt: expected a normal stiffness too; give --kn");
   if (accuracy)
     for (const std::string& fault : accuracy->validate()) faults.push_back(fault);
-  if (increments && accuracy) faults.push_back("increments: needs --method factor in place of --accuracy");
+  if (increments && accuracy)
+    faults.push_back("increments: needs --method factor; give it instead of --accuracy");
   if (solver != ModuliSolver::petsc) return faults;
   if (!by_factor(*this))
     faults.push_back(
@@ -367,10 +368,9 @@ bool is_free_along_every_axis(const std::vector<Wall<Dim>>& walls) {
 
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
   if (std::visit([](const auto& state) { return is_free_along_every_axis(state.packing.walls); }, any))
-    throw InputError(
-        file,
-        "this packing ends in free space along every axis, so that it resists no strain and has no moduli; "
-        "floc network gives its coordination, and floc forces its forces");
+    throw InputError(file,
+                     "this packing has an open end along every axis, so it resists no strain and has no "
+                     "moduli; floc network computes its coordination, and floc forces its forces");
   if (strains == StrainSet::full &&
       std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))
     throw InputError(file, "this state has walls, which cannot shear the grains: give --strains diagonal");
@@ -379,9 +379,8 @@ void require_strains(const std::string& file, const AnyState& any, StrainSet str
 std::string accuracy_fault(const ModuliRow& row, const std::optional<ModuliAccuracy>& accuracy) {
   if (!accuracy || accuracy->met_by(row.moduli)) return "";
   return fmt::format(
-      "no method computes B and G as accurately as --accuracy requires: even with --method factor the error "
-      "bounds are {:.1e} for B = "
-      "{:.6g} and {:.1e} for G = {:.6g}",
+      "no method computes B and G with the accuracy that --accuracy requires: even with --method factor the "
+      "error bounds are {:.1e} for B = {:.6g} and {:.1e} for G = {:.6g}",
       row.moduli.B_error, row.moduli.B, row.moduli.G_error, row.moduli.G);
 }
 

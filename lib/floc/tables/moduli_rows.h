@@ -25,26 +25,27 @@ enum class ModuliSolver {
 /// Options of the table of `floc moduli`.
 struct ModuliTableOptions {
   ModuliOptions moduli;
-  /// Required relative errors of the moduli. If given, the cheapest method that achieves them is used.
+  /// Required relative errors of the moduli. If given, the cheapest method with these errors is used.
   std::optional<ModuliAccuracy> accuracy;
-  /// Rolling stiffnesses (force * length) that replace the rolling stiffness of a state, with a row of the table for
-  /// each of them. If empty, the rolling stiffness of the state is used.
+  /// Rolling stiffnesses (force * length), each of which replaces the rolling stiffness of a state in one row of the
+  /// table. If empty, the rolling stiffness of the state is used.
   std::vector<double> rolling_stiffness;
   ModuliSolver solver = ModuliSolver::automatic;
   /// Memory that a Cholesky factor of the stiffness matrix may take with ModuliSolver::automatic (bytes). If absent,
-  /// 0.7 of the free memory.
+  /// 0.7 times the free memory.
   std::optional<double> memory;
-  /// Stiffnesses named for the contacts of rigid grains (force/length); needed for such states, refused for others.
+  /// Stiffnesses of the contacts of rigid grains (force/length). They are required for states of rigid grains, and
+  /// refused for other states.
   std::optional<double> kn, kt;
-  bool increments = false;  ///< adds a table of the force increments of every contact
+  bool increments = false;  ///< whether a table of the force increments of every contact is added
 
-  /// Returns the faults of the options, each as "name of the option: requirement", some with the value of the option.
-  /// Empty if there are none.
+  /// Returns the faults of the options as texts "name of the option: requirement"; some also contain the value of the
+  /// option. Empty if there are no faults.
   std::vector<std::string> validate() const;
 };
 
-/// Parses the values of the option --accuracy, required relative errors of the moduli: "X" for B and G, "B=X" or "G=X"
-/// for one of them. Returns nothing if `texts` is empty.
+/// Parses the values of the option --accuracy, which are required relative errors of the moduli: "X" for both B and G,
+/// "B=X" or "G=X" for one of them. Returns nothing if `texts` is empty.
 /// @throws InputError with the text that is not valid
 std::optional<ModuliAccuracy> moduli_accuracy(const std::vector<std::string>& texts);
 
@@ -76,16 +77,17 @@ class ModuliRows {
                                      const ModuliOptions& options, const Remarks& remarks);
 
   ModuliTableOptions options_;
-  /// Moduli of successive states in 2D (plane_) and in 3D (space_). An iterative method starts from the solution of the
-  /// state before.
+  /// Moduli of successive states in 2D (plane_) and in 3D (space_). An iterative method starts from the solution for
+  /// the previous state.
   ModuliSequence<2> plane_;
   ModuliSequence<3> space_;
-  double last_row_;                         // processor time of this process when the last row was complete (s)
-  std::unique_ptr<ParallelSolver> solver_;  // PETSc solver, created when a factor is too large for memory
+  double last_row_;  // processor time of this process when the last row was complete (s)
+  // PETSc solver, created when a Cholesky factor does not fit into memory
+  std::unique_ptr<ParallelSolver> solver_;
 };
 
 /// Computes the rows of the table of `floc moduli` for one state with the solver of PETSc, on all its processes. All
-/// processes must call this function with equal states, and all obtain equal rows.
+/// processes must call this function with the same state, and all obtain the same rows.
 /// @param state  the state, passed by value so that its contacts can be freed early, to save memory
 /// @throws NoResult if the state has no moduli
 template <int Dim>

@@ -26,22 +26,21 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// The values of one quantity (normal force or particle pressure), expressed in one unit, and the windows of values to
-/// which exponential distributions are fitted. All values below are in this unit.
+/// Values of one quantity (normal force or particle pressure) in one unit, and the windows of values to which
+/// exponential distributions are fitted. All members are in this unit.
 struct Measured {
   std::string quantity, unit;
   double unit_size = 0.0;
   std::vector<double> values;  ///< values of the quantity
-  std::vector<double> from;    ///< magnitudes at which windows begin
+  std::vector<double> from;    ///< magnitudes at which the windows begin
   /// Largest magnitude that a negative value can have. Windows of negative values end here.
   double end_of_negative = kEnd;
-  /// Ends of additional windows, one for positive values and one for negative values; absent if there is no such
-  /// window.
+  /// Ends of two additional windows, one for positive and one for negative values; absent if there is no such window.
   std::optional<double> window_plus, window_minus;
 };
 
-/// Returns the size of a unit as a table cell. In rows for all states together, whose units differ in size, the cell is
-/// empty.
+/// Returns the size of a unit as a table cell. The cell is empty in rows for all states together, because the size of
+/// the unit differs between states.
 TableValue size_or_none(double unit) {
   return unit > 0.0 ? TableValue{unit} : TableValue{};
 }
@@ -68,7 +67,7 @@ void add_exponents(const std::string& file, const Measured& of, Table& table) {
 }
 
 /// Returns the windows in which exponential distributions are fitted to the values of a quantity. The member `values`
-/// is left empty.
+/// of the result is empty.
 /// @param near             magnitude below which a normal force counts as near zero, in units of F0
 /// @param end_of_negative  largest magnitude that a negative value can have, expressed in `unit`
 Measured limits_of(const std::string& quantity, const std::string& unit, double near, double end_of_negative) {
@@ -222,7 +221,7 @@ std::vector<Column<BondRow>> bond_columns(const BondTableOptions& options) {
     columns.emplace_back(
         name, [value](const Row& r) { return r.phases ? TableValue{value(*r.phases)} : TableValue{}; });
   };
-  // The particle pressures, whose signs define the phases, are given in units of p0.
+  // The particle pressures are given in units of p0. Their signs define the phases.
   columns.emplace_back("p0", [](const Row& r) { return r.unit_pressure; });
   add("n_signed_bonds", [](const PhaseStructure& p) { return count(p.n_bonds); });
   add("like_share", [](const PhaseStructure& p) { return p.like_share; });

@@ -15,23 +15,25 @@
 
 namespace floc {
 
-/// Options of `floc network` for the columns and tables on two subjects: bonds, which are the interactions of grains in
-/// a cohesive network, and phases, which are the grains of positive and those of negative particle pressure.
+/// Options of `floc network` for columns and tables about bonds and phases. Bonds are the interactions of grains in a
+/// cohesive network. The two phases are the grains with positive and the grains with negative particle pressure.
 struct BondTableOptions {
-  bool bonds = false, phases = false;  ///< whether the columns on bonds and those on phases are added
+  bool bonds = false, phases = false;  ///< whether the columns about bonds, and those about phases, are added
   /// Magnitude of the normal force below which a bond counts as near zero, in units of the pull-off force F0.
   double near = 0.02;
   PhaseOptions phase_structure;
-  /// Whether each of these tables is computed in addition to the table of states; see BondTables.
+  /// Whether each of the tables in BondTables is computed in addition to the table of states.
   bool exponents = false, pressures = false, neighbours = false, clusters = false;
-  double bin_width = 0.1;  ///< bin width of the histogram of particle pressures, in BondRow::unit_pressure
+  /// bin width of the histogram of particle pressures, in units of BondRow::unit_pressure
+  double bin_width = 0.1;
 
   bool is_empty() const { return !bonds && !needs_values() && !needs_phases(); }
   bool needs_values() const { return exponents || pressures; }
   bool needs_phases() const { return phases || neighbours || clusters; }
 };
 
-/// Bonds and phases of one state. The phases are the grains of positive and those of negative particle pressure.
+/// Bonds and phases of one state. The two phases are the grains with positive and the grains with negative particle
+/// pressure.
 struct BondRow {
   BondSigns bonds;
   double virial_strength = 0.0, rumpf_strength = 0.0;  ///< estimates of the tensile strength (stress)
@@ -41,21 +43,21 @@ struct BondRow {
   std::optional<PhaseStructure> phases;
 };
 
-/// Tables of `floc network` on bonds between grains and on the phases (grains of positive and of negative particle
-/// pressure). They are written in addition to the table of states.
+/// Tables of `floc network` about bonds between grains and about the phases (grains with positive and with negative
+/// particle pressure). They are written in addition to the table of states.
 struct BondTables {
   Table exponents{{"file", "quantity", "unit", "unit_size", "side", "from", "to", "n", "exponent", "stderr"},
                   {}};
   Table pressures{{"file", "unit_stress", "low", "high", "count", "n", "density", "n_outside"}, {}};
   Table neighbours{{"file", "phase", "like_low", "like_high", "n_grains", "mean_size", "stderr"}, {}};
   Table clusters{{"file", "phase", "n_grains", "count"}, {}};
-  /// Values of all states together, for each pair of a quantity and a unit. Each value is divided by the unit of its
-  /// own state.
+  /// Values of all states together; the key is the quantity and the unit. Each value is divided by the unit of its own
+  /// state.
   std::map<std::pair<std::string, std::string>, std::vector<double>> pooled;
 };
 
-/// Limits below which forces in a state cannot be distinguished from zero, because its equilibrium is reached only to a
-/// tolerance.
+/// Limits below which forces in a state cannot be distinguished from zero, because the equilibrium of the state is
+/// accurate only to a tolerance.
 struct ForceLimits {
   double zero;      ///< largest normal force that counts as zero (force)
   double pressure;  ///< largest force P a^(Dim-1) that counts as zero (force); P: pressure, a: largest diameter
@@ -68,11 +70,11 @@ BondRow bond_row(const std::string& file, const Packing<Dim>& packing, const std
                  const ForceLimits& limits, const BondTableOptions& options, BondTables& tables,
                  const Remarks& remarks);
 
-/// Returns those columns on bonds and on phases that the options select.
+/// Returns the columns about bonds and about phases that the options select.
 std::vector<Column<BondRow>> bond_columns(const BondTableOptions& options);
 
-/// Adds rows for all states together to the tables. In these rows, the name "pooled" replaces the name of a state. The
-/// states are taken as samples of one ensemble. Does nothing if there are fewer than two states.
+/// Adds rows for all states together to the tables; the name in these rows is "pooled" instead of the name of a state.
+/// All states are treated as samples of one ensemble. Does nothing if there are fewer than two states.
 /// @param n_states  number of states
 void add_pooled(const BondTableOptions& options, std::size_t n_states, BondTables& tables,
                 const Remarks& remarks);

@@ -115,7 +115,7 @@ std::vector<Column<NetworkRow>> mechanics_columns() {
           {"units", [](const Row& r) { return r.units; }}};
 }
 
-/// Columns of the kinds of contacts of grains with corners, which are empty for round grains.
+/// Returns the columns of the kinds of contacts of grains with corners. Their cells are empty for round grains.
 std::vector<Column<NetworkRow>> kind_columns() {
   using Row = NetworkRow;
   std::vector<Column<Row>> columns = {
@@ -145,14 +145,15 @@ std::vector<Column<NetworkRow>> anisotropy_columns() {
   return columns;
 }
 
-/// Returns the name of a column by points, or that by pairs: alpha, alpha_pairs, alpha_error, alpha_pairs_error.
+/// Returns the name of a column whose distribution is computed by contact points or by pairs of grains: alpha or
+/// alpha_pairs, alpha_error or alpha_pairs_error.
 std::string with_pairs(const std::string& name, bool by_pairs) {
   if (!by_pairs) return name;
   const std::size_t at = name.find("_error");
   return at == std::string::npos ? name + "_pairs" : name.substr(0, at) + "_pairs_error";
 }
 
-/// Columns of the distribution of forces, by points and by pairs, and of the long axes.
+/// Returns the columns of the distribution of forces, by contact points and by pairs of grains, and of the long axes.
 std::vector<Column<NetworkRow>> force_shape_columns() {
   using Row = NetworkRow;
   std::vector<Column<Row>> columns;

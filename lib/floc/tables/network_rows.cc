@@ -19,9 +19,9 @@ namespace {
 
 constexpr ForceKind kForceKinds[] = {ForceKind::normal, ForceKind::tangential, ForceKind::rolling};
 
-/// Computes the degree of hyperstaticity of the force-carrying structure `held` of a packing.
-/// @param network, response  contact network from which the moduli were computed, and its elastic response. They save
-/// time if the network has the same contacts as `held`
+/// Computes the degree of hyperstaticity (number of independent self-stresses) of the force-carrying structure `held`.
+/// @param network, response  contact network with which the moduli were computed, and its elastic response. They save
+/// time if the contacts of the network are the contacts of `held`
 template <int Dim>
 Indeterminacy hyperstaticity(const Packing<Dim>& packing, const CarryingStructure& held,
                              const ContactNetwork<Dim>& network, const ElasticResponse& response) {
@@ -57,7 +57,8 @@ void add_mechanics(const State<Dim>& state, const CarryingStructure& held, doubl
             fmt::join(vanishing, ", ")));
 }
 
-/// Removes the contacts with walls from a force-carrying structure. The grains in these contacts remain part of it.
+/// Removes the contacts with walls from a force-carrying structure. The grains that touch walls remain part of the
+/// structure.
 template <int Dim>
 CarryingStructure between_grains(const Packing<Dim>& packing, CarryingStructure held) {
   const auto on_wall = [&](int k) { return packing.is_wall(packing.contacts[k].j); };
@@ -78,7 +79,8 @@ void add_contacts_and_stress(const Packing<Dim>& packing, NetworkRow& row) {
   row.stress_spread = stress.maxCoeff() - stress.minCoeff();
 }
 
-/// Adds kinds of contacts, anisotropies and the distribution of forces of the force-carrying structure `held`.
+/// Adds statistics of the force-carrying structure `held`: kinds of contacts, anisotropies and the distribution of
+/// forces.
 template <int Dim>
 void add_contact_statistics(const Packing<Dim>& packing, const CarryingStructure& held, NetworkRow& row) {
   std::vector<double> by_points, by_pairs;
@@ -111,8 +113,8 @@ void add_distribution(const std::string& file, ForceKind kind, const ForceDistri
         {file, name_of(kind), d.unit, d.low(b), d.low(b + 1), d.counts[b], d.n, d.density(b), d.n_outside});
 }
 
-/// Returns the largest force P a^(Dim-1) that cannot be distinguished from zero, because the stress of the state is in
-/// equilibrium only to its tolerance (P: pressure, a: largest diameter).
+/// Returns the largest force P a^(Dim-1) that cannot be distinguished from zero, because the equilibrium of the stress
+/// is accurate only to a tolerance (P: pressure, a: largest diameter).
 template <int Dim>
 double least_pressure_force(const State<Dim>& state) {
   return state.tolerance.stress * force_scale(state.packing, state.target_stress).force;

@@ -35,7 +35,7 @@ struct NetworkTableOptions {
   BondTableOptions bonds;
 };
 
-/// Returns the unit of force that a keyword of `floc network --unit` stands for: "mean", "F0" or "P".
+/// Returns the unit of force that a keyword of `floc network --unit` denotes: "mean", "F0" or "P".
 /// @pre the keyword is valid
 ForceUnit force_unit_named(const std::string& keyword);
 
@@ -49,7 +49,7 @@ struct NetworkRow {
   double reduced_pressure;
   double driven_stress;  ///< stress that the contacts carry on the driven axis, see stress_on_driven_axis()
   double reduced_driven_stress;
-  int n_bonds = 0;                      ///< number of contacts that act whatever their gap (Contact::bonded)
+  int n_bonds = 0;                      ///< number of contacts that act at any gap (Contact::bonded)
   std::optional<double> wall_pressure;  ///< mean pressure on the walls (stress); absent if there are no walls
   double solid_fraction;
   Coordination coordination;
@@ -72,14 +72,15 @@ struct NetworkRow {
   std::optional<ContactKinds> kinds;  ///< kinds of the contacts of grains with corners; absent for round grains
   std::optional<ContactAnisotropy> anisotropy;
   ForceShape force_by_points;
-  std::optional<ForceShape> force_by_pairs;  ///< absent for round grains, whose pairs have one point
+  /// distribution of the forces by pairs of grains; absent for round grains, because their pairs have one contact point
+  std::optional<ForceShape> force_by_pairs;
   std::optional<double> mobilisation;
   std::optional<double> long_axes_order;
   std::vector<double> long_axis;  ///< mean direction of long axes; empty if no grain is elongated
 };
 
-/// Distribution of the contact forces of all states together, for each kind of force: normal, tangential, rolling
-/// moment.
+/// Distributions of the contact forces of all states together. The key is the kind of force: normal, tangential,
+/// rolling moment.
 using Pooled = std::map<ForceKind, ForceDistribution>;
 
 /// Tables that `floc network` writes to files, in addition to the table of states that it prints.
@@ -90,9 +91,9 @@ struct NetworkTables {
   BondTables bonds;
 };
 
-/// Computes the row of one state, and adds rows to the tables in `side` that the options select. For a state with
-/// walls, contacts with walls support grains and contribute to their pressure, but are not counted as contacts, and the
-/// network mechanics are not computed.
+/// Computes the row of one state, and adds rows to those tables in `side` that the options select. For a state with
+/// walls, contacts with walls support grains and contribute to the pressure of the grains, but they are not counted as
+/// contacts, and the network mechanics are not computed.
 template <int Dim>
 NetworkRow network_row(const std::string& file, const State<Dim>& state, const NetworkTableOptions& options,
                        NetworkTables& side, const Remarks& remarks = {});
@@ -108,8 +109,8 @@ Table network_table(const AnyState& state, const NetworkTableOptions& options = 
                     const std::string& file = "", NetworkTables* further = nullptr,
                     const Remarks& remarks = {});
 
-/// Adds rows for all states together, with the name "pooled" instead of that of a state, to the tables in `side`. Does
-/// nothing if there are fewer than two states.
+/// Adds rows for all states together to the tables in `side`; the name in these rows is "pooled" instead of the name of
+/// a state. Does nothing if there are fewer than two states.
 /// @param n_states  number of states
 void add_pooled(const NetworkTableOptions& options, std::size_t n_states, NetworkTables& side,
                 const Remarks& remarks = {});

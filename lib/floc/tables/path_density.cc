@@ -19,9 +19,9 @@ namespace {
 
 /// A quantity from which solid fractions are computed.
 struct Density {
-  const char* name;      ///< name that floc uses
-  const char* words;     ///< name in messages
-  const char* measures;  ///< quantity that its unit measures: "share" for a ratio, which may be in percent
+  const char* name;      ///< name of the quantity in floc and in tables
+  const char* words;     ///< name of the quantity in messages
+  const char* measures;  ///< dimension of its unit: "share" for a ratio, which may be in percent, or "density"
 
   bool is_share() const { return measures == std::string_view("share"); }
 };
@@ -35,7 +35,7 @@ constexpr auto kDensities = std::to_array<Density>({{"phi", "solid fraction", "s
                                                     {"axial_strain", "axial strain", "share"},
                                                     {"height", "height", "length"}});
 
-/// A column of a density, with the factor by which its numbers are multiplied.
+/// Column of the table that contains a density, with the factor by which its numbers are multiplied.
 struct DensityColumn {
   Density density;
   UnitColumn column;
@@ -44,8 +44,8 @@ struct DensityColumn {
   bool is(const char* name) const { return density.name == std::string_view(name); }
 };
 
-/// Returns the largest rounding error of a number that is given as text: half a unit in its last decimal place. A
-/// number with fewer than three decimals is treated as if it had three, because a number such as 0.5 may be exact.
+/// Returns the largest rounding error of a number in a text: half a unit in its last decimal place. A number with fewer
+/// than three decimals is treated as if it had three, because a number such as 0.5 may be exact.
 double rounding_of(std::string_view text) {
   constexpr double kThreeDecimals = 5e-4;
   const std::size_t end = std::min(text.find_first_of("eE"), text.size());
@@ -96,7 +96,7 @@ class DensityReader {
   }
 
  private:
-  /// Whether the numbers that a density needs beside its column are given.
+  /// Whether all additional numbers that are needed to convert a density to a solid fraction are given.
   bool is_complete(const std::string& name) const {
     const auto known = [this](const char* of) { return columns_.given_number(of) || columns_.has(of); };
     if (name == "dry_density" || name == "bulk_density") return known("particle_density");
@@ -107,7 +107,7 @@ class DensityReader {
   DensityColumn main_column() const {
     const auto is_named = [this](const Density& density) { return columns_.is_named(density.name); };
     const bool any_named = std::any_of(kDensities.begin(), kDensities.end(), is_named);
-    std::string almost;  // what keeps columns from being read
+    std::string almost;  // reasons why columns of a density cannot be used
     for (const Density& density : kDensities) {
       if (any_named && !is_named(density)) continue;
       const auto column = columns_.find(density.name);
@@ -120,14 +120,13 @@ class DensityReader {
       else
         almost += what_is_missing(density, *column);
     }
-    throw InputError(table_.place(),
-                     fmt::format("the table has no column \"phi\", and none of a void ratio, porosity or other "
-                                 "density; its columns are {}{}",
-                                 fmt::join(table_.columns(), ", "), almost));
+    throw InputError(table_.place(), fmt::format("the table has no column \"phi\", and no column of a void "
+                                                 "ratio, porosity or other density; its columns are {}{}",
+                                                 fmt::join(table_.columns(), ", "), almost));
   }
 
-  /// Whether a column is one of a density: the user or its header says so, or it has a usual name of the density and no
-  /// unit of something else. The diameter "D [mm]" of a tablet is no relative density.
+  /// Whether a column contains a density: the user or its header says so, or the column has a usual name of the density
+  /// and its unit, if any, fits. For example, the diameter "D [mm]" of a tablet is not a relative density.
   bool is_of(const Density& density, const UnitColumn& column) const {
     if (columns_.is_named(density.name) || columns_.find_exactly(density.name)) return true;
     return column.unit.empty() || quantity_of_unit(column.unit) == density.measures;
@@ -138,11 +137,12 @@ class DensityReader {
     const char* needed = name == "axial_strain" ? "initial_void_ratio=NUMBER"
                          : name == "height"     ? "initial_void_ratio=NUMBER or solid_height=NUMBER"
                                                 : "particle_density=NUMBER";
-    return fmt::format("; with --columns {}, the column \"{}\" ({}) would do", needed, header(column),
+    return fmt::format("; the column \"{}\" ({}) could be used with --columns {}", needed, header(column),
                        density.words);
   }
 
-  /// The void ratio beside a solid fraction, with which it has to agree. Nothing if the user named one of the two.
+  /// Returns the column of void ratios beside a column of solid fractions; the two columns must agree. Nothing if the
+  /// user has named only one of the two.
   std::optional<DensityColumn> second_column() const {
     const bool phi = columns_.is_named("phi"), void_ratio = columns_.is_named("void_ratio");
     if (!main_.is("phi") || phi != void_ratio) return std::nullopt;
@@ -151,7 +151,7 @@ class DensityReader {
     return DensityColumn{kDensities[1], *column, share_of_one(place_of(*column), column->unit)};
   }
 
-  /// Reads what the density is compared with: the density of the grains, or the sample before the test.
+  /// Reads the reference values of the density: the density of the grains, or the state of the sample before the test.
   void read_references() {
     if (main_.is("dry_density") || main_.is("bulk_density")) {
       const GivenNumber particles = reference("particle_density", "particle density");
@@ -177,7 +177,8 @@ class DensityReader {
     return height / (1.0 + e);
   }
 
-  /// Returns a number that holds for the whole table: that which the user gave, or that in the first row of its column.
+  /// Returns a number that is the same for all rows: the number that the user gave or, without it, the first number in
+  /// the column of this name.
   GivenNumber reference(const char* name, const char* words) {
     GivenNumber number{0.0, ""};
     if (const auto given = columns_.given_number(name)) {
@@ -202,12 +203,13 @@ class DensityReader {
     if (main_.is("specific_volume")) return in_range(row, 1.0 / value, "a specific volume of at least 1");
     if (main_.is("axial_strain"))
       return in_range(row, 1.0 / (initial_ * (1.0 - value)),
-                      "an axial strain, positive in compression, that leaves pores");
-    if (main_.is("height")) return in_range(row, 1.0 / value, "a height of at least that of the grains");
-    return in_range(row, value, "a density up to that of the particles");
+                      "an axial strain, positive in compression, at which the solid fraction is at most 1");
+    if (main_.is("height")) return in_range(row, 1.0 / value, "a height of at least the height of the grains");
+    return in_range(row, value, "a density up to the density of the particles");
   }
 
-  /// Returns a solid fraction. @throws InputError naming the cell from which it was computed if it is not possible
+  /// Returns `phi` if it is a possible solid fraction.
+  /// @throws InputError that names the cell from which it was computed if it is not
   double in_range(int row, double phi, const char* expected) const {
     if (phi > 0.0 && phi <= 1.0) return phi;
     throw InputError(table_.place(row),
@@ -227,7 +229,7 @@ class DensityReader {
 
   std::string question() const {
     return main_.density.is_share() ? percent_question(main_.density.name, header(main_.column))
-                                    : "are its unit and the numbers it is compared with right?";
+                                    : "are the unit of the column and the reference values right?";
   }
 
   void require_same(int row, double phi, const DensityColumn& void_ratio) const {
@@ -255,7 +257,7 @@ class DensityReader {
   const NamedColumns& columns_;
   const CsvTable& table_;
   DensityColumn main_;
-  double initial_ = 1.0;  // volume of the sample over that of its grains before the test
+  double initial_ = 1.0;  // ratio of the volume of the sample to the volume of its grains before the test
   std::vector<std::string> reference_words_;
 };
 
@@ -281,15 +283,15 @@ double factor_of_share(const NamedColumns& columns, const std::string& name) {
   const bool is_strain = name == "axial_strain";
   auto [least, most] = range_of(table, column.index);
   if (is_strain && most <= 0.0) std::tie(least, most) = std::pair(-most, -least);
-  // Void ratios of soils are below 5, of peat and of the loosest powders below 20. A solid fraction above one is refused
-  // with its row.
+  // Void ratios of soils are below 5; those of peat and of the loosest powders are below 20. Solid fractions above 1
+  // are refused later, in a message that names the row.
   constexpr double kLoose = 10.0, kLoosest = 30.0;
   const bool has_no_bound = name == "void_ratio" || name == "e" || name == "specific_volume";
   if (factor == 1.0 && has_no_bound && least >= kLoose)
     refuse(fmt::format("{:.4g} and more in every row", least));
   if (factor == 1.0 && name != "phi" && most > (has_no_bound ? kLoosest : 1.0))
     refuse(fmt::format("{:.4g} in some row", most));
-  // A strain of less than one percent is possible, a solid fraction of less than one percent is not.
+  // A strain below one percent is possible, but a solid fraction below one percent is not.
   if (factor < 1.0 && !is_strain && most <= 1.0)
     refuse(fmt::format("at most {:.4g} {}, as the table says", most, column.unit));
   return factor;

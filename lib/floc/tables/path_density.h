@@ -7,40 +7,39 @@
 
 namespace floc {
 
-/// Solid fractions of the rows of a table, and what they were computed from.
+/// Solid fractions of the rows of a table, and a description of the quantity from which they were computed.
 struct SolidFractions {
   std::vector<double> phi;
   std::string words;  ///< quantity that was read, such as "void ratio in %"
 };
 
-/// Names of the quantities from which solid_fractions() reads or computes solid fractions, and of those that it needs
-/// beside some of them. A user may assign columns to them.
+/// Names of the quantities from which solid_fractions() computes solid fractions, and of the reference values that it
+/// needs for some of them. A user may assign columns to these names.
 std::vector<std::string> density_names();
 
-/// Reads the solid fractions Phi of a table. They stand in a column of one of the following quantities; the first one that
-/// the table has is read, or that which the user named.
+/// Reads the solid fractions Phi of a table. They are computed from a column of one of the following quantities: the
+/// one that the user named or, otherwise, the first one that the table contains.
 ///
 ///   phi              solid fraction
 ///   void_ratio       void ratio e: Phi = 1/(1 + e)
 ///   porosity         porosity n: Phi = 1 - n
-///   specific_volume  volume of the sample over that of its grains v: Phi = 1/v
+///   specific_volume  ratio v of the volume of the sample to the volume of its grains: Phi = 1/v
 ///   dry_density      mass of the grains per volume of the sample rho: Phi = rho/particle_density
-///   bulk_density     the same of a dry powder
+///   bulk_density     mass of a dry powder per volume of the sample rho: Phi = rho/particle_density
 ///   axial_strain     eps, positive in compression: Phi = 1/[(1 + initial_void_ratio) (1 - eps)]
 ///   height           H: Phi = H_s/H, where the height of the grains H_s is solid_height, or
 ///                    initial_height/(1 + initial_void_ratio), initial_height being by default the first height
 ///
-/// Numbers whose unit is % are divided by 100. If the table has the columns phi and void_ratio and the user named
-/// neither, they have to agree.
-/// @throws InputError naming file, line and value if no such column is there, if a value is not possible, if the numbers
-/// seem to be in percent although the table does not say so, or the other way round, or if two columns contradict each
-/// other
+/// Numbers whose unit is % are divided by 100. If the table has both columns phi and void_ratio, and the user named
+/// neither, the two columns must agree.
+/// @throws InputError with file, line and value if there is no such column, if a value is not possible, if the numbers
+/// seem to be in percent although the table does not say so (or the reverse), or if the two columns disagree
 SolidFractions solid_fractions(const NamedColumns& columns);
 
-/// Returns the factor that converts the numbers in the column `name`, a void ratio or another ratio, to shares of one: 0.01
-/// for percent, otherwise 1.
+/// Returns the factor that converts the numbers in the column `name`, a void ratio or another ratio, to plain ratios:
+/// 0.01 for percent, otherwise 1.
 /// @throws InputError with a question if the numbers seem to be in percent although the table does not say so, or if
-/// percentages are too small; but not if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
+/// percentages are too small. No error is thrown if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
 double factor_of_share(const NamedColumns& columns, const std::string& name);
 
 /// Converts a solid fraction or a void ratio to a solid fraction.

@@ -6,14 +6,14 @@
 
 namespace floc {
 
-/// Passes on the remarks that a computation makes about a file. Remarks are warnings, and notes that another method
-/// replaced the one that was chosen. The program prints them on stderr, and the Python package turns them into Python
+/// Passes on the remarks that a computation makes about a file. A remark is a warning, or a note that the chosen method
+/// was replaced by another one. The program prints remarks on stderr, and the Python package turns them into Python
 /// warnings.
 class Remarks {
  public:
   /// Function that receives a remark.
-  /// @param severity  serves to compare remarks that differ only in their numbers: the remark with the largest severity
-  /// is the most serious one
+  /// @param severity  number by which remarks are compared that differ only in their numbers: the remark with the
+  /// largest severity is the most serious
   using Receiver = std::function<void(const std::string& file, const std::string& text, double severity)>;
 
   /// Creates an object that ignores all remarks.

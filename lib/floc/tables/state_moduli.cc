@@ -20,9 +20,11 @@ StateModuli moduli_of(const std::string& file, int axis) {
         const char* unit = state.units != "SI" ? "" : Dim == 2 ? "N/m" : "Pa";
         StateModuli moduli{file, unit, m.B, m.B_S, state.target_stress.mean(), solid_fraction(state.packing)};
         if (axis >= Dim)
-          throw InputError(file, fmt::format("this state has {} axes, but the driven axis of the oedometer "
-                                             "test is axis {}: give a state of this test",
-                                             Dim, axis + 1));
+          throw InputError(
+              file,
+              fmt::format(
+                  "this state has {} axes, but the oedometer test drives axis {}: give a state of this test",
+                  Dim, axis + 1));
         if (axis < 0) return moduli;
         moduli.M = m.C(axis, axis);
         moduli.B_uniaxial = m.C.col(axis).head(Dim).mean();

@@ -12,12 +12,12 @@
 namespace floc {
 namespace {
 
-/// Stresses of all tests of one kind at failure, and their parameters, for the fits of all together.
+/// Stresses at failure and parameters of all tests of one kind, from which common parameters are fitted.
 struct Pool {
   int n_tests = 0;
   std::vector<FailureStress> peak, critical;
   std::vector<double> lateral;                        ///< lateral stress at the beginning of each test
-  std::map<std::string, std::vector<double>> values;  ///< values of each parameter
+  std::map<std::string, std::vector<double>> values;  ///< values of each parameter; the key is its name
   std::vector<std::string> names;                     ///< names of the parameters, in order
 
   void add(const std::vector<FittedParameter>& parameters) {
@@ -29,7 +29,7 @@ struct Pool {
   }
 };
 
-/// Converts the stresses of a test to the unit of the first one.
+/// Converts the stresses of a test to the unit of the test `to`.
 void convert_stresses(const StrengthTest& to, StrengthTest& test) {
   const double factor = unit_factor(test.sample, test.unit, to.sample, to.unit);
   test.unit = to.unit;
@@ -76,7 +76,7 @@ StrengthFit evaluate_oedometer(const StrengthTest& test, const StrengthOptions& 
   return fit;
 }
 
-/// Whether all tests began under one lateral stress, to 5 %.
+/// Whether all tests began under the same lateral stress, within 5 %.
 bool have_one_lateral_stress(const std::vector<double>& lateral) {
   constexpr double kSame = 0.05;
   const auto [least, most] = std::ranges::minmax(lateral);

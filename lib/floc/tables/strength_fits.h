@@ -13,25 +13,25 @@ namespace floc {
 
 struct StrengthOptions {
   std::optional<double> critical_from;  ///< see ShearTestOptions::critical_from
-  /// axial stresses between which the constrained modulus is taken, see evaluate_oedometer_test()
+  /// axial stresses between which the constrained modulus is computed, see evaluate_oedometer_test()
   std::optional<std::pair<double, double>> modulus_range;
 };
 
-/// Parameters that follow from one test, or from all tests of one kind together.
+/// Parameters computed from one test, or from all tests of one kind together.
 struct StrengthFit {
   std::string sample;  ///< name of the table; "pooled" for all tests of a kind
   std::string rows;    ///< rows of the table, as text; empty for all tests of a kind
   TestKind kind = TestKind::drained;
-  std::string unit;  ///< unit of stresses; empty if the tables have none
+  std::string unit;  ///< unit of the stresses; empty if the tables have none
   int n = 0;         ///< number of states of the test, or number of tests
   std::vector<FittedParameter> parameters;
-  std::string failure_reason;  ///< reason why there are no parameters; empty if there are
+  std::string failure_reason;  ///< reason why there are no parameters; empty if there are parameters
   std::vector<std::string> warnings;
 };
 
-/// Evaluates every test by itself, then all tests of each kind together: the Mohr-Coulomb lines of peak and critical
-/// state through tests under different lateral stresses, and means over tests under one lateral stress. K0 and
-/// constrained modulus of oedometers are means over the samples.
+/// Evaluates every test by itself, then all tests of each kind together: Mohr-Coulomb lines of the peak and critical
+/// states of tests under different lateral stresses, and means over tests under one lateral stress. K0 and constrained
+/// modulus of oedometer tests are means over the samples.
 /// @throws InputError if the stresses of two tables are in units that cannot be converted
 std::vector<StrengthFit> strength_fits(std::vector<StrengthTest> tests, const StrengthOptions& options);
 

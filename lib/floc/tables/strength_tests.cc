@@ -9,7 +9,7 @@
 namespace floc {
 namespace {
 
-/// Columns of path.csv from which the states of a test follow.
+/// Columns of path.csv from which the states of a test are read.
 class RunColumns {
  public:
   explicit RunColumns(const CsvTable& table)
@@ -35,7 +35,7 @@ class RunColumns {
     if (control == "oedometric") return TestKind::oedometer;
     return std::nullopt;
   }
-  /// Whether two rows belong to one test. Unloading and loading again in an oedometer are one test.
+  /// Whether two successive rows belong to one test. Unloading and reloading in an oedometer belong to the same test.
   bool same_test(int row, int next) const {
     const auto same = [&](int column) { return table_.text(row, column) == table_.text(next, column); };
     return same(control_) && same(axis_) && (same(branch_) || kind(row) == TestKind::oedometer);
@@ -68,7 +68,7 @@ class RunColumns {
   std::vector<int> stress_, strain_;
 };
 
-/// Counts the strains of a test from its first point.
+/// Subtracts the strains of the first point of a test from the strains of all its points.
 void count_strains_from_start(StrengthTest& test) {
   if (test.points.empty()) return;
   const ShearPoint start = test.points.front();
@@ -95,7 +95,7 @@ std::vector<StrengthTest> tests_of_run(const std::string& name, const CsvTable& 
   return tests;
 }
 
-/// Returns the factor of a column of strains: 0.01 if they are in percent.
+/// Returns the factor that converts a column of strains to plain ratios: 0.01 if they are in percent, otherwise 1.
 /// @throws InputError for another unit
 double strain_factor(const CsvTable& table, const UnitColumn& column) {
   if (column.unit == "%") return 0.01;
@@ -114,7 +114,7 @@ std::vector<StrengthTest> tests_of_laboratory(const std::string& name, const Nam
   std::optional<UnitColumn> strain, volume;
   if (has_strain) {
     strain = columns.unit_column("strain");
-    // An oedometer keeps the lateral lengths, so that its volumetric strain is the axial one.
+    // An oedometer keeps the lateral lengths constant, so its volumetric strain equals its axial strain.
     volume = kind == TestKind::oedometer ? strain : columns.unit_column("volumetric_strain");
   }
   StrengthTest test{name, has_strain ? kind : TestKind::failure, {}, axial.unit, {}};

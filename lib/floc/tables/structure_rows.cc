@@ -37,7 +37,7 @@ ScatteringFit fit_of(const Scattering& s, const StructureTableOptions& options, 
 }
 
 /// Adds the scattered intensity I(k) of a state to the table of intensities. Warns if the law of fractal aggregates
-/// could not be fitted to it, or if the fit did not identify one of its parameters.
+/// could not be fitted to I(k), or if the fit did not identify one of its parameters.
 void report(const std::string& file, const Scattering& s, const ScatteringFit& fit, Table& table,
             const Remarks& remarks) {
   if (!fit.found())
@@ -64,8 +64,8 @@ void add_fit(const Scattering& s, double diameter, const StructureTableOptions& 
   report(row.file, s, *row.fit, series.intensity, remarks);
 }
 
-/// Returns the average of the scattered intensity over all states. Creates it when it is called for the first state.
-/// @param edges     edges of the bins of wave number for the first state; they are used for all states
+/// Returns the average of the scattered intensity over all states. The first call creates this average.
+/// @param edges     edges of the bins of wave number; those passed in the first call are used for all states
 /// @param diameter  largest diameter in the first state (length)
 ScatteringAverage& average_in(Series& series, const std::vector<double>& edges, double diameter) {
   if (!series.average) {
@@ -184,7 +184,7 @@ void add_voronoi(const Packing<3>& packing, const StructureTableOptions& options
   }
 }
 
-/// Returns the factor by which lengths in a packing are multiplied to compare it with the first packing:
+/// Returns the factor by which lengths in a packing are multiplied so that it can be compared with the first packing:
 /// (Phi/Phi0)^(1/Dim), with the solid fractions Phi of the packing and Phi0 of the first packing.
 template <int Dim>
 double rescaling(const Packing<Dim>& packing, const Series& series) {
@@ -204,15 +204,15 @@ void add_pairs(const std::string& file, const Packing<Dim>& packing, const Struc
     series.pairs.rows.push_back({file, found.middle(b), found.g[b], found.n_pairs[b], scale * found.middle(b)});
 }
 
-/// Returns the gaps (length) up to which grains are counted as neighbours: 0, and from 1e-6 to 1 times the largest
-/// diameter with ten values per decade.
+/// Returns the gaps (length) up to which grains are counted as neighbours: 0, and ten values per decade from 1e-6 to 1
+/// times the largest diameter.
 std::vector<double> gaps_of(double diameter) {
   std::vector<double> gaps = {0.0};
   for (int k = -60; k <= 0; ++k) gaps.push_back(diameter * std::pow(10.0, 0.1 * k));
   return gaps;
 }
 
-/// Returns for each grain whether it is a rattler. Forces below the tolerance of the equilibrium of the state count as
+/// Returns, for each grain, whether it is a rattler. Forces below the tolerance of equilibrium of the state count as
 /// zero.
 template <int Dim>
 std::vector<bool> rattlers_of(const State<Dim>& state) {
@@ -232,7 +232,7 @@ void add_gaps(const std::string& file, const State<Dim>& state, Series& series) 
     series.gaps.rows.push_back({file, gaps[k], z[k], pushed[k], scale * (a + gaps[k]) - a});
 }
 
-/// Returns the void ratio 1/Phi - 1 of a solid fraction Phi. The cell is empty if Phi is zero.
+/// Returns the void ratio 1/Phi - 1 for a solid fraction Phi. The cell is empty if Phi is zero.
 TableValue void_ratio(double solid_fraction) {
   return solid_fraction > 0.0 ? TableValue{1.0 / solid_fraction - 1.0} : TableValue{};
 }
@@ -246,8 +246,8 @@ void add_porosity(const std::string& file, const Packing<Dim>& packing, const St
                           probe.in_cell ? TableValue{1.0 - *probe.in_cell} : TableValue{}});
 }
 
-/// Returns the number of contacts of each grain. Contacts with walls are counted; attraction across a gap is not a
-/// contact.
+/// Returns the number of contacts of each grain, including contacts with walls. Attraction across a gap does not count
+/// as a contact.
 template <int Dim>
 std::vector<double> contacts_of_each(const Packing<Dim>& packing) {
   std::vector<double> n(packing.grains.size(), 0.0);
@@ -269,7 +269,7 @@ void add_profile(const std::string& file, const Packing<Dim>& packing, const Str
   for (const ProfileSlice& s : axis_profile(packing, axis, options.n_slices, values)) {
     std::vector<TableValue> row = {
         file, s.low, s.high, s.solid_fraction, void_ratio(s.solid_fraction), count(s.n_grains), s.mean[0]};
-    row.resize(table.columns.size());  // what a packing does not have is left empty
+    row.resize(table.columns.size());  // cells of quantities that a packing does not have stay empty
     if (s.mean.size() > 1) row[7] = s.mean[1];
     for (std::size_t a = 0; a < s.stress.size(); ++a) row[8 + a] = s.stress[a];
     table.rows.push_back(std::move(row));
@@ -305,7 +305,7 @@ void add_periodic_structure(const Packing<Dim>& packing, const StructureTableOpt
   }
 }
 
-/// Checks that no selected table needs the periodic images of the grains, which a state with walls does not have.
+/// Checks that the options select no table that needs the periodic images of the grains if the state has walls.
 /// @throws InputError with the name of the first selected table that needs them
 template <int Dim>
 void refuse_periodic_tables(const Packing<Dim>& packing, const StructureTableOptions& options,

@@ -17,23 +17,23 @@ namespace floc {
 /// Options of the tables of `floc structure`.
 struct StructureTableOptions {
   ScatteringOptions scattering;
-  /// Range of wave numbers k in which a law is fitted to the scattered intensity I(k), in units of 2 pi over the
-  /// largest diameter.
+  /// Range of wave numbers k in which a law is fitted to the scattered intensity I(k), in units of 2 pi/a with the
+  /// largest diameter a.
   std::vector<double> fit_range = {0.0, 1.0};
-  /// Whether a row with averages over all states is added. The states are taken as samples of one ensemble.
+  /// Whether a row with averages over all states is added. The states are treated as samples of one ensemble.
   bool average = false;
-  /// Whether each of these tables is computed in addition to the table of states; see Series.
+  /// Whether each of these tables in Series is computed in addition to the table of states.
   bool intensity = false, pairs = false, gaps = false, pores = false, map = false, prediction = false;
   bool porosity = false, profile = false;
   /// Number of cubes of different sizes around the centre of the cell in which the porosity is computed.
   int n_probes = 40;
   std::optional<int> profile_axis;  ///< axis of the profile, from 0; if absent, the last axis
   int n_slices = 20;                ///< number of slices of the profile
-  /// Largest distance r of the pair correlation g(r), in largest diameters.
+  /// Largest distance r of the pair correlation g(r), in units of the largest diameter.
   double reach = 5.0;
   std::vector<int> map_size = {32, 32};  ///< number of mesh cells of the map along each lattice vector
 
-  /// Returns the faults of the options, each as "name of the option: requirement". Empty if there are none.
+  /// Returns the faults of the options as texts "name of the option: requirement". Empty if there are no faults.
   std::vector<std::string> validate() const;
 };
 
@@ -62,7 +62,7 @@ struct StructureRow {
   double seconds = 0.0;
 };
 
-/// Columns of the table of pores and of the map of the local solid fraction for states in 2D. States in 3D have other
+/// Columns, for states in 2D, of the table of pores and of the map of the local solid fraction. States in 3D have other
 /// columns.
 inline const std::vector<std::string> kPoreColumns = {"file",    "x1", "x2", "area", "gyration_radius",
                                                       "n_grains"};
@@ -91,7 +91,7 @@ struct Series {
   std::optional<ScatteringAverage> average;
   double diameter = 0.0;  ///< largest diameter of the first state (length)
   double pore_area = 0.0, pore_second_moment = 0.0;
-  StructureRow mean;  ///< sums over the states, from which averaged() computes its row
+  StructureRow mean;  ///< sums over the states, from which averaged() computes the row of means
 };
 
 /// Computes the row of one state, and adds rows to the tables in `series` that the options select. For a state with
@@ -101,7 +101,7 @@ template <int Dim>
 StructureRow structure_row(const std::string& file, const State<Dim>& state,
                            const StructureTableOptions& options, Series& series, const Remarks& remarks = {});
 
-/// Returns a row with averages over all states. The states are taken as samples of one ensemble. Also adds the average
+/// Returns a row with averages over all states, which are treated as samples of one ensemble. Also adds the average
 /// scattered intensity to `series.intensity`.
 /// @param rows  rows of the states
 StructureRow averaged(const std::vector<StructureRow>& rows, const StructureTableOptions& options,

@@ -31,7 +31,8 @@ Json budget_as_json(const CompactionFit& fit) {
   return budget;
 }
 
-/// Returns the rows of a first loading up to the end of its virgin line, beyond which it bends towards its densest state.
+/// Returns the rows of a first loading up to the end of its virgin line. Beyond this end, the curve bends towards the
+/// densest state.
 Loading up_to_virgin_line(Loading loading) {
   constexpr std::size_t kLeast = 5;
   if (loading.rows.size() < kLeast) return loading;
@@ -44,7 +45,7 @@ Loading up_to_virgin_line(Loading loading) {
   return loading;
 }
 
-/// Returns the largest pressure before a branch, which a first loading does not have.
+/// Returns the largest pressure before a branch. The cell is empty for a first loading, which has no earlier pressure.
 TableValue largest_before(const ReloadingFit& reloading) {
   return reloading.is_first_loading() ? TableValue() : TableValue(reloading.branch.largest_before);
 }

@@ -16,14 +16,14 @@ namespace floc {
 
 /// A reloading branch of a load path, or its first loading, and the preconsolidation pressure fitted to it.
 struct ReloadingFit {
-  Reloading branch;  ///< of a first loading, `largest_before` is 0
+  Reloading branch;  ///< fitted branch; for a first loading, `largest_before` is 0
   PreconsolidationFit fit;
 
   bool is_first_loading() const { return branch.largest_before == 0.0; }
 };
 /// Fits a preconsolidation pressure to branches of a load path.
-/// @param branch  "reloading", "first" (the first loading, up to where it bends towards its densest state), "all", or
-/// empty for the reloading branches or, if there are none, the first loading
+/// @param branch  "reloading"; "first" (the first loading, up to the point at which it bends towards its densest
+/// state); "all"; or empty for the reloading branches or, if there are none, the first loading
 std::vector<ReloadingFit> preconsolidation_fits(const PathTable& path, const std::string& branch = "");
 /// Returns the table of `floc fit preconsolidation`, with its columns and without rows.
 Table preconsolidation_table();
@@ -37,8 +37,8 @@ Table cycle_table();
 /// Adds the rows of all pressure cycles of a load path to the table of `floc fit cycle`. @return number of cycles
 int add_cycles(const PathTable& path, Table& table);
 
-/// Returns the main source of the standard error of a parameter of the law of dynamic compaction, as the word "samples"
-/// (too few samples), "law" (misfit of the law) or "plateau" (choice of the samples that do not lie on the plateau).
+/// Returns the main source of the standard error of a parameter of the law of dynamic compaction: "samples" (too few
+/// samples), "law" (misfit of the law) or "plateau" (choice of the samples that do not lie on the plateau).
 /// @param parts  parts of this standard error
 const char* limit_of(const CompactionErrorParts& parts);
 /// Returns a sample of dynamic compaction: its void ratio e, pressure p, cohesion sc = f_c/d^2 and stiffness
@@ -55,19 +55,19 @@ void add_rows(const std::string& name, const CompactionFit& fit, Table& table);
 /// Returns a fit as the json object that `floc fit dynamic-compaction --format json` prints.
 Json as_json(const std::string& name, const CompactionFit& fit, const CompactionReference& reference);
 
-/// Options of fits of distributions to forces. The text `form` contains a keyword that `floc fit force-distribution
-/// --form` accepts.
+/// Options of fits of distributions to forces. The member `form` contains a keyword of `floc fit force-distribution
+/// --form`.
 struct ForceDistributionOptions {
   std::string form = "all";
-  /// Magnitude of the force at which the exponential tails begin (force). If absent, the tail of the forces of each
-  /// sign begins at their mean magnitude.
+  /// Magnitude of the force at which the exponential tails begin (force). If absent, the tail of the positive forces
+  /// begins at their mean, and the tail of the negative forces at their mean magnitude.
   std::optional<double> threshold;
   ForceFitOptions fit;
 };
 
-/// Fits distributions to normal forces: those that the option `form` selects. The keyword "all" selects four:
-/// exponential tails of the positive and of the negative forces, if these occur, and the distributions
-/// "power-exponential" and "quadratic-exponential" of the compressive forces.
+/// Fits the distributions that the option `form` selects to normal forces. The keyword "all" selects four: exponential
+/// tails of the positive and of the negative forces, if these occur, and the distributions "power-exponential" and
+/// "quadratic-exponential" of the compressive forces.
 std::vector<ForceFit> fit_forms(const std::vector<double>& forces, const ForceDistributionOptions& options);
 /// Returns the table of `floc fit force-distribution`, with its columns and without rows.
 Table force_table();

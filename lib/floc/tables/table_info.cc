@@ -18,11 +18,12 @@
 namespace floc {
 namespace {
 
-/// A kind of table that floc reads.
+/// A kind of table that floc can read.
 struct TableKind {
   const char* words;
-  std::vector<std::string> names;     ///< quantities that such a table may have
-  std::vector<std::string> required;  ///< quantities by which it is recognised
+  std::vector<std::string> names;  ///< names of quantities that such a table may contain
+  /// names of quantities that a table must contain to be recognised as this kind
+  std::vector<std::string> required;
 };
 
 std::vector<std::string> path_quantities() {
@@ -40,7 +41,7 @@ const std::vector<TableKind>& kinds() {
   return all;
 }
 
-/// Returns the quantities of columns by the index of their column.
+/// Returns the names of the quantities in a table; the key is the index of the column.
 std::map<int, std::string> quantities_of(const NamedColumns& columns, const std::vector<std::string>& names) {
   std::map<int, std::string> quantities;
   for (const std::string& name : names)
@@ -55,7 +56,7 @@ bool is_path(const NamedColumns& columns) {
   return (has("P_star") || has("P")) && std::any_of(densities.begin(), densities.end(), has);
 }
 
-/// A row of the table of `floc info` for a column of a table.
+/// One row of the table of `floc info` for a table file; it describes one column of this file.
 struct ColumnInfo {
   std::string file;
   int number;
@@ -97,7 +98,7 @@ std::string reading_of(const CsvTable& table, const char* kind, const std::map<i
   const std::string description = table.description();
   const std::string what =
       names.empty()
-          ? "no quantity that floc knows by these headers; --columns NAME=COLUMN says which column is which"
+          ? "no header names a quantity that floc reads; give --columns NAME=COLUMN for each column to read"
           : fmt::format("{} with {}", kind, fmt::join(names, ", "));
   return fmt::format("read {}: {}{}{}", table.rows_in_words(), what, description.empty() ? "" : "; ",
                      description);
@@ -115,7 +116,8 @@ TableInfo add_table_info(const std::string& file, const ColumnNames& names, Tabl
   const CsvTable read = CsvTable::read(file, wanted_names(names_of_quantities(), names));
   const NamedColumns columns(read, names);
   TableInfo info;
-  std::exception_ptr refusal;  // thrown after the columns were added, among which the user may have to choose
+  // thrown after the columns were added to the table, because the user may have to choose one of them
+  std::exception_ptr refusal;
   std::map<int, std::string> quantities;
   if (is_path(columns)) {
     quantities = quantities_of(columns, path_quantities());

@@ -16,8 +16,8 @@
 namespace floc {
 namespace {
 
-/// Syncs the directory of the file `path` to the disk, so that a renaming of the file survives a power cut. A directory
-/// that cannot be read, or that does not support syncing, is not an error.
+/// Syncs the directory of the file `path` to the disk, so that a renamed file survives a power cut. It is not an error
+/// if the directory cannot be read or does not support syncing.
 /// @return false, with errno set, if the system reports any other error
 bool sync_directory_of(const std::string& path) {
   std::filesystem::path directory = std::filesystem::path(path).parent_path();
@@ -64,7 +64,7 @@ AtomicFile::AtomicFile(std::string path) : path_(std::move(path)), opened_(-1) {
     return;
   }
   if (std::error_code unknown; std::filesystem::is_directory(path_, unknown))
-    throw InputError(path_, "this path is a directory, expected the name of a file to write");
+    throw InputError(path_, "this path is a directory: expected the name of a file to write");
   const std::string part = path_ + ".part";
   opened_ = Descriptor(::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   if (!opened_.valid()) throw cannot_be_written(errno);

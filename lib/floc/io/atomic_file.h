@@ -19,8 +19,8 @@ class AtomicFile {
  public:
   /// Opens the ".part" file or, if `path` is a stream, the temporary file.
   /// @param path  file to be replaced, or stream; "-" is standard output
-  /// @throws InputError for an empty path, or the path of a directory
-  /// @throws IoError with the error message of the system if this file cannot be opened for writing
+  /// @throws InputError if the path is empty or that of a directory
+  /// @throws IoError with the error message of the system if the ".part" or temporary file cannot be opened for writing
   explicit AtomicFile(std::string path);
   /// Removes the ".part" file unless commit() has renamed it. Without commit(), `path` keeps its old content.
   ~AtomicFile() = default;
@@ -33,15 +33,16 @@ class AtomicFile {
   /// File descriptor of the file at working_path(), open for reading and writing.
   int descriptor() const { return temporary_ ? temporary_->descriptor() : opened_.get(); }
 
-  /// Appends bytes to the new content. @throws IoError if the bytes cannot be written
+  /// Appends bytes to the new content.
+  /// @throws IoError if the bytes cannot be written
   void append(std::string_view bytes);
 
   /// Replaces the file `path` by the new content or, if `path` is a stream, writes the new content to the stream.
   /// @throws IoError with the error message of the system if the new content cannot be written
   void commit();
 
-  /// Returns the exception that reports that `path` cannot be written. @param error  errno of the system call that
-  /// failed
+  /// Returns the exception that reports that `path` cannot be written.
+  /// @param error  errno of the system call that failed
   IoError cannot_be_written(int error) const;
 
  private:

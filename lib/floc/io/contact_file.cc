@@ -15,7 +15,8 @@ namespace {
 std::vector<ListedContact> read_listed(const ImportOptions& options, int dimension,
                                        std::optional<std::int64_t> timestep,
                                        std::vector<std::string>* remarks) {
-  const bool on_stdin = options.contacts == "-";  // stdin can be read only once, so its format is not guessed
+  // stdin can be read only once, so its format cannot be guessed before reading
+  const bool on_stdin = options.contacts == "-";
   if (!on_stdin && is_lammps_dump(options.contacts)) return read_dump_contacts(options, dimension, timestep);
   if (!on_stdin && is_yade_interactions(options.contacts)) return read_yade_contacts(options, dimension);
   if (!on_stdin && is_mercurydpm_fstat(options.contacts)) return read_mercurydpm_contacts(options, dimension);

@@ -32,7 +32,7 @@ const char* count_hint(const std::vector<std::string>& cells, std::size_t n_colu
              : "";
 }
 
-/// Returns a likely reason why a text is not a number, as the end of the error message; empty if none is apparent.
+/// Returns a likely reason why a text is not a number, as the end of the error message; empty if no reason is apparent.
 std::string number_hint(std::string_view text) {
   if (const std::string hint = decimal_comma_hint(text); !hint.empty() || is_number(text, true)) return hint;
   std::string digits;
@@ -54,8 +54,8 @@ void CsvTable::add_row(int line, const std::vector<std::string>& cells) {
 
 void CsvTable::refuse_count(int line, std::size_t n_cells, const char* hint) const {
   throw InputError(fmt::format("{}:{}", place_, line),
-                   fmt::format("the line has {} cells, expected {} as in the header of the csv table{}",
-                               n_cells, columns_.size(), hint));
+                   fmt::format("the line has {} cells, expected {} as in the header of the table{}", n_cells,
+                               columns_.size(), hint));
 }
 
 CsvTable CsvTable::read(const std::string& path, const std::vector<std::string>& wanted) {
@@ -77,7 +77,7 @@ CsvTable CsvTable::of_text(const std::string& place, const TableText& decoded,
   table.layout_ = find_table_layout(lines, wanted);
   if (table.layout_.names.empty())
     throw InputError(place, lines.rows.empty()
-                                ? "the table has no header: its first line has to name the columns"
+                                ? "the table has no header: its first line must name the columns"
                                 : "the table has no header: no line above the numbers names the columns");
   table.columns_ = table.layout_.names;
   for (std::size_t i = table.layout_.first_row; i < lines.rows.size(); ++i) table.add_line(lines.rows[i]);
@@ -92,7 +92,8 @@ void CsvTable::add_line(const TableLine& line) {
   std::vector<std::string> cells = std::move(*split);
   const std::size_t n_filled = without_trailing_empties(cells);
   if (n_filled == 0 && cells.size() > 1) return;  // a blank row, as spreadsheets write it
-  // Spreadsheets end each line with as many separators as their longest line.
+  // Spreadsheets pad each line with separators, so that all lines have as many as the longest one. The empty cells at
+  // the end are removed.
   if (cells.size() > columns_.size()) cells.resize(std::max(n_filled, columns_.size()));
   if (n_rows() == 0 && cells.size() < columns_.size() && columns_.back().empty())
     columns_.resize(std::max(cells.size(), without_trailing_empties(columns_)));
@@ -151,7 +152,7 @@ std::string CsvTable::number_text(int row, int column) const {
   return number.empty() ? std::string(text) : number;
 }
 
-/// Refuses a number with a point in a table with decimal commas, in which it may separate thousands.
+/// Reports a number with a point in a table with decimal commas, because the point may separate thousands.
 void CsvTable::require_no_point(int row, int column) const {
   if (decimal_comma_line_ == 0) return;
   const std::string_view text = cell(row, column);

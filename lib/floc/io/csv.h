@@ -13,11 +13,11 @@
 
 namespace floc {
 
-/// A table of text cells with named columns, as read from a text file. Blank lines and lines that begin with # are
-/// skipped, titles above the names of the columns too; find_table_layout() says how names, units and the separator of
-/// the cells are found, decoded_table() which encodings are read. A cell that contains separators has to be enclosed in
-/// double quotes. Numbers may have decimal commas if the cells are not separated by commas. Readers of other text
-/// formats fill such a table row by row with add_row().
+/// A table of text cells with named columns, read from a text file. Blank lines, lines that begin with #, and titles
+/// above the names of the columns are skipped. find_table_layout() documents how names, units and the separator of the
+/// cells are found, and decoded_table() documents the accepted encodings. A cell that contains separators must be
+/// enclosed in double quotes. Numbers may have decimal commas if the cells are not separated by commas. Readers of
+/// other text formats fill such a table row by row with add_row().
 class CsvTable {
  public:
   CsvTable() = default;
@@ -30,7 +30,7 @@ class CsvTable {
   void add_row(int line, const std::vector<std::string>& cells);
 
   /// Reads a table from a file. @param path  path of the file; "-" reads standard input
-  /// @param wanted  names of columns that the caller looks for, which help to tell names from titles
+  /// @param wanted  names of columns that the caller needs; they help to distinguish the line of names from titles
   /// @throws InputError naming file and line if the file cannot be read or has no header, or if a line has too many or
   /// too few cells
   static CsvTable read(const std::string& path, const std::vector<std::string>& wanted = {});
@@ -40,15 +40,15 @@ class CsvTable {
                         const std::vector<std::string>& wanted = {});
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Names of the columns in lines above that of columns(), nearest first; each list has one name per column, which
+  /// Names of the columns in lines above the line of columns(), nearest first. Each list has one name per column, which
   /// may be empty.
   const std::vector<std::vector<std::string>>& other_names() const { return layout_.other_names; }
   /// Cell of a column in the row of units below the names; empty if the table has no such row.
   std::string unit_cell(int column) const;
-  /// Says how the table is written, as far as it is not a plain csv table: separator, decimal commas, encoding, lines
+  /// Describes how the layout of the table differs from a plain csv table: separator, decimal commas, encoding, lines
   /// above the names, row of units. Empty for a plain csv table.
   std::string description() const;
-  /// Number of rows in words: "27 rows".
+  /// Returns the number of rows as text: "27 rows".
   std::string rows_in_words() const;
   int n_rows() const { return static_cast<int>(lines_.size()); }
   bool has(const std::string& name) const;
@@ -82,8 +82,8 @@ class CsvTable {
  private:
   static CsvTable of_text(const std::string& place, const TableText& decoded,
                           const std::vector<std::string>& wanted);
-  /// Reports a line with a wrong number of cells. @param hint  end of the message, which names a likely reason; may be
-  /// empty
+  /// Reports a line with a wrong number of cells.
+  /// @param hint  end of the message, which gives a likely reason; may be empty
   /// @throws InputError always
   [[noreturn]] void refuse_count(int line, std::size_t n_cells, const char* hint) const;
   std::string_view cell(int row, int column) const { return cells_[row * columns_.size() + column]; }

@@ -9,8 +9,8 @@ namespace floc {
 /// file, from 0) are optional. `options.columns` renames the columns. `options.law` and `options.cell` are required.
 ///
 /// `options.contacts` may name a file of contacts: see read_contact_file(). Forces in that file are kept unchanged.
-/// Forces that it lacks are computed by the contact law, and the elongations of the contact springs are computed from
-/// the forces.
+/// Missing forces are computed by the contact law, and the elongations of the contact springs are computed from the
+/// forces.
 /// @throws InputError naming file, line and column
 Imported read_csv_packing(const std::string& path, const ImportOptions& options);
 

@@ -23,7 +23,7 @@ void write_own_state(const std::string& path, const AnyState& any) {
 
 /// Writes a state to the file `path` as text. The template parameter `text` is the function that converts the state to
 /// this text.
-/// @tparam has_shapes  whether the format has a place for shapes
+/// @tparam has_shapes  whether the format can store the shapes of grains with corners
 template <std::string (*text)(const AnyState&), bool has_shapes = false>
 void write_text(const std::string& path, const AnyState& state) {
   if (!has_shapes)

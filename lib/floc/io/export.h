@@ -12,10 +12,11 @@ struct ExportFormat {
   std::string keyword;
   std::string description;
   std::string extension;  ///< extension of file names in this format, such as ".vtu"
-  /// Writes a state to the file `path`. On failure an existing file keeps its content. @throws IoError if the file
-  /// cannot be written
+  /// Writes a state to the file `path`. If this fails, an existing file keeps its content.
+  /// @throws IoError if the file cannot be written
   void (*write)(const std::string& path, const AnyState& state);
-  std::string second_extension = "";  ///< extension of a second file that is written beside `path`; empty: none
+  /// extension of a second file that is written beside `path`; empty if there is none
+  std::string second_extension = "";
 };
 
 /// All file formats in which floc can write a state. To add a format, add a writer next to the reader of the format, an

@@ -39,8 +39,8 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
     XyzFrame frame;
     frame.line = number;
     if (!std::getline(in, frame.comment))
-      throw InputError(path,
-                       "the file ends before the comment line of a frame, which has to contain Properties=");
+      throw InputError(
+          path, "the file ends before the comment line of a frame: expected a comment line with Properties=");
     for (std::int64_t k = 0; k < *n; ++k) {
       if (!std::getline(in, line))
         throw InputError(path, fmt::format("the file ends after {} of {} grains of a frame", k, *n));
@@ -53,8 +53,8 @@ std::vector<XyzFrame> read_frames(const std::string& path) {
   return frames;
 }
 
-/// Returns the keys of the comment line of a frame and their values. The line contains them as key=value or key="value
-/// with spaces".
+/// Returns the keys and values in the comment line of a frame. They are written as key=value or key="value with
+/// spaces".
 std::map<std::string, std::string> keys_of(const std::string& place, std::string_view text) {
   std::map<std::string, std::string> keys;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
@@ -76,8 +76,9 @@ std::map<std::string, std::string> keys_of(const std::string& place, std::string
   return keys;
 }
 
-/// Returns the names of the columns of a frame. @param properties  value of the key Properties, "name:type:count:...";
-/// pos:R:3 stands for the three columns x, y and z, and name:type:n for name1 to namen if n > 1
+/// Returns the names of the columns of a frame.
+/// @param properties  value of the key Properties, "name:type:count:...". Here pos:R:3 denotes the three columns x, y
+/// and z, and name:type:n denotes the columns name1 to namen if n > 1
 std::vector<std::string> columns_of(const std::string& place, const std::string& properties) {
   std::vector<std::string> fields;
   std::istringstream in(properties);
@@ -98,16 +99,16 @@ std::vector<std::string> columns_of(const std::string& place, const std::string&
   return columns;
 }
 
-/// Returns the columns of a frame of plain xyz, which does not name them: their numbers from 1 on. The positions are the
-/// columns 2 to 4, after the name of the element, unless the user says otherwise.
+/// Returns the columns of a frame of plain xyz. The frame does not name them, so their names are their numbers, from 1
+/// on. The positions are in columns 2 to 4, after the name of the element, unless the user names other columns.
 /// @param given  columns that the user named; the positions are added
 std::vector<std::string> numbered_columns(const std::string& place, const XyzFrame& frame,
                                           std::map<std::string, std::string>& given) {
   if (!given.contains("radius") && !given.contains("diameter"))
     throw InputError(
         place,
-        "the comment line of the frame has no Properties=, so that the columns have no names: give --columns "
-        "radius=5 or diameter=5, with the number of the column, and x, y, z unless they are columns 2 to 4");
+        "the comment line of the frame has no Properties=, so the columns have no names: give --columns with "
+        "the number of a column, radius=5 or diameter=5, and also x, y, z unless they are columns 2 to 4");
   given.emplace("x", "2");
   given.emplace("y", "3");
   given.emplace("z", "4");
@@ -132,7 +133,7 @@ std::vector<std::vector<double>> lattice_of(const std::string& place, const std:
   return cell;
 }
 
-/// Reads the value of the key Origin, the corner of the cell, which OVITO writes.
+/// Reads the value of the key Origin: the corner of the cell. OVITO writes this key.
 Eigen::Vector3d origin_of(const std::string& place, const std::string& text) {
   const std::vector<std::string> tokens = tokenize(text);
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -159,7 +160,8 @@ std::vector<bool> periodic_of(const std::string& place, const std::string& text)
   return periodic;
 }
 
-/// Reads the key walls, which floc writes: the names of the walls at the faces of the box, such as "x- x+".
+/// Reads the value of the key walls: the names of the walls at the faces of the box, such as "x- x+". floc writes this
+/// key.
 void add_walls(const std::string& place, const std::string& names, ListedSpace& space) {
   space.exact_walls = true;
   for (const std::string& name : tokenize(names)) {

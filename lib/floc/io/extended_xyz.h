@@ -10,10 +10,10 @@ namespace floc {
 /// or its name ends in .xyz.
 bool is_extended_xyz(const std::string& path);
 
-/// Reads one frame of an extended XYZ file: the frame number `options.index` (from 0), by default the last frame. The
-/// comment line of a frame contains keys with values. The key Properties names the columns of the frame, among them
-/// pos:R:3, radius (or diameter) and, optionally, mass and id, which are the columns of read_grains();
-/// `options.columns` renames them. Columns of a plain XYZ file, which has no Properties, are named by their numbers. The other keys that are read:
+/// Reads one frame of an extended XYZ file: frame number `options.index` (from 0), or the last frame by default. The
+/// comment line of a frame contains keys with values. The key Properties names the columns of the frame: pos:R:3,
+/// radius (or diameter) and, optionally, mass and id, as in read_grains(); `options.columns` renames them. A plain XYZ
+/// file has no Properties, and its columns are named by their numbers. The following other keys are read:
 ///   Lattice     cell, as Lattice="ax ay az bx by bz cx cy cz"; in 2D, the x and y components of the first two vectors
 ///   pbc         periodicity along each lattice vector; if present, it has to be T along every vector of the packing
 ///   dimension   2 or 3; without this key, settle_space() decides
@@ -23,8 +23,8 @@ bool is_extended_xyz(const std::string& path);
 Imported read_extended_xyz(const std::string& path, const ImportOptions& options);
 
 /// Returns a state as the text of one frame of extended XYZ, with species, pos, radius, mass and id of every grain, and
-/// with the key dimension. Numbers are printed with all digits needed to read them back exactly. In 2D z = 0. The key
-/// pbc is F along z in 2D, and along an axis that ends at walls.
+/// with the key dimension. Numbers are printed with all digits that are needed to read them back exactly. In 2D z = 0.
+/// The key pbc is F along z in 2D, and along every axis that ends at walls.
 std::string extended_xyz_text(const AnyState& state);
 
 }  // namespace floc

@@ -41,16 +41,16 @@ class Handle {
   Close close_;
 };
 
-/// Configures the HDF5 library. It prints no errors, because exceptions report them. It does not clean up at the end of
-/// the program, because its clean-up would repeat a write that failed on a full disk, and crash.
+/// Configures the HDF5 library. It must not print errors, because floc reports them by exceptions. It must not clean up
+/// at the end of the program, because its clean-up would repeat a write that failed on a full disk, and crash.
 void begin_library() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Returns the HDF5 access properties with which files are opened. Small arrays are not buffered, because an error in
-/// writing the buffer when the file is closed would be lost. The library does not lock files; floc locks them itself
-/// where needed.
+/// Returns the HDF5 access properties with which files are opened. Small arrays are not buffered, because an error
+/// while the buffer is written at the closing of the file would be lost. The library does not lock files; floc locks
+/// them itself where this is needed.
 Handle file_access() {
   const hid_t access = checked(H5Pcreate(H5P_FILE_ACCESS));
   checked(H5Pset_sieve_buf_size(access, 0));
@@ -136,12 +136,12 @@ void write_array(hid_t file, const std::string& path, const ArrayShape& shape, c
     checked(H5Dwrite(dataset, NativeType<T>::memory(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
 }
 
-/// Number of rows of an array that are written or read at a time. It is limited so that the buffers stay small.
+/// Number of rows of an array that are written or read at a time. It limits the size of the buffers.
 constexpr hsize_t kRowsAtATime = 1 << 16;
 
 /// Calls visit(first, n, memory, file) for each block of rows of an array with the given shape. `first` is the number
-/// of the first row of the block, n the number of values in the block, `memory` the HDF5 dataspace of a buffer for
-/// these values, and `file` the HDF5 dataspace of the array, in which the block is selected.
+/// of the first row of the block, and `n` is the number of values in the block. `memory` is the HDF5 dataspace of a
+/// buffer for these values, and `file` is the HDF5 dataspace of the array with the block selected in it.
 template <class Visit>
 void for_each_block(const ArrayShape& shape, const Visit& visit) {
   const std::vector<hsize_t> extent(shape.begin(), shape.end());
@@ -179,8 +179,9 @@ std::vector<hsize_t> extent_of(hid_t dataset) {
   return extent;
 }
 
-/// Checks that an array is not larger than the file that contains it. Otherwise a damaged file could make floc allocate
-/// far too much memory. @param bytes  size of the array
+/// Checks that an array is not larger than the file that contains it. Without this check, a damaged file could make
+/// floc allocate far too much memory.
+/// @param bytes  size of the array
 /// @throws InputError naming `place` if the array is larger than the file
 void check_length(hid_t file, const std::string& place, double bytes) {
   hsize_t size = 0;
@@ -188,11 +189,12 @@ void check_length(hid_t file, const std::string& place, double bytes) {
   if (bytes > static_cast<double>(size))
     throw InputError(
         place,
-        fmt::format("the dataset is said to have {:.3g} bytes, but the whole file has {} bytes", bytes, size));
+        fmt::format("the dataset has {:.3g} bytes according to its header, but the whole file has {} bytes",
+                    bytes, size));
 }
 
-/// Opens an array, a dataset of numbers of the type T.
-/// @throws InputError naming `place` unless the dataset exists, has the given shape, and holds real numbers (if T is
+/// Opens a dataset that is an array of numbers of type T.
+/// @throws InputError naming `place` unless the dataset exists, has the given shape, and contains real numbers (if T is
 /// double) or integers (otherwise)
 template <class T>
 Handle open_array(hid_t file, const std::string& place, const std::string& path, const ArrayShape& shape) {
@@ -204,7 +206,7 @@ Handle open_array(hid_t file, const std::string& place, const std::string& path,
   const Handle type(checked(H5Dget_type(dataset)), H5Tclose);
   if (H5Tget_class(type) != NativeType<T>::kClass)
     throw InputError(
-        place, fmt::format("the dataset holds values of another type, expected {}", NativeType<T>::kName));
+        place, fmt::format("the dataset contains values of another type, expected {}", NativeType<T>::kName));
   check_length(
       file, place,
       std::accumulate(shape.begin(), shape.end(), static_cast<double>(H5Tget_size(type)), std::multiplies<>()));

@@ -14,7 +14,7 @@ class Hdf5Failure : public std::runtime_error {
  public:
   Hdf5Failure(const std::string& what, int error) : std::runtime_error(what), error_(error) {}
 
-  /// Value of errno after the failure; it is meaningful only if a system call of the HDF5 library failed.
+  /// Value of errno after the failure. It is meaningful only if a system call of the HDF5 library failed.
   int error() const { return error_; }
 
  private:
@@ -47,7 +47,7 @@ class Hdf5Writer {
             const std::function<void(std::uint64_t, std::span<T>)>& fill);
   void text(const std::string& path, const std::string& value);
 
-  /// Writes an attribute of the group or dataset `path`, which has to exist ("/" is the root group).
+  /// Writes an attribute of the existing group or dataset `path` ("/" is the root group).
   void attribute(const std::string& path, const std::string& name, const std::string& value);
   void attribute(const std::string& path, const std::string& name, double value);
   void attribute(const std::string& path, const std::string& name, std::int64_t value);
@@ -88,7 +88,7 @@ class Hdf5Reader {
   /// Shape of an array; a single value has no dimensions.
   ArrayShape shape(const std::string& path) const;
   /// Returns the values of an array of real or whole numbers of any size.
-  /// @throws InputError also if a value is no finite number
+  /// @throws InputError also if a value is not finite
   std::vector<double> numbers(const std::string& path) const;
 
   /// Number of rows of an array, which is the number of entries along its first dimension.

@@ -39,7 +39,7 @@ bool is_csv(const std::string& path) {
   return path == "-" || extension == ".csv" || extension == ".tsv";
 }
 
-/// Whether a file with any name is a table whose columns are those of grains.
+/// Whether a file is a table with the columns of grains, whatever its name.
 bool is_table_of_grains(const std::string& path) {
   try {
     const CsvTable table = CsvTable::read(path, grain_names());

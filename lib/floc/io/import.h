@@ -11,43 +11,43 @@
 
 namespace floc {
 
-/// Options for reading a file of another program. They give data that the file may lack.
+/// Options for reading a file of another program. They give data that may be missing in the file.
 struct ImportOptions {
   std::optional<Law> law;
-  /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. Empty: the
+  /// Lattice vectors of the periodic cell (length), one per row. The number of vectors is the dimension. If empty, the
   /// cell in the file is used.
   std::vector<std::vector<double>> cell;
-  std::optional<Law> wall_law;  ///< contact law between grains and walls; absent: `law`
-  std::string walls;            ///< axes that are not periodic: see parse_walls(); empty: the file decides
+  std::optional<Law> wall_law;  ///< contact law between grains and walls; if absent, `law`
+  std::string walls;            ///< axes that are not periodic, see parse_walls(); if empty, as in the file
   std::vector<double>
-      gravity;  ///< acceleration due to gravity, one component per axis; empty: that of the file
+      gravity;  ///< acceleration due to gravity, one component per axis; if empty, as in the file
   std::map<std::int64_t, WallSide>
-      wall_ids;  ///< bodies of the file of contacts that are walls, by their identifiers
-  /// Maps the names that floc uses for columns of grains to the names of these columns in the file, such as "x" to "X".
-  /// A column that is not in this map has the name that floc uses.
+      wall_ids;  ///< bodies of the file of contacts that are walls; the key is the identifier of the body
+  /// Names of the columns of grains in the file: the key is the name that floc uses, such as "x", the value is the name
+  /// in the file, such as "X". A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> columns;
-  /// Path of a file that lists the contacts; empty: contacts are found from the positions and radii.
+  /// Path of a file that lists the contacts. If empty, contacts are found from the positions and radii.
   std::string contacts;
-  /// Path of a file that lists bonds: contacts with stiffnesses of their own that act across gaps; empty: none.
+  /// Path of a file that lists bonds: contacts that act across gaps, with stiffnesses of their own. If empty, no bonds.
   std::string bonds;
-  /// Maps the names that floc uses for columns of contacts to the names of these columns in the file `contacts`. A
-  /// column that is not in this map has the name that floc uses.
+  /// Names of the columns of contacts in the file `contacts`: the key is the name that floc uses, the value is the name
+  /// in the file. A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> contact_columns;
   std::optional<int> dimension;  ///< 2 or 3; if absent, settle_space() decides
   /// Number of the packing (or frame) to read from a file with several packings, from 0. If absent, the format
   /// determines whether the first or the last packing is read.
   std::optional<int> index;
   std::string units = "reduced";  ///< unit system of the file, "reduced" or "SI"
-  /// Whether contacts with a tensile force are left out if the law has no adhesion. If false, such contacts are an
+  /// Whether contacts with a tensile force are left out if the law has no adhesion. Otherwise such contacts are an
   /// error.
   bool drop_tensile = false;
-  /// Largest gap at which grains count as touching if their contacts are found from the geometry (length). Contacts across
-  /// a gap get no force.
+  /// Largest gap at which grains are taken to touch if contacts are found from the geometry (length). Contacts across a
+  /// gap have no force.
   double touch_gap = 0.0;
   bool pairs_twice = false;  ///< whether the file lists pairs twice, once from each grain: see merge_pairs()
 };
 
-/// Numbers of the contacts that a file lists: in total, left out, and kept with another image.
+/// Numbers of the contacts that a file lists: all, those left out, and those kept with another image.
 struct ListedContactCounts {
   int n_read = 0;
   /// Number of contacts that were left out because they have no force and the gap between the grains exceeds the range
@@ -58,10 +58,11 @@ struct ListedContactCounts {
   /// Number of contacts that were kept, but at the nearest periodic image of grain id2, because the listed image
   /// contradicts the positions.
   int n_other_image = 0;
-  /// Number of contacts across a boundary that is no lattice, which keep their forces and have no stiffness.
+  /// Number of contacts across a boundary that is not a lattice translation. They keep their forces and have no
+  /// stiffness.
   int n_across_no_lattice = 0;
   int n_bonds = 0;  ///< number of contacts that act across a gap with stiffnesses of their own
-  /// Sentences about the contacts whose listed stiffnesses differ from those that the contact law gives for the listed
+  /// Sentences about contacts whose listed stiffnesses differ from the stiffnesses of the contact law at the listed
   /// forces.
   std::vector<std::string> stiffness_differences;
 };
@@ -70,13 +71,13 @@ struct ListedContactCounts {
 struct Imported {
   /// State of the packing; its residuals are not computed yet, and `provenance.source` is the path of the file.
   AnyState state;
-  /// Sentences that tell the user how the file was interpreted.
+  /// Sentences for the user about how the file was interpreted.
   std::vector<std::string> remarks;
-  /// Sentences that tell the user which data seem wrong or contradict each other.
+  /// Sentences for the user about data that seem wrong or contradict each other.
   std::vector<std::string> inconsistencies;
-  /// Whether the file is a state file of floc, which lacks no data.
+  /// Whether the file is a state file of floc, in which no data are missing.
   bool complete = false;
-  /// Whether the file lists contacts; otherwise they are found from the positions and radii.
+  /// Whether the file lists contacts. Otherwise they are found from the positions and radii.
   bool contacts_known = false;
   /// Whether the stiffnesses of the contact law were computed as means of the listed stiffnesses.
   bool law_of_contacts = false;
@@ -95,12 +96,12 @@ struct ImportFormat {
   Imported (*read)(const std::string& path, const ImportOptions& options);
 };
 
-/// Whether the content of the file `path` begins with `text`, in any encoding that decoded_table() recognises. A byte
-/// order mark at the beginning of the file is ignored.
+/// Whether the content of the file `path` begins with `text`. The file may be in any encoding that decoded_table()
+/// recognises. A byte order mark at the beginning of the file is ignored.
 bool begins_with(const std::string& path, const std::string& text);
 
-/// All file formats from which floc can read a packing. To add a format, add a reader in a source and a header file of
-/// its own, an entry in this list, a test that reads back a written file, and a test with malformed input.
+/// All file formats from which floc can read a packing. To add a format, add a reader with its own source and header
+/// file, an entry in this list, a test that reads back a written file, and a test with malformed input.
 const std::vector<ImportFormat>& import_formats();
 
 /// Returns the format with the keyword `keyword` or, if `keyword` is empty, the format that recognises the file `path`.

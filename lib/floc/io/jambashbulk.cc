@@ -22,7 +22,7 @@ bool is_header(std::string_view line) {
   return line.starts_with("N") && line.find("L1=") != std::string_view::npos;
 }
 
-/// Returns the numbers in a text. They are separated by commas, braces and white space.
+/// Returns the numbers in a text, which are separated by commas, braces or white space.
 std::vector<double> numbers(const std::string& place, std::string_view text) {
   std::vector<double> values;
   constexpr std::string_view kSeparators = ",{} \t\r";
@@ -38,7 +38,7 @@ std::vector<double> numbers(const std::string& place, std::string_view text) {
   }
 }
 
-/// Returns the end of the message about a wrong count of numbers, if commas between digits may be the reason; otherwise
+/// Returns the end of a message about a wrong number of values, if commas between digits may be the reason; otherwise
 /// an empty text.
 const char* comma_hint(std::string_view text) {
   const auto is_digit = [&](std::size_t at) {
@@ -51,7 +51,7 @@ const char* comma_hint(std::string_view text) {
 }
 
 /// Returns the `count` numbers that follow "key =" in the header of a packing, up to the next key.
-/// @throws InputError naming `place` if the key is missing or occurs twice, or if it has another count of numbers
+/// @throws InputError naming `place` if the key is missing, occurs twice, or is followed by another number of values
 std::vector<double> header_numbers(const std::string& place, std::string_view header, const std::string& key,
                                    std::size_t count) {
   std::vector<double> found;
@@ -109,7 +109,7 @@ void find_packing(const std::string& path, Lines& lines, int index) {
   throw InputError(path, fmt::format("index = {}, but the file holds packings 0 to {}", index, n_packings - 1));
 }
 
-/// Reads the `n` grains that follow the header of a packing, and moves each into the periodic cell.
+/// Reads the `n` grains that follow the header of a packing, and moves each grain into the periodic cell.
 Grains<2> read_grains(const std::string& path, Lines& lines, const Cell<2>& cell, int n) {
   // Each row is x, y and radius of a grain. Memory for `n` grains is allocated only after `n` lines were read, because
   // the number in the header may be wrong.
@@ -179,8 +179,8 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.packing.cell.matrix << l1[0], l1[1], l2[0], l2[1];
   if (!(state.packing.cell.volume() > 0.0))
     throw InputError(place, "the lattice vectors L1 and L2 span no area");
-  // Packings of jamBashbulk have no friction and a linear repulsion with the stiffness K_N = 1 in the units of the
-  // format, so the user does not give a law.
+  // Packings of jamBashbulk have no friction, and a linear repulsion with the stiffness K_N = 1 in the units of the
+  // format. The user therefore gives no law.
   LawParameters law;
   law.normal = LinearRepulsion{kNormalStiffness};
   state.packing.law = law;
@@ -190,8 +190,8 @@ Imported read_jambashbulk(const std::string& path, const ImportOptions& options)
   state.provenance.source = path;
   Imported imported;
   imported.state = std::move(state);
-  // P0 is the pressure to which jamBashbulk relaxed the packing. Because this target stress is known, complete_import()
-  // sets tolerances of the equilibrium as strict as for packings of floc.
+  // P0 is the pressure at which jamBashbulk relaxed the packing. Because this target stress is known, complete_import()
+  // sets the same strict tolerances of equilibrium as for packings of floc.
   imported.target_stress_known = true;
   return imported;
 }

@@ -10,10 +10,10 @@ bool is_jambashbulk(const std::string& path);
 
 /// Reads packing number `options.index` (from 0; default: 0) from a file of the program jamBashbulk (Van Hecke group,
 /// Leiden). A packing consists of frictionless 2D disks with linear repulsion in a skewed periodic cell. In the units
-/// of jamBashbulk, the energy is the sum of overlap^2 / 2 over the contacts, so the normal stiffness K_N is 1; with
+/// of jamBashbulk, the energy is the sum of overlap^2 / 2 over the contacts, so the normal stiffness K_N is 1. With
 /// this value, the pressure of a packing agrees with the pressure in the file within rounding. The target stress is P0
-/// of the file. The mass of a grain is the square of its diameter. The format determines the law, the cell and the
-/// units, so options that set them are an error.
+/// of the file. The mass of a grain is the square of its diameter. Options that set the law, the cell or the units are
+/// an error, because the format determines them.
 /// @throws InputError naming file and line for any violation of the format
 Imported read_jambashbulk(const std::string& path, const ImportOptions& options);
 

@@ -14,8 +14,8 @@ namespace floc {
 /// Splits a line into its words, which are separated by white space; the words are views of the line.
 std::vector<std::string_view> words_of(std::string_view line);
 
-/// One line of a text file, split into words. In many formats a line has keys, each followed by its values. The text of the
-/// line has to outlive this object.
+/// One line of a text file, split into words. In many formats a line consists of keys, each followed by its values. The
+/// text of the line must outlive this object.
 class KeyedLine {
  public:
   /// @param file  text before the number of the line in messages, "file:"
@@ -28,19 +28,21 @@ class KeyedLine {
   std::string_view word(std::size_t k) const { return words_[k]; }
   bool has(std::string_view key) const { return find(key) < words_.size(); }
 
-  /// Returns the number at position `k` of the line. @param what  name of the value in messages
-  /// @throws InputError naming file, line and value if it is missing or no finite number, or, for an integer, not whole
+  /// Returns the number at position `k` of the line.
+  /// @param what  name of the value in messages
+  /// @throws InputError naming file, line and value if the number is missing or not finite, or, for integer(), not
+  /// whole
   double number(std::size_t k, std::string_view what) const;
   std::int64_t integer(std::size_t k, std::string_view what) const;
-  /// Returns the three numbers from position `k` on.
+  /// Returns the three numbers at the positions `k`, `k` + 1 and `k` + 2.
   Eigen::Vector3d vector(std::size_t k, std::string_view what) const;
 
-  /// Returns the values after a key. @throws InputError also if the line does not have the key
+  /// Returns the values after a key. @throws InputError also if the line does not contain the key
   double number(std::string_view key) const { return number(position(key) + 1, key); }
   std::int64_t integer(std::string_view key) const { return integer(position(key) + 1, key); }
   Eigen::Vector3d vector(std::string_view key) const { return vector(position(key) + 1, key); }
 
-  /// Returns the position of a key in the line. @throws InputError if the line does not have the key
+  /// Returns the position of a key in the line. @throws InputError if the line does not contain the key
   std::size_t position(std::string_view key) const;
 
  private:

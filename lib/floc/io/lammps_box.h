@@ -15,7 +15,7 @@ struct LammpsBox {
   double xy = 0.0;
   double xz = 0.0;
   double yz = 0.0;
-  /// Lattice vectors of a general triclinic box, one per row, which replace the sides and tilts.
+  /// Lattice vectors of a general triclinic box, one per row. If present, they replace the sides and tilts.
   std::optional<Eigen::Matrix3d> general;
 
   /// Sets one lattice vector of a general triclinic box.
@@ -27,8 +27,8 @@ struct LammpsBox {
   /// Returns the lattice vectors of the box, one list of three components per vector.
   std::vector<std::vector<double>> vectors() const;
 
-  /// Whether LAMMPS accepts the box and grains at height `z` as two-dimensional: `z` is 0, and the box extends equally
-  /// far above and below z = 0.
+  /// Whether LAMMPS accepts a two-dimensional system in which all grains are at height `z` in this box: `z` must be 0,
+  /// and the box must extend equally far above and below z = 0.
   bool has_mid_plane(double z) const { return z == 0.0 && low[2] == -0.5 * side[2]; }
 };
 

@@ -47,7 +47,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
   std::vector<double> values;
   std::string key;
   for (const std::string& token : tokens) {
-    // A number with a decimal comma is an error. If it counted as a part of the keyword, floc would ignore the line.
+    // A number with a decimal comma is reported as an error. If it were taken as part of the keyword, the line would be
+    // ignored.
     if (const auto value = parse_number<double>(token); value && key.empty())
       values.push_back(*value);
     else if (const std::string hint = decimal_comma_hint(token); !hint.empty())
@@ -87,8 +88,8 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
     data.box_place = place;
   } else if (key.ends_with("xy xz yz")) {
     // Header lines that do not describe the box (numbers of types, bonds, ...) do not affect the packing and are
-    // ignored. A line that describes the box must not be ignored, so a misspelt keyword or a number that is not finite
-    // is an error.
+    // ignored. A line that describes the box must not be ignored, so an error is reported if its keyword is misspelt or
+    // a number is not finite.
     throw InputError(
         place,
         fmt::format("the header line has the words \"{}\", expected three finite numbers and xy xz yz", key));
@@ -103,7 +104,7 @@ void read_header_line(const std::string& place, const std::vector<std::string>& 
 
 using Columns = std::vector<std::string>;
 
-/// Columns of an atom style between the type and the position (LAMMPS manual, read_data, section Atoms).
+/// Names of the columns of each atom style between the type and the position (LAMMPS manual, read_data, section Atoms).
 const std::map<std::string, Columns>& columns_of_styles() {
   static const std::map<std::string, Columns> columns = {
       {"sphere", {"diameter", "density"}},
@@ -120,9 +121,9 @@ const std::map<std::string, Columns>& columns_of_styles() {
   return columns;
 }
 
-/// Returns the columns of the section Atoms by the atom style in its line, such as "Atoms # sphere". The columns of
-/// "hybrid" are those that all styles share, and then those of each style.
-/// @throws InputError for a style without radii, or a style that is not known
+/// Returns the columns of the section Atoms for the atom style in its heading, such as "Atoms # sphere". For the style
+/// "hybrid", these are the columns that all styles share, followed by those of each style.
+/// @throws InputError if the style has no radii or is unknown
 Columns columns_of_style(const std::string& place, const std::string& style) {
   const std::vector<std::string> words = tokenize(style);
   const bool hybrid = words.size() > 1 && words[0] == "hybrid";
@@ -135,7 +136,7 @@ Columns columns_of_style(const std::string& place, const std::string& style) {
           place, fmt::format("atom_style {} is not known, expected sphere, bpm/sphere, or hybrid with one of "
                              "them",
                              style));
-    // In bpm/sphere the molecule comes first, before the type.
+    // In bpm/sphere the molecule is the first column, before the type.
     const bool molecule_first = !hybrid && !found->second.empty() && found->second[0] == "molecule";
     columns.insert(columns.end() - (molecule_first ? 1 : 0), found->second.begin(),
                    found->second.begin() + (molecule_first ? 1 : 0));
@@ -205,8 +206,8 @@ std::vector<std::string> words_after(const std::string& title, const std::string
   return tokens;
 }
 
-/// Adds the walls that a title written by floc names: "walls at the faces across x and z", except the ends after
-/// "open at", such as "open at z+".
+/// Adds the walls that are named in a title written by floc, such as "walls at the faces across x and z". The ends
+/// named after "open at", such as "open at z+", get no wall.
 void add_titled_walls(const std::string& title, ListedSpace& space) {
   std::vector<std::string> across = words_after(title, "across");
   across.erase(std::find(across.begin(), across.end(), "boundary"), across.end());
@@ -219,8 +220,8 @@ void add_titled_walls(const std::string& title, ListedSpace& space) {
         add_wall_at_face(*wall, space), space.exact_walls = true;
 }
 
-/// Returns the cell, periodicity and dimension of the packing. A title written by floc contains the dimension and the
-/// boundary ("dimension 2", "boundary f f p"), which LAMMPS takes from its input script, not from a data file.
+/// Returns the cell, periodicity and dimension of the packing. LAMMPS reads the dimension and the boundary from its
+/// input script and not from a data file, so floc writes them into the title ("dimension 2", "boundary f f p").
 ListedSpace space_of(const DataFile& data, const std::vector<ListedGrain>& grains) {
   ListedSpace space;
   space.place = data.box_place;
@@ -276,9 +277,9 @@ Imported read_lammps_data(const std::string& path, const ImportOptions& options)
 
 namespace {
 
-/// Rotates the lattice vectors, which are the rows of `matrix`, so that the first is along x, the second in the x-y
-/// plane, and the diagonal of the result is positive.
-/// @param rotation  set to the matrix that rotates vectors of the packing in the same way
+/// Rotates the lattice vectors, which are the rows of `matrix`, so that the first vector is along x and the second in
+/// the x-y plane, and the diagonal of the result is positive.
+/// @param rotation  set to the matrix that applies the same rotation to vectors of the packing
 /// @return matrix whose rows are the rotated lattice vectors
 template <int Dim>
 Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
@@ -302,16 +303,16 @@ Mat<Dim> lower_triangular(const Mat<Dim>& matrix, Mat<Dim>& rotation) {
 }
 
 /// Replaces the lattice vectors, which are the rows of a lower triangular matrix, by vectors of the same lattice with
-/// small tilts. A tilt is an element below the diagonal; each becomes at most half of the diagonal element (side) of
-/// its column.
+/// small tilts. A tilt is an element below the diagonal; its magnitude becomes at most half of the diagonal element
+/// (side) in its column.
 template <int Dim>
 void reduce_tilts(Mat<Dim>& rows) {
   for (int a = 1; a < Dim; ++a)
     for (int b = a - 1; b >= 0; --b) rows.row(a) -= sides_in_tilt(rows(a, b), rows(b, b)) * rows.row(b);
 }
 
-/// Describes the dimension, boundary and walls of a packing in the words of LAMMPS' commands. The title of a data file
-/// contains this text, because the format of data files has no other place for it.
+/// Returns a description of the dimension, boundary and walls of a packing in the notation of LAMMPS commands. It is
+/// written into the title of a data file, because the format has no other place for it.
 template <int Dim>
 std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
   std::string axes, boundary, open;
@@ -332,8 +333,8 @@ std::string space_in_words(const std::vector<Wall<Dim>>& walls) {
                      boundary, open);
 }
 
-/// Returns the identifiers of the atoms for LAMMPS, which have to be 1 or more. The identifiers of the grains are kept
-/// if all of them are 1 or more; otherwise the atoms are numbered 1, 2, ...
+/// Returns identifiers for the atoms, which LAMMPS requires to be 1 or more. If all identifiers of the grains are 1 or
+/// more, they are kept; otherwise the atoms are numbered 1, 2, ...
 template <int Dim>
 std::vector<std::int64_t> atom_numbers(const Grains<Dim>& grains) {
   std::vector<std::int64_t> numbers = grains.id;

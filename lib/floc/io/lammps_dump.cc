@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::string_view kFrameBegins = "ITEM: TIMESTEP";
 
-/// Lines of one frame of a dump and, at the end, the first line of the next frame.
+/// Lines of one frame of a dump, followed by the first line of the next frame.
 class FrameText {
  public:
   /// @param first  number of the first line of the frame in the file, from 1
@@ -58,8 +58,8 @@ class FrameText {
   PackedStrings lines_;
 };
 
-/// Reads the frames of a dump one by one, because the file may exceed the memory. Keeps only the last frame that the
-/// function `wanted` selects.
+/// Reads the frames of a dump one by one, because the file may be larger than the memory. Keeps only the last of the
+/// frames that the function `wanted` selects.
 class FrameSearch {
  public:
   /// @param wanted  function that returns whether to select a frame, given the number of the frame (from 0) and the
@@ -155,8 +155,8 @@ std::vector<double> box_numbers(const FrameText& dump, std::size_t at, const std
   return numbers;
 }
 
-/// Reads a general triclinic box, "ITEM: BOX BOUNDS abc origin": three lines, each with a lattice vector and a component
-/// of the corner of the box.
+/// Reads a general triclinic box, "ITEM: BOX BOUNDS abc origin": three lines, each with a lattice vector and one
+/// component of the corner of the box.
 void read_general_box(const FrameText& dump, std::size_t at, const std::vector<std::string>& tokens,
                       DumpFrame& frame) {
   frame.box_place = dump.place(at);
@@ -171,7 +171,7 @@ void read_general_box(const FrameText& dump, std::size_t at, const std::vector<s
 }
 
 /// Reads the box of a frame. Line `at` of the frame is the header of the box. Each of the three lines below it contains
-/// a lower and an upper bound, between which the box lies along one axis, and a tilt if the box is triclinic.
+/// the lower and the upper bound of the box along one axis, and a tilt if the box is triclinic.
 void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
   std::vector<std::string> tokens = tokenize(dump[at].substr(std::string("ITEM: BOX BOUNDS").size()));
   if (tokens.size() >= 2 && tokens[0] == "abc" && tokens[1] == "origin")
@@ -188,8 +188,8 @@ void read_box(const FrameText& dump, std::size_t at, DumpFrame& frame) {
     rows[a] = box_numbers(dump, at + 1 + a, what, tilted ? 3 : 2);
   }
   const double xy = tilted ? rows[0][2] : 0.0, xz = tilted ? rows[1][2] : 0.0, yz = tilted ? rows[2][2] : 0.0;
-  // The bounds of a triclinic box enclose the tilted box. Subtracting the tilts gives the bounds of its sides (LAMMPS
-  // manual, Howto triclinic).
+  // The bounds of a triclinic box enclose the tilted box. The bounds of its sides are obtained by subtracting the tilts
+  // (LAMMPS manual, Howto triclinic).
   rows[0][0] -= std::min({0.0, xy, xz, xy + xz});
   rows[0][1] -= std::max({0.0, xy, xz, xy + xz});
   rows[1][0] -= std::min(0.0, yz);
@@ -208,7 +208,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
   frame.timestep = dump.integer(1, "the time step");
   std::int64_t n = -1;
   std::size_t at = 2;
-  // The table comes last in a frame. The number of its rows and the box may come in any order before it. The items TIME
+  // The table is the last part of a frame. The number of its rows and the box precede it in any order. The items TIME
   // and UNITS, which LAMMPS writes on request, are skipped.
   for (;;) {
     const std::string_view line = dump.line(at, "ITEM: " + items);
@@ -246,7 +246,7 @@ DumpFrame read_frame(const FrameText& dump, const std::string& items) {
 }
 
 /// Reads the grains of a dump: the frame number `options.index` (from 0) or, without this option, the last frame.
-/// @param remarks  a sentence that says which frame was read is added to this list
+/// @param remarks  list to which a sentence is added that names the frame that was read
 DumpFrame read_grain_frame(const std::string& path, const ImportOptions& options,
                            std::vector<std::string>& remarks) {
   const FrameSearch search(
@@ -272,8 +272,9 @@ CsvTable read_contact_frame(const std::string& path, std::optional<std::int64_t>
                                      *timestep, fmt::join(search.timesteps(), ", ")));
 }
 
-/// Finds the columns of the positions and adds them to `names` under the keys x, y and z. They are the columns x, xu,
-/// xs or xsu (y and z alike), the first of these that the dump has. If `names` has the key x already, nothing is added.
+/// Finds the columns of the positions and adds them to `names` under the keys x, y and z. They are the first of the
+/// columns x, xu, xs and xsu that the dump contains, and the corresponding columns of y and z. If `names` already has
+/// the key x, nothing is added.
 /// @return whether the positions are scaled, that is, expressed in units of the lattice vectors
 bool find_positions(const CsvTable& table, std::map<std::string, std::string>& names) {
   for (const char* suffix : {"", "u", "s", "su"}) {

@@ -25,10 +25,10 @@ int keyword_index(const Hdf5Reader& file, const std::string& group, const std::s
 }
 
 /// Returns the keys of the parameters that a state file contains for a slot (a component of the contact law, such as
-/// friction), each key once. They are the parameters of the model in the slot, and of all models whose parameters are
-/// in every file (with the value zero if the law has another model).
+/// friction), each key once. These are the parameters of the model in the slot, and the parameters of all models that
+/// are written into every file (with the value zero if the law has another model).
 /// @param present  index of the model in the slot, -1 if the slot is empty
-/// @param choices  true: parameters whose value is a keyword; false: parameters whose value is a number
+/// @param choices  true for parameters whose value is a keyword; false for parameters whose value is a number
 std::vector<std::string> keys_of(const DeclaredSlot& slot, int present, bool choices) {
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
@@ -51,8 +51,7 @@ std::string attribute_name(const std::string& slot, const std::string& key) {
 }
 
 /// Whether every state file has an attribute with the keyword of the model in this slot ("none" if the slot is empty).
-/// If all models of the slot were added to the file format later, only files of laws with such a model have the
-/// attribute.
+/// Only some files have it if all models of the slot were added to the file format after its first version.
 bool is_named_in_every_file(const DeclaredSlot& slot) {
   return std::any_of(slot.models.begin(), slot.models.end(),
                      [](const DeclaredModel& model) { return model.is_in_every_file; });
@@ -77,7 +76,8 @@ void write_slot(Hdf5Writer& file, const std::string& group, const DeclaredSlot& 
   }
 }
 
-/// Checks that a file has the value zero or "none" for those parameters of a slot that its model does not have.
+/// Checks that a file has the value zero or "none" for each parameter of a slot that the model in the slot does not
+/// have.
 /// @param present  index of the model in the slot, -1 if the slot is empty
 /// @throws InputError naming the attribute of a parameter with another value
 void require_nothing_else(const Hdf5Reader& file, const std::string& group, const DeclaredSlot& slot,

@@ -42,10 +42,10 @@ std::vector<std::string> all_keys() {
 }
 
 /// Returns the model of a slot (a component of the contact law, such as friction) that has all of the keys `given` for
-/// this slot. If several models have all of them, a model that is compatible with the models chosen for the previous
-/// slots (`before`) is preferred, then a model whose numbers are all given. If no model has all of the keys, the first
-/// model of the slot is returned, so that the caller can report the wrong key. Models without parameters, such as rigid
-/// contacts, have to be named.
+/// this slot. If there are several such models, a model that is compatible with the models of the previous slots
+/// (`before`) is preferred, then a model all of whose numbers are given. If there is none, the first model of the slot
+/// is returned, so that the caller can report the wrong key. Models without parameters, such as rigid contacts, must be
+/// named.
 const DeclaredModel& described_model(const DeclaredSlot& slot, const std::vector<std::string>& given,
                                      const LawParameters& before) {
   const auto has_all = [&](const DeclaredModel& m) {

@@ -21,7 +21,7 @@
 namespace floc {
 namespace {
 
-/// Converts the bytes of a number, the most significant first, to double.
+/// Converts the bytes of a number, the most significant byte first, to a double.
 template <class T>
 double big_endian(const char* bytes) {
   std::array<char, sizeof(T)> native;
@@ -52,7 +52,7 @@ const std::map<std::string_view, NumberType>& number_types() {
   return types;
 }
 
-/// Reads a file from its beginning to its end, in lines and in arrays of numbers.
+/// Content of a file, which is read from its beginning to its end as lines and as arrays of numbers.
 class Content {
  public:
   explicit Content(const std::string& path) : path_(path), bytes_(read_file(path)), rest_(bytes_) {}
@@ -82,13 +82,13 @@ class Content {
 
   void set_binary(bool binary) { binary_ = binary; }
 
-  /// Reads the next `n` numbers of a type. @param what  name of the array in messages
+  /// Reads the next `n` numbers of the given type. @param what  name of the array in messages
   std::vector<double> numbers(std::size_t n, std::string_view type, const std::string& what) {
     const auto known = number_types().find(type);
     if (known == number_types().end())
       throw InputError(path_,
                        fmt::format("{} has the type {}, expected a type of numbers such as float", what, type));
-    // Each number takes a byte at least, so that this refuses a wrong count before memory is spent.
+    // Each number takes at least one byte. A wrong count is therefore refused here, before memory is allocated.
     if (n > rest_.size())
       throw InputError(path_, fmt::format("the file ends within {}, which has {} numbers", what, n));
     std::vector<double> values(n);
@@ -96,7 +96,7 @@ class Content {
     return values;
   }
 
-  /// Returns a count, one of the words of a line.
+  /// Returns the count in word `k` of a line.
   std::size_t count(const std::vector<std::string_view>& words, std::size_t k) const {
     const auto value = k < words.size() ? parse_number<std::int64_t>(words[k]) : std::nullopt;
     if (!value || *value < 0 || *value > 3'000'000'000)
@@ -131,14 +131,15 @@ class Content {
   bool binary_ = false;
 };
 
-/// The points of a file and the arrays of their data.
+/// The points of a file and the arrays of data at the points.
 struct PointFile {
   std::vector<double> x;
   std::vector<std::pair<std::string, std::vector<double>>> arrays;
 };
 
-/// Skips the arrays of a data set that give its cells. A line such as "VERTICES 3 6" has the count of numbers, and in files
-/// of version 5 "VERTICES 4 3" the counts of two arrays, OFFSETS and CONNECTIVITY, that follow with their types.
+/// Skips the arrays of a data set that describe its cells. In older files, a line such as "VERTICES 3 6" ends with the
+/// count of all numbers. In files of version 5, "VERTICES 4 3" contains the counts of two arrays, OFFSETS and
+/// CONNECTIVITY, which follow with their types.
 void skip_cells(const std::vector<std::string_view>& words, Content& file) {
   if (words[0] == "CELL_TYPES") {
     file.numbers(file.count(words, 1), "int", "CELL_TYPES");

@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Reverses the forces and moments of a listed contact, and its image, because its two bodies change places.
+/// Reverses the forces, the moments and the image of a listed contact. This is needed if its two bodies are exchanged.
 void reverse_actions(ListedContact& contact);
 
-/// Makes a contact between a grain and a wall of a contact of which one body is a wall.
-/// @param walls  the walls among the bodies of the file, by their identifiers
+/// If one body of a contact is a wall, changes the contact to one between a grain and this wall.
+/// @param walls  walls among the bodies of the file; the key is the identifier of the body
 /// @throws InputError naming the place of the contact if both bodies are walls
 void name_wall(const std::map<std::int64_t, WallSide>& walls, ListedContact& contact);
 

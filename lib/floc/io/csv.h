@@ -64,8 +64,8 @@ class CsvTable {
   std::string number_text(int row, int column) const;
   /// Converts the text of a cell: number() to a finite number, integer() to an integer. integer() also accepts "3.0"
   /// and "3.000e+00", because many programs write integers like real numbers.
-  /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer, or if
-  /// it has a decimal point although other cells of the table have decimal commas
+  /// @throws InputError naming file, line, column and value if the cell is not a finite number, or not an integer, or
+  /// if it has a decimal point although other cells of the table have decimal commas
   double number(int row, int column) const;
   /// Converts the text of a cell to the sum of two doubles, which keeps more digits than one double: see decimal().
   /// @throws InputError under the conditions of number()

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Whether a file is probably XYZ: its first line is a number, and its second line contains "Properties=" (extended XYZ)
-/// or its name ends in .xyz.
+/// Whether a file is probably XYZ: its first line is a number, and either its second line contains "Properties="
+/// (extended XYZ) or its name ends in .xyz.
 bool is_extended_xyz(const std::string& path);
 
 /// Reads one frame of an extended XYZ file: frame number `options.index` (from 0), or the last frame by default. The

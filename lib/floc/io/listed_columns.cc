@@ -22,12 +22,12 @@ double positive(const CsvTable& table, int row, int column) {
   throw InputError(table.place(row), fmt::format("{} = {}, must be positive", table.columns()[column], value));
 }
 
-/// Returns the index of the column that floc calls `name`, or -1 if there is no such column.
+/// Returns the index of the column of the quantity `name`, or -1 if there is no such column.
 int column_if(const NamedColumns& columns, const std::string& name) {
   return columns.has(name) ? columns.column(name) : -1;
 }
 
-/// A column of numbers, and the factor that converts them to the unit that is wanted.
+/// A column of numbers, and the factor that converts them to the required unit.
 struct Quantity {
   UnitColumn column;
   double factor = 1.0;
@@ -92,8 +92,9 @@ struct ContactColumns {
         normal(numbered(names, "normal", dimension)) {}
 };
 
-/// Reads the two bodies of a contact: identifiers of grains, or the name of a wall, such as "x-", and a grain.
-/// @return whether the wall comes first, so that the bodies have to be exchanged
+/// Reads the two bodies of a contact: the identifiers of two grains, or the identifier of a grain and the name of a
+/// wall, such as "x-".
+/// @return whether the wall is the first body, so that the two bodies must be exchanged
 bool read_bodies(const CsvTable& table, int row, const ContactColumns& columns, ListedContact& c) {
   const auto first = wall_side(table.text(row, columns.id1)), second = wall_side(table.text(row, columns.id2));
   if (first && second)
@@ -124,7 +125,7 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
     c.shear_force.reset();
   }
   c.rolling_moment = vector_of(table, row, columns.rolling_moment);
-  // In two dimensions the rolling moment is a scalar, stored as the third component of a vector.
+  // In 2D the rolling moment is a scalar. It is stored as the third component of a vector.
   if (columns.rolling_moment_2d >= 0)
     c.rolling_moment = Eigen::Vector3d(0.0, 0.0, table.number(row, columns.rolling_moment_2d));
   c.twisting_moment = number_of(table, row, columns.twisting_moment);
@@ -140,7 +141,8 @@ ListedContact read_contact(const CsvTable& table, int row, const ContactColumns&
   return c;
 }
 
-/// Refuses a column whose unit is not `expected`. @param why  where `expected` comes from, for messages
+/// Checks the unit of a column.
+/// @param why  reason why the unit must be `expected`, for messages
 void require_unit(const CsvTable& table, const UnitColumn& column, const std::string& expected,
                   const char* why) {
   if (column.unit == expected) return;
@@ -156,7 +158,7 @@ void require_one_unit_of_force(const NamedColumns& names, const std::string& uni
     if (name.find("force") == std::string::npos || !names.has(name)) continue;
     const UnitColumn column = names.unit_column(name);
     if (units == "SI" && !column.unit.empty()) require_unit(names.table(), column, "N", "the unit of SI");
-    if (first) require_unit(names.table(), column, *first, "as the other forces are");
+    if (first) require_unit(names.table(), column, *first, "the unit of the other forces");
     first = column.unit;
   }
 }
@@ -207,7 +209,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
   const CsvTable& table = columns.table();
   std::vector<Quantity> axis = {columns.unit_column("x"), columns.unit_column("y")};
   if (columns.has("z")) axis.push_back(columns.unit_column("z"));
-  // If x has no unit, lengths are in the unit of the user, also in SI units.
+  // If x has no unit, lengths are in the unit that the user chose, also in SI units.
   const std::string length = units == "SI" && !axis[0].column.unit.empty() ? "m" : axis[0].column.unit;
   for (Quantity& of : axis) of.convert_to(table, length);
   std::vector<int> low;
@@ -235,7 +237,7 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
     for (std::size_t k = 0; k < axis.size(); ++k) {
       const DoubleDouble x = table.double_double_number(row, axis[k].column.index) * axis[k].factor;
       grain.position[k] = x.high;
-      // If the file has a column x_low, its value replaces x.low, which contains the digits of x beyond the precision
+      // If the file has a column x_low, its value replaces x.low. x.low contains the digits of x beyond the precision
       // of a double.
       grain.position_low[k] = low[k] >= 0 ? table.number(row, low[k]) * axis[k].factor : x.low;
     }

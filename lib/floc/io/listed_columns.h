@@ -11,45 +11,44 @@
 
 namespace floc {
 
-/// Returns the name among `names` that is `name` but for capital letters; `name` itself if there is none, or if it is a
-/// single letter.
+/// Returns the element of `names` that equals `name` if capital and small letters are not distinguished. Returns `name`
+/// itself if there is none, or if `name` is a single letter.
 std::string any_case(const std::string& name, const std::vector<std::string>& names);
 
 /// A column that gives the size of grains: a radius or a diameter.
 struct SizeColumn {
   const char* name;
-  /// Radius of a grain for which this column contains 1, so 1 for radii and 0.5 for diameters.
+  /// Radius of a grain whose value in this column is 1: 1 for radii and 0.5 for diameters.
   double radius_of_one;
 };
 
-/// Returns the columns of a table that give the size of grains: those of the columns radius, r and diameter that the
-/// table has or, if the user renamed some of these, only the renamed columns. The first column sets the radius; the
-/// others have to agree with it (require_same_size()).
+/// Returns the columns of a table that give the size of grains. These are the columns radius, r and diameter that the
+/// table contains or, if the user renamed some of them, only the renamed columns. The first column sets the radius; the
+/// others must agree with it (require_same_size()).
 /// @param has  function that returns whether the table has a column with a given name
-/// @param given  map from names that floc uses to names of columns, given by the user
+/// @param given  names of columns that the user gave; the key is the name that floc uses
 std::vector<SizeColumn> size_columns(const std::function<bool(const std::string&)>& has,
                                      const std::map<std::string, std::string>& given);
 
 /// Checks that two columns, `one` and `other`, give the same radius for a grain, `radius` and `other_radius`.
 /// @param place  place of the grain in messages
-/// @throws InputError if the two radii differ by more than rounding to six digits, which many files have
+/// @throws InputError if the two radii differ by more than the rounding error of six digits
 void require_same_size(const FileLine& place, const SizeColumn& one, double radius, const SizeColumn& other,
                        double other_radius);
 
 /// Reads grains from a table, one per row. The columns are x, y[, z] and radius (or r, or diameter). Optional columns
-/// are mass, id (default: number of the row, from 0) and x_low, y_low[, z_low], small numbers that are added to x, y, z
-/// to give the position with more digits than one double has.
-/// Lengths whose columns have units, as in "radius [um]", are converted to the unit of the column x or, in SI units, to
-/// metres. In SI units a mass with a unit has to be in kg.
+/// are mass and id (default: number of the row, from 0), and x_low, y_low[, z_low]. The latter are small numbers that
+/// are added to x, y, z to give the position with more digits than one double has. Lengths whose columns have units, as
+/// in "radius [um]", are converted to the unit of the column x or, in SI units, to metres. In SI units a mass with a
+/// unit must be in kg.
 /// @param units  unit system of the packing, "reduced" or "SI"
-/// @throws InputError naming file, line and column for a missing column, a value that is not a number, a radius or mass
-/// that is not positive, a radius and a diameter that contradict each other, or units that contradict each other
+/// @throws InputError naming file, line and column if a column is missing, a value is not a number, a radius or mass is
+/// not positive, a radius and a diameter contradict each other, or units contradict each other
 std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::string& units = "reduced");
 
-/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains, or of a grain
-/// and the name of a wall, such as "x-". The columns
-/// below are optional. Names that end in 1.. are those of several columns, the components of a vector: image1, image2
-/// and, in 3D, image3.
+/// Reads contacts from a table, one per row. The columns id1 and id2 are the identifiers of the two grains, or of a
+/// grain and the name of a wall, such as "x-". The columns below are optional. A name that ends in 1.. denotes several
+/// columns, the components of a vector. For example, image1.. denotes image1, image2 and, in 3D, image3.
 ///   image1..         numbers of cells by which grain id2 is displaced along the lattice vectors
 ///   force1..         force on grain id1; the normal force alone if the table also has shear_force1..
 ///   normal_force     normal force, instead of force1..
@@ -67,14 +66,15 @@ std::vector<ListedGrain> read_grains(const NamedColumns& columns, const std::str
 std::vector<ListedContact> read_contacts(const NamedColumns& columns, int dimension,
                                          const std::string& units = "reduced");
 
-/// Names of the columns that every table of grains and every table of contacts has, which help to find its header.
+/// Names of the columns of tables of grains and of tables of contacts. They help to find the header of a table.
 std::vector<std::string> grain_names();
 std::vector<std::string> contact_names();
 
-/// Check that the user renamed only columns that floc reads: columns of grains or, in the second function, of contacts.
+/// Check that the user renamed only columns that floc reads: columns of grains (first function) or of contacts (second
+/// function).
 /// @param option  name of the option with which the user renamed columns, for messages
-/// @param given  map from names that floc uses to names of columns, as the user gave it
-/// @throws InputError naming `option` if a key of `given` is not the name of such a column
+/// @param given  names of columns that the user gave; the key is the name that floc uses
+/// @throws InputError naming `option` if a key of `given` is not the name of a column that floc reads
 void check_grain_columns(const std::string& option, const std::map<std::string, std::string>& given);
 void check_contact_columns(const std::string& option, const std::map<std::string, std::string>& given);
 

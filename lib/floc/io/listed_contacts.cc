@@ -23,21 +23,21 @@ namespace {
 /// Largest distance of a tangential force from the limit of friction, relative to this limit, at which the force counts
 /// as mobilised (at its limit). Files print forces with six digits or more.
 constexpr double kCapTolerance = 1e-6;
-/// A tangential force below this fraction of the normal force of the same contact is taken for a rounding error.
+/// A tangential force below this fraction of the normal force of the same contact counts as a rounding error.
 constexpr double kNoShear = 1e-9;
 /// Rounding error of a scalar product, relative to the product of the lengths of the two vectors.
 constexpr double kRounding = 1e-15;
-/// A force below this fraction of the largest listed force is taken for a rounding error.
+/// A force below this fraction of the largest listed force counts as a rounding error.
 constexpr double kNoForce = 1e-9;
 /// Two grains cannot be in contact if their gap exceeds the range of the law by more than this fraction of their mean
 /// radius. The fraction is large because a file may have few digits.
 constexpr double kFarthestGap = 0.1;
 /// Largest accepted difference between a listed normal force and the normal component of the total force listed for the
-/// same contact, relative to the total force. Rounding of positions to six digits rotates the contact normal, but
-/// changes this component by less.
+/// same contact, relative to the total force. If positions are rounded to six digits, the contact normal rotates, but
+/// this component changes by less.
 constexpr double kSameForce = 1e-3;
 
-/// Whether the two grains of a contact have to be exchanged so that the grain with the lower index comes first. A
+/// Whether the two grains of a contact must be exchanged so that the grain with the lower index comes first. The
 /// contact of a grain with its own image is exchanged if find_pairs() uses the opposite image.
 template <int Dim>
 bool is_reversed(const Contact<Dim>& c) {
@@ -84,8 +84,8 @@ GivenForces<Dim> given_forces(const ListedContact& listed, bool reversed, const 
   return given;
 }
 
-/// Replaces the forces and stiffnesses of a contact, which the law has given, by those that the file lists.
-/// @throws InputError for a listed force or stiffness (tangential, rolling, twisting) that the law does not have
+/// Replaces the forces and stiffnesses of a contact, which were computed by the law, by those that the file lists.
+/// @throws InputError if a listed tangential, rolling or twisting force or stiffness does not exist in the law
 template <int Dim>
 void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const GivenForces<Dim>& given,
                 Contact<Dim>& c) {
@@ -117,7 +117,7 @@ void set_forces(const Packing<Dim>& packing, const ListedContact& listed, const 
 
 /// Checks one stiffness that a file may list for a contact.
 /// @param name  name of the column of the stiffness
-/// @param right  whether `value` is an allowed value
+/// @param right  whether `value` is allowed
 /// @param expected  description of the allowed values, for the message
 /// @throws InputError if `value` is listed and not allowed
 void require_stiffness(const ListedContact& listed, const char* name, const std::optional<double>& value,
@@ -132,13 +132,13 @@ void require_stiffnesses(const ListedContact& listed) {
   require_stiffness(listed, "ktw", listed.ktw, listed.ktw >= 0.0, "a twisting stiffness >= 0");
 }
 
-/// Name of the second body of a listed contact.
+/// Returns the name of the second body of a listed contact.
 std::string second_name(const ListedContact& row) {
   return row.wall ? row.wall->name() : std::to_string(row.id2);
 }
 
-/// Makes the contacts of a packing from the contacts that a file lists, and counts the listed contacts that are left
-/// out or get another image.
+/// Makes the contacts of a packing from the contacts that a file lists. Counts the listed contacts that are left out,
+/// and those whose image is replaced.
 template <int Dim>
 class ListedContacts {
  public:
@@ -152,8 +152,8 @@ class ListedContacts {
     for (const ListedContact& row : *listed.contacts) largest_force_ = std::max(largest_force_, force_of(row));
   }
 
-  /// Makes the contact that one row of the table of contacts describes. Listed forces replace the forces of the law.
-  /// Returns nothing if the contact is left out.
+  /// Makes the contact that is described in one row of the table of contacts. Listed forces replace the forces of the
+  /// law. Returns nothing if the contact is left out.
   std::optional<Contact<Dim>> place(const ListedContact& row) {
     Contact<Dim> c;
     c.i = identifiers_.index(row.place, "id1", row.id1);
@@ -185,14 +185,14 @@ class ListedContacts {
     require_direction(row, c);
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal && row.has_stiffness())
-      throw InputError(row.place.text(), "a stiffness is listed for the contact, but no normal force");
+      throw InputError(row.place.text(),
+                       "a stiffness is listed for the contact, but no normal force: expected both");
     if (given.normal && pulls_without_adhesion(row, *given.normal, c)) return std::nullopt;
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
-    // The sign of kn is tested only for surfaces that touch, because kn is negative for an attraction across a gap.
+    // The sign of kn is tested only if the surfaces touch, because kn is negative for an attraction across a gap.
     if (!c.distant)
-      require_stiffness(row, "kn", row.kn, row.kn > 0.0,
-                        "a positive number, the stiffness of surfaces that touch");
+      require_stiffness(row, "kn", row.kn, row.kn > 0.0, "a positive number, because the surfaces touch");
     compare_stiffnesses(row, c);
     return c;
   }
@@ -203,7 +203,7 @@ class ListedContacts {
     return counts;
   }
 
-  /// Checks that no contact was left out because its force is tensile and the law has no adhesion.
+  /// Checks that no contact was left out because its force is tensile although the law has no adhesion.
   /// @throws InputError naming the first contact that was left out for this reason
   void require_no_tensile() const {
     if (counts_.n_tensile == 0) return;
@@ -211,8 +211,9 @@ class ListedContacts {
     throw InputError(
         first_tensile_.row->place.text(),
         fmt::format(
-            "the contact of grains {} and {} pulls with the force {:.6g}, as {} of the {} listed contacts do, "
-            "but the law has no adhesion: {}, or leave out the contacts that pull with --drop-tensile",
+            "the contact of grains {} and {} carries a tensile force of {:.6g}, and {} of the {} listed "
+            "contacts are tensile, but the law has no adhesion: {}, or leave out tensile contacts with "
+            "--drop-tensile",
             first_tensile_.row->id1, second_name(*first_tensile_.row), -first_tensile_.normal_force,
             counts_.n_tensile, counts_.n_read,
             adhesive_law_exists
@@ -237,19 +238,19 @@ class ListedContacts {
     }
     throw InputError(
         row.place.text(),
-        fmt::format("the contact is one of grain {} with the wall {}, but the packing has no wall there: "
-                    "give --walls",
-                    row.id1, row.wall->name()));
+        fmt::format(
+            "the contact is between grain {} and the wall {}, but the packing has no such wall: give --walls",
+            row.id1, row.wall->name()));
   }
 
-  /// Whether a contact is left out because its force is tensile and its law has no adhesion; counts it then.
+  /// Returns whether a contact is left out because its force is tensile and its law has no adhesion. If so, counts it.
   bool pulls_without_adhesion(const ListedContact& row, double normal_force, const Contact<Dim>& c) {
     if (normal_force >= -kNoForce * largest_force_ || packing_.law_of(c).adheres()) return false;
     if (counts_.n_tensile++ == 0) first_tensile_ = {&row, normal_force};
     return true;
   }
 
-  /// Makes the contact of grains with corners at one contact point; nothing if it is left out.
+  /// Makes the contact of grains with corners at one contact point. Returns nothing if it is left out.
   std::optional<Contact<Dim>> point(const ListedContact& row, Contact<Dim> c) {
     if (row.bond)
       throw InputError(row.place.text(), "bonds join disks and spheres, but the grains have corners");
@@ -263,7 +264,7 @@ class ListedContacts {
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     if (!given.normal)
       throw InputError(row.place.text(),
-                       "the contact has no force, which a contact of grains with corners needs");
+                       "the contact has no force: expected a force for every contact of grains with corners");
     if (pulls_without_adhesion(row, *given.normal, c)) return std::nullopt;
     require_stiffnesses(row);
     set_forces(packing_, row, given, c);
@@ -271,12 +272,12 @@ class ListedContacts {
     return c;
   }
 
-  /// Whether a contact is a bond: it has a stiffness of its own although its surfaces do not touch.
+  /// Whether a contact is a bond: it is listed as a bond, or it has a stiffness although its surfaces do not touch.
   bool is_bond(const ListedContact& row, const Contact<Dim>& c) const {
     return row.bond || (row.kn > 0.0 && c.gap >= range_of(packing_, c) && !touches(packing_, c));
   }
 
-  /// Makes a bond, which acts with its own stiffnesses whatever the law says; without a listed force it is unstressed.
+  /// Makes a bond. It acts with its own stiffnesses, independent of the law. Without a listed force it is unstressed.
   Contact<Dim> bond(const ListedContact& row, Contact<Dim> c) {
     require_one_image(row, c);
     const bool reversed = put_in_order(c);
@@ -284,7 +285,7 @@ class ListedContacts {
     require_direction(row, c);
     require_stiffnesses(row);
     require_stiffness(row, "kn", row.kn.value_or(0.0), row.kn.value_or(0.0) > 0.0,
-                      "a positive number, the stiffness of the bond");
+                      "a positive stiffness of the bond");
     const GivenForces<Dim> given = given_forces<Dim>(row, reversed, c.normal);
     c.normal_force = given.normal.value_or(0.0);
     c.elastic_force = std::max(c.normal_force, 0.0);
@@ -300,8 +301,8 @@ class ListedContacts {
     return c;
   }
 
-  /// Makes a contact of two grains of which one is turned by a boundary that is no lattice, so that their positions do not
-  /// show how they touch. It keeps the listed force and has no stiffness.
+  /// Makes a contact across a boundary that rotates one of the two grains, so that no lattice translation brings them
+  /// into contact. The contact keeps the listed force and has no stiffness.
   Contact<Dim> distant_force(const ListedContact& row, Contact<Dim> c) {
     const bool reversed = put_in_order(c);
     floc::place(locate(packing_, c), c);
@@ -314,7 +315,7 @@ class ListedContacts {
     return c;
   }
 
-  /// Exchanges the bodies of a contact if the second one has to come first. @return whether they were exchanged
+  /// Exchanges the bodies of a contact if the second body must come first. @return whether they were exchanged
   bool put_in_order(Contact<Dim>& c) const {
     if (packing_.is_wall(c.j) || !is_reversed(c)) return false;
     std::swap(c.i, c.j);
@@ -333,8 +334,8 @@ class ListedContacts {
   void compare_stiffnesses(const ListedContact& row, const Contact<Dim>& c) {
     if (!row.has_stiffness()) return;
     Contact<Dim> touching = c;
-    // If the file does not list liquid bridges, every pair of grains that touch is taken to have a bridge, which
-    // attracts with its full strength.
+    // If the file lists no liquid bridges, every pair of touching grains is taken to have a bridge. It attracts with
+    // its full strength.
     if (const CapillaryAdhesion* liquid = packing_.law.liquid();
         liquid != nullptr && touches(packing_, c) && bridge_volume(packing_, c) == 0.0)
       touching.elastic_force = std::max(
@@ -371,9 +372,9 @@ class ListedContacts {
     if (holds_liquid(packing_)) set_bridge_volume(*row.bridge_volume, c);
   }
 
-  /// Sets the periodic image of the second grain of a contact. It is the listed image if the grains can touch there,
-  /// otherwise the nearest image. Some programs move the positions into the cell but list images for positions outside
-  /// it.
+  /// Sets the periodic image of the second grain of a contact. It is the listed image if the grains can touch at this
+  /// image, otherwise the nearest image. Some programs move the positions into the cell but list images that refer to
+  /// the positions outside it.
   void set_image(const ListedContact& row, Contact<Dim>& c) {
     if (row.image) c.image = row.image->template head<Dim>();
     if (row.image && c.i == c.j && c.image.isZero())
@@ -391,7 +392,7 @@ class ListedContacts {
   }
 
   /// Checks the distance between the grains of a contact.
-  /// @throws InputError if they are so many cells apart that this number may not fit an int
+  /// @throws InputError if the grains are so far apart that the number of cells between them may not fit an int
   void require_within_reach(const Contact<Dim>& c) const {
     const Vec<Dim> apart = packing_.grains.position[c.j] - packing_.grains.position[c.i];
     if (packing_.cell.reduced(apart).cwiseAbs().maxCoeff() < kFarthestImage) return;
@@ -402,7 +403,7 @@ class ListedContacts {
                     listed_.grains[c.j].place.text()));
   }
 
-  /// Checks the periodic image of the second grain that set_image() chose for a contact.
+  /// Checks the periodic image of the second grain that set_image() has chosen for a contact.
   /// @throws InputError if no image was listed and another image may be equally near
   void require_one_image(const ListedContact& row, const Contact<Dim>& c) const {
     if (row.wall) return;
@@ -411,18 +412,19 @@ class ListedContacts {
     if (chosen && distance >= half_width_)
       throw InputError(row.place.text(),
                        fmt::format("the centres of the grains are {:.6g} apart, not less than half the width "
-                                   "of the cell ({:.6g}): the list of contacts has to give, in the columns "
-                                   "image1.., which image of the second grain touches the first{}",
+                                   "of the cell ({:.6g}): the list of contacts must give, in the columns "
+                                   "image1.., the image of the second grain that touches the first{}",
                                    distance, half_width_, counting_hint(listed_)));
   }
 
-  /// @throws InputError if the bodies of a contact are too far apart to touch
+  /// Checks that the bodies of a contact are near enough to touch.
+  /// @throws InputError if they are not
   void require_possible(const ListedContact& row, const Contact<Dim>& c) const {
     if (row.wall && !can_touch(c))
       throw InputError(
           row.place.text(),
-          fmt::format("grain {} carries a force of {:.6g} at the wall {}, but its gap is {:.6g} (radius "
-                      "{:.6g}): the wall or the grain is at another place",
+          fmt::format("grain {} carries a force of {:.6g} at the wall {}, but the gap is {:.6g} (radius "
+                      "{:.6g}): the position of the wall or of the grain is wrong",
                       row.id1, force_of(row), row.wall->name(), gap_of(c), packing_.grains.radius[c.i]));
     if (!can_touch(c))
       throw InputError(
@@ -464,7 +466,7 @@ ListedContactCounts add_contacts(const ListedPacking& listed, const Identifiers&
   if (!listed.drop_tensile) contacts.require_no_tensile();
   std::stable_sort(placed.begin(), placed.end(),
                    [&](const Placed& a, const Placed& b) { return order(a.first) < order(b.first); });
-  // A bond takes the place of a contact of the same two bodies.
+  // If two bodies have both a bond and a contact, the bond replaces the contact.
   for (std::size_t k = 1; k < placed.size(); ++k)
     if (order(placed[k].first) == order(placed[k - 1].first) &&
         placed[k].second->bond != placed[k - 1].second->bond)

@@ -25,7 +25,8 @@ Identifiers::Identifiers(const ListedPacking& listed) : listed_(listed) {
   index_.reserve(grains.size());
   for (const ListedGrain& grain : grains) index_.emplace_back(grain.id, static_cast<int>(index_.size()));
   std::sort(index_.begin(), index_.end());
-  // If several identifiers occur twice, the error names the grain that comes first in the file among the second ones.
+  // If several identifiers are repeated, the error names the first grain in the file whose identifier an earlier grain
+  // has.
   int twice = static_cast<int>(grains.size());
   for (std::size_t k = 1; k < index_.size(); ++k)
     if (index_[k].first == index_[k - 1].first) twice = std::min(twice, index_[k].second);
@@ -38,7 +39,7 @@ int Identifiers::index(const FileLine& place, const char* name, std::int64_t id)
   if (found != index_.end() && found->first == id) return found->second;
   throw InputError(
       place.text(),
-      fmt::format("{} = {}: no grain has this id; the ids of grains are from {} to {}; where it is the id of a "
+      fmt::format("{} = {}: no grain has this id; the ids of grains are from {} to {}; if it is the id of a "
                   "wall, give --wall-ids, for example {}=z-{}",
                   name, id, index_.front().first, index_.back().first, id, counting_hint(listed_)));
 }

@@ -9,16 +9,15 @@
 
 namespace floc {
 
-/// Returns the end of an error message about a contact whose grains are unknown or too far apart. It says that the list
-/// of contacts seems to number the grains from 1, although they are numbered from 0. It is empty if the list does not
-/// seem to do so. @pre `listed` has contacts
+/// Returns the end of an error message about a contact whose grains are unknown or too far apart: the list of contacts
+/// seems to number the grains from 1, although they are numbered from 0. Empty if the list does not seem to do so.
 std::string counting_hint(const ListedPacking& listed);
 
-/// Maps the identifiers of grains to the indices of the grains in a listed packing, which has to outlive this object.
+/// Maps the identifiers of grains to the indices of the grains in a listed packing, which must outlive this object.
 class Identifiers {
  public:
-  /// Collects the identifiers of all grains. @throws InputError naming the place of a grain if an earlier grain has the
-  /// same identifier
+  /// Collects the identifiers of all grains.
+  /// @throws InputError naming the place of a grain if an earlier grain has the same identifier
   explicit Identifiers(const ListedPacking& listed);
 
   /// Returns the index of the grain with the identifier `id`.

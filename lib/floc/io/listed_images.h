@@ -9,7 +9,7 @@ namespace floc {
 /// Largest distance of a periodic image from the cell, in numbers of cells. Larger numbers may not fit an int.
 constexpr double kFarthestImage = 1e9;
 
-/// Converts a displacement, given as numbers of cells along the lattice vectors, to integers.
+/// Converts a displacement, expressed in numbers of cells along the lattice vectors, to integers.
 /// @throws InputError naming `place` if a number exceeds kFarthestImage
 template <int Dim>
 Vec<Dim, int> whole_cells(const FileLine& place, const Vec<Dim>& cells);

@@ -21,8 +21,8 @@
 namespace floc {
 namespace {
 
-/// The lattice vectors of a cell are parallel within rounding if the volume of the cell, divided by the product of the
-/// lengths of these vectors, is below this value.
+/// Lattice vectors count as parallel, within rounding, if the volume of the cell divided by the product of their
+/// lengths is below this value.
 constexpr double kFlat = 1e-12;
 
 template <int Dim>
@@ -66,13 +66,14 @@ Grains<Dim> make_grains(const ListedPacking& packing) {
   return grains;
 }
 
-/// Returns both ends of each axis that is not periodic.
+/// Returns the two ends of each axis that is not periodic.
 template <int Dim>
 std::vector<Wall<Dim>> make_walls(const ListedPacking& listed) {
   std::vector<Wall<Dim>> walls;
   for (const ListedEnds& ends : listed.ends) {
     const double side = listed.cell[ends.axis][ends.axis];
-    // An open end lies where the outermost grain ends, which is a side of the cell away from the other end.
+    // If both ends are open, the lower end is placed at the lowest point of the grains. Otherwise an open end is one
+    // side of the cell away from the other end.
     double lowest = std::numeric_limits<double>::infinity();
     for (const ListedGrain& g : listed.grains)
       lowest = std::min(lowest, g.position[ends.axis] - reach_along(listed, g, ends.axis, -1));
@@ -118,8 +119,8 @@ bool lists_liquid(const ListedPacking& listed) {
                      [](const ListedContact& c) { return c.bridge_volume.has_value(); });
 }
 
-/// Reports an inconsistency if the listed volumes of liquid bridges do not add up to the volume of liquid that the
-/// water content in the law gives. Differences by rounding to six digits are accepted.
+/// Reports an inconsistency if the listed volumes of liquid bridges do not add up to the volume of liquid at the water
+/// content of the law. Differences due to rounding to six digits are accepted.
 template <int Dim>
 void add_doubt_of_liquid(const Packing<Dim>& packing, std::vector<std::string>& inconsistencies) {
   constexpr double kDigits = 1e-6;
@@ -167,7 +168,7 @@ Imported assemble_in(const ListedPacking& listed) {
 const Law& required_law(const std::string& path, const ImportOptions& options) {
   if (!options.law)
     throw InputError(path,
-                     "the file holds no contact law: give --law, for example --law "
+                     "the file contains no contact law: give --law, for example --law "
                      "normal.stiffness=1e5,friction.coefficient=0.5,friction.stiffness=5e4");
   return *options.law;
 }
@@ -186,10 +187,10 @@ Imported assemble(const ListedPacking& listed) {
   if (listed.grains.empty()) throw InputError(listed.place, "the file has no grains");
   if (listed.cell.empty())
     throw InputError(listed.place,
-                     "the file holds no cell: give --cell, or --walls for a packing that is not periodic");
+                     "the file contains no cell: give --cell, or --walls for a packing that is not periodic");
   if (listed.cell.size() == 2) return assemble_in<2>(listed);
   if (listed.cell.size() == 3) return assemble_in<3>(listed);
-  throw InputError(listed.cell_place, "the cell has to have two lattice vectors in 2D, or three in 3D");
+  throw InputError(listed.cell_place, "the cell must have two lattice vectors in 2D, or three in 3D");
 }
 
 Imported assemble(ListedPacking listed, const ImportOptions& options) {

@@ -15,15 +15,17 @@
 namespace floc {
 namespace {
 
-/// A contact point may lie outside the circumscribed circle or sphere of a grain by this fraction of its radius. The
-/// fraction is large because a file may have few digits, and the point may lie on either surface.
+/// Largest accepted distance of a contact point from the circumscribed circle or sphere of a grain, as a fraction of
+/// its radius. The fraction is large because a file may have few digits, and the point may lie on either of the two
+/// surfaces.
 constexpr double kFarthestPoint = 0.1;
-/// Keys from this one on belong to no point of two shapes: their reference feature is the number that is left over.
+/// Contact points that correspond to no contact point of the two shapes get keys from this number on.
 constexpr int kFirstFreeKey = kMostFaces << 21;
-/// Points nearer to each other than this, over the smaller radius, are one point of two programs.
+/// Largest distance, divided by the smaller radius, at which contact points of two programs are taken as the same
+/// point.
 constexpr double kOnePointShare = 0.25;
 
-/// Returns a vector without the whole cells that it contains along periodic axes.
+/// Returns the shortest periodic image of a vector: subtracts whole cells along the periodic axes.
 template <int Dim>
 Vec<Dim> nearest_of_images(const Packing<Dim>& packing, const Vec<Dim>& vector) {
   Vec<Dim> cells = packing.cell.reduced(vector);
@@ -41,7 +43,7 @@ void require_near(const ListedContact& row, double distance, double radius, cons
                   distance, body, radius));
 }
 
-/// Returns the type of the contact points of a pair.
+/// Returns the type of the contact points of a pair, from their number and the listed type.
 template <int Dim>
 ContactType type_of(std::size_t n_points, ContactType listed) {
   if (n_points == 1) return listed;
@@ -49,8 +51,8 @@ ContactType type_of(std::size_t n_points, ContactType listed) {
   return ContactType::kDouble;
 }
 
-/// Gives the points of one pair keys: those of the nearest points of the two shapes where there are such, and free
-/// keys to others. @return the contacts in ascending order of their keys
+/// Sets the keys of the contact points of one pair. A point near a contact point of the two shapes gets the key of that
+/// point, any other point a free key. Sorts the points by their keys.
 template <int Dim>
 void number_pair(const Packing<Dim>& packing, std::span<Contact<Dim>> points) {
   const double radius = smaller_radius(packing, points.front());
@@ -74,11 +76,9 @@ void number_pair(const Packing<Dim>& packing, std::span<Contact<Dim>> points) {
 template <int Dim>
 void place_point(const ListedContact& row, bool reversed, const Packing<Dim>& packing, Contact<Dim>& c) {
   if (!row.point)
-    throw InputError(
-        row.place.text(),
-        fmt::format("the contact has no contact point, which a contact of grains with corners needs: "
-                    "expected the columns point1, point2{}",
-                    Dim == 3 ? ", point3" : ""));
+    throw InputError(row.place.text(), fmt::format("the contact has no contact point: expected the columns "
+                                                   "point1, point2{} for contacts of grains with corners",
+                                                   Dim == 3 ? ", point3" : ""));
   const Vec<Dim> to_second = branch(packing, c);
   c.arm_i = nearest_of_images<Dim>(packing, row.point->template head<Dim>() - packing.grains.position[c.i]);
   c.arm_j = c.arm_i - to_second;

@@ -11,8 +11,8 @@ namespace floc {
 struct ListedGrain;
 struct ListedPacking;
 
-/// Shapes of the grains of a listed packing, in the dimension of the packing. Both tables are empty if all grains are disks or
-/// spheres.
+/// Shapes of the grains of a listed packing. Only the table for the dimension of the packing is used. Both tables are
+/// empty if all grains are disks or spheres.
 struct ListedShapes {
   std::vector<Shape<2>> in_2d;
   std::vector<Shape<3>> in_3d;
@@ -31,24 +31,24 @@ struct ListedShapes {
 struct ListedPose {
   int shape = 0;       ///< index in the table of shapes
   double scale = 1.0;  ///< factor by which the shape is magnified
-  /// Axes of the shape in space, one per column: the rotation from the coordinates of the shape to those of space. In 2D the
-  /// third axis is that of z.
+  /// Axes of the shape in space, one per column: the rotation from the coordinates of the shape to those of space. In
+  /// 2D the third axis is z.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 };
 
-/// Gives a listed grain a shape: sets its position (of the centre of mass), its radius and its pose.
+/// Sets the shape of a listed grain: its position (the centre of mass), its radius and its pose.
 /// @param shape  index of the shape in the table of the dimension of the packing
 /// @param scale  factor by which the shape is magnified, > 0
-/// @param origin  place in space of the origin of the points from which the shape was made (length)
-/// @param turn  rotation from the coordinates of these points to those of space
+/// @param origin  position in space of the origin of the coordinates from which the shape was made (length)
+/// @param turn  rotation from these coordinates to those of space
 void set_shape(const ListedShapes& shapes, int shape, double scale, const Eigen::Vector3d& origin,
                const Eigen::Matrix3d& turn, ListedGrain& grain);
 
-/// Returns how far a grain reaches from its centre along an axis (length).
+/// Returns the distance from the centre of a grain to its outermost point along an axis (length).
 /// @param side  1: in the direction of the axis; -1: in the opposite direction
 double reach_along(const ListedPacking& listed, const ListedGrain& grain, int axis, int side);
 
-/// Gives grains the shapes, scales and orientations of the listed grains. Does nothing if all grains are round.
+/// Copies the shapes, scales and orientations of the listed grains to `grains`. Does nothing if all grains are round.
 /// @pre `grains` has as many grains as `listed`
 template <int Dim>
 void set_shapes(const ListedPacking& listed, Grains<Dim>& grains);

@@ -13,7 +13,7 @@ namespace {
 
 const char* const kOption = "--walls";
 
-/// Reads the position of a wall; nothing if `text` is empty, so that this end is open.
+/// Reads the position of a wall. Returns nothing if `text` is empty, which means that this end is open.
 std::optional<double> position_of(const std::string& entry, std::string_view text) {
   text = trimmed(text);
   if (text.empty()) return std::nullopt;
@@ -25,10 +25,11 @@ std::optional<double> position_of(const std::string& entry, std::string_view tex
 /// Returns the lower (side -1) or upper (side 1) face of the box across an axis.
 double face_of(const std::string& entry, const ListedSpace& space, int axis, int side) {
   if (space.cell.empty())
-    throw InputError(kOption,
-                     fmt::format("\"{}\" means a face of the box, but no box is given: give positions, "
-                                 "such as {}=0:10, or --cell",
-                                 entry, "xyz"[axis]));
+    throw InputError(
+        kOption,
+        fmt::format(
+            "\"{}\" denotes a face of the box, but no box is given: give positions, such as {}=0:10, or --cell",
+            entry, "xyz"[axis]));
   const auto a = static_cast<std::size_t>(axis);
   return space.origin[axis] + (side > 0 ? space.cell[a][a] : 0.0);
 }

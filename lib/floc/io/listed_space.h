@@ -23,35 +23,35 @@ std::optional<WallSide> wall_side(const std::string& name);
 /// Boundary along an axis that is not periodic: a wall at its lower end, at its upper end, at both, or at neither.
 struct ListedEnds {
   int axis = 0;
-  /// Position of each wall on the axis (length); empty: the packing ends in free space there.
+  /// Position of each wall on the axis (length); if empty, this end is open.
   std::optional<double> low, high;
 };
 
-/// Statements of a file of another program about the space that a packing fills: its cell, its boundary, its dimension and
-/// the body force.
+/// Data in a file of another program about the space that a packing fills: its cell, its boundary, its dimension and
+/// gravity.
 struct ListedSpace {
   std::string place;  ///< place of these data in the file, for messages
-  /// Three lattice vectors with three components each (length). Empty: the file gives no cell.
+  /// Three lattice vectors with three components each (length). Empty if the file gives no cell.
   std::vector<std::vector<double>> cell;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner from which the lattice vectors start (length)
-  bool positive_sides = false;  ///< whether the diagonal of the cell has to be positive, as in LAMMPS
-  /// Whether the packing is periodic along each lattice vector. Empty: the file does not say so.
+  bool positive_sides = false;  ///< whether the diagonal of the cell must be positive, as in LAMMPS
+  /// Whether the packing is periodic along each lattice vector. Empty if the file does not contain this information.
   std::vector<bool> periodic;
-  /// Words of the file about an axis that is not periodic, for messages, such as: pbc="F F F".
+  /// Text of the file about an axis that is not periodic, for messages, such as: pbc="F F F".
   std::string boundary;
-  /// Ends of the axes that are not periodic, as far as the file gives them. An axis that is not periodic and is missing
-  /// here ends in free space.
+  /// Ends of the axes that are not periodic, as far as the file gives them. An axis that is neither periodic nor in
+  /// this list has two open ends.
   std::vector<ListedEnds> ends;
-  /// Whether the walls of a packing are where grains touch them, so that overlaps with walls are not doubted, as in
-  /// files of floc.
+  /// Whether the positions of the walls are exact, as in files of floc. Overlaps of grains with walls are then no sign
+  /// of an error.
   bool exact_walls = false;
-  std::optional<int> dimension;  ///< 2 or 3; absent: the file does not give it
+  std::optional<int> dimension;  ///< 2 or 3; absent if the file does not give it
   /// Whether the grains lie in the middle of the cell along its third side, as LAMMPS requires in two dimensions.
   bool mid_plane = false;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< acceleration due to gravity (length/time^2)
 };
 
-/// Returns the ends of an axis of `space`, and adds open ends if it has none.
+/// Returns the ends of an axis of `space`. If there are none yet, adds open ends.
 ListedEnds& ends_along(int axis, ListedSpace& space);
 
 /// Adds a wall at a position on its axis. The other end of the axis is open unless it gets a wall, too.
@@ -67,8 +67,9 @@ void add_wall_at_face(const WallSide& wall, ListedSpace& space);
 ///   x-, x+    a wall at the lower or upper face across x; the other end is open
 ///   x=0:10    walls at x = 0 and x = 10; a missing number leaves this end open
 ///
-/// @param space  box whose faces are meant, in the dimension of `n_axes` axes
-/// @throws InputError for an entry of another form, an axis given twice, a face of a box that is not there, or walls in
+/// @param space  box whose faces entries such as "x" denote
+/// @param n_axes  dimension of the packing
+/// @throws InputError for an entry of another form, an axis given twice, a face of a box that is not given, or walls in
 /// the wrong order
 std::vector<ListedEnds> parse_walls(const std::string& text, const ListedSpace& space, int n_axes);
 

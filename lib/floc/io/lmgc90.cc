@@ -51,8 +51,8 @@ class DatFile {
 
   bool has(std::string_view key) const { return line_.find(key) != std::string_view::npos; }
 
-  /// Returns the number after `key` and an equals sign, which is written as in Fortran, with D before the exponent, and may
-  /// follow without a blank.
+  /// Returns the number after `key` and an equals sign. As in Fortran, its exponent may begin with D, and the number
+  /// may follow without a blank.
   double number(std::string_view key) const {
     const std::size_t at = line_.find(key);
     if (at == std::string_view::npos) throw InputError(place(), fmt::format("the line has no \"{}\"", key));
@@ -75,7 +75,7 @@ class DatFile {
   int number_ = 0;
 };
 
-/// A body of the file BODIES.DAT.
+/// A body in the file BODIES.DAT.
 struct Body {
   FileLine place;
   std::int64_t id = 0;
@@ -83,7 +83,7 @@ struct Body {
   std::string material;
   double mean_radius = 0.0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  double angle = 0.0;  ///< angle of a body in a plane (radians)
+  double angle = 0.0;  ///< rotation angle of a two-dimensional body (radians)
   /// Axes of a body in space, one per column.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   bool has_inertia = false;     ///< whether the file gives moments of inertia about these axes
@@ -110,7 +110,7 @@ std::int64_t count_of(const DatFile& file, std::string_view key, std::int64_t mo
   throw InputError(file.place(), fmt::format("{} {}, expected a whole number from 0 to {}", key, value, most));
 }
 
-/// Reads one of the lines below the line of a polygon or polyhedron: a vertex or a triangle.
+/// Reads one of the lines that describe a polygon or polyhedron: a vertex or a triangle.
 void read_corner(const DatFile& file, Body& body) {
   if (file.has("ver1=") && body.contactor == "POLYR") {
     std::vector<int> face;
@@ -184,7 +184,7 @@ std::vector<Body> read_bodies(const std::string& path) {
       read_contactor(file, bodies.back());
     }
   }
-  // The last line of some files begins a body that does not follow.
+  // In some files, the last line begins a body whose data are missing.
   if (!bodies.empty() && bodies.back().id == 0) {
     bodies.pop_back();
     open = false;
@@ -214,7 +214,7 @@ void read_axis(const DatFile& file, Body& body) {
   body.axes = Eigen::Quaterniond(body.axes).normalized().toRotationMatrix();
 }
 
-/// Adds the displacements that the file DOF.INI lists to the positions of the bodies.
+/// Adds the displacements in the file DOF.INI to the positions of the bodies.
 void add_displacements(const std::string& path, std::vector<Body>& bodies) {
   if (!fs::exists(path)) return;
   std::map<std::int64_t, std::size_t> index;
@@ -255,24 +255,23 @@ Bulk read_bulk(const std::string& path) {
   return bulk;
 }
 
-/// Makes a wall of a bar or plate: of the face that is turned to the middle of the grains.
+/// Makes a wall of a bar or plate. The wall is at the face that is turned to the middle of the grains.
 WallSide add_bar(const Body& bar, const Eigen::Vector3d& middle, ListedSpace& space) {
   constexpr double kAligned = 1e-4;  // files have seven digits, and angles such as 1.570800
   const Eigen::Vector3d across = bar.turn().col(bar.spatial ? 2 : 1).cwiseAbs();
   int axis = 0;
   if (across.maxCoeff(&axis) < std::cos(kAligned))
-    throw InputError(
-        bar.place.text(),
-        fmt::format("the {} of body {} is turned, so that its face lies across no axis ({:.6g}, {:.6g}, "
-                    "{:.6g}); --walls gives the walls in place of the file",
-                    bar.contactor, bar.id, across[0], across[1], across[2]));
+    throw InputError(bar.place.text(),
+                     fmt::format("the {} of body {} is rotated, so its face is not perpendicular to an axis "
+                                 "(normal {:.6g}, {:.6g}, {:.6g}); give the walls with --walls",
+                                 bar.contactor, bar.id, across[0], across[1], across[2]));
   const WallSide wall{axis, bar.position[axis] < middle[axis] ? -1 : 1};
   add_wall(wall, bar.position[axis] - wall.side * bar.half_thickness, space);
   return wall;
 }
 
-/// Reads the contacts of the file Vloc_Rloc.INI. Pairs with a gap and no force are left out, as LMGC90 lists all pairs
-/// near each other.
+/// Reads the contacts in the file Vloc_Rloc.INI. Pairs with a gap and no force are left out, because LMGC90 lists all
+/// neighbouring pairs.
 std::vector<ListedContact> read_contacts(const std::string& path,
                                          const std::map<std::int64_t, WallSide>& walls) {
   std::vector<ListedContact> contacts;
@@ -335,7 +334,7 @@ std::vector<ListedContact> read_contacts(const std::string& path,
   return contacts;
 }
 
-/// Adds the shape of a body to the shapes of the packing. @return its index
+/// Adds the shape of a body to the shapes of the packing. @return index of this shape
 int add_shape(const Body& body, ListedPacking& listed) {
   const std::string place = body.place.text();
   if (!body.spatial) {
@@ -351,13 +350,12 @@ int add_shape(const Body& body, ListedPacking& listed) {
   if (body.is_round()) {
     listed.shapes.in_3d.push_back(round_shape<3>(body.radius));
   } else {
-    // Without moments of inertia in the file, LMGC90 computes them and turns the vertices to the principal axes, to which
-    // the axes in DOF.INI then refer.
+    // If the file contains no moments of inertia, LMGC90 computes them and rotates the vertices to the principal axes.
+    // The axes in DOF.INI then refer to these principal axes.
     if (!body.has_inertia && !body.axes.isIdentity(0.0))
-      throw InputError(
-          place, fmt::format("body {} is turned in DOF.INI, but BODIES.DAT has no moments of inertia (I1 = "
-                             "0), so that the axes of its vertices are not known",
-                             body.id));
+      throw InputError(place, fmt::format("body {} is rotated in DOF.INI, but BODIES.DAT has no moments of "
+                                          "inertia (I1 = 0), so the axes of its vertices are not known",
+                                          body.id));
     Mesh<3> mesh;
     mesh.vertices = body.vertices;
     mesh.faces = body.faces;
@@ -367,7 +365,7 @@ int add_shape(const Body& body, ListedPacking& listed) {
   return static_cast<int>(listed.shapes.in_3d.size()) - 1;
 }
 
-/// Makes the grains of the disks, spheres, polygons and polyhedra. If one of them has corners, all get shapes.
+/// Makes the grains from the disks, spheres, polygons and polyhedra. If any of them has corners, all grains get shapes.
 void add_grains(const std::vector<Body>& bodies, const Bulk& bulk, ListedPacking& listed) {
   const bool round = std::none_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.has_corners(); });
   for (const Body& body : bodies) {

@@ -21,11 +21,11 @@
 namespace floc {
 namespace {
 
-/// A component of a unit normal or of a lattice vector below this is rounding.
+/// Components of a unit normal or of a lattice vector below this value count as rounding errors.
 constexpr double kAligned = 1e-9;
 
-/// A restart file: its header lines, and the lines of its sections, each of which begins with its name and the number
-/// of its lines.
+/// Content of a restart file: its header lines, and the lines of its sections. Each section begins with its name and
+/// the number of its lines.
 class RestartFile {
  public:
   explicit RestartFile(const std::string& path)
@@ -51,7 +51,7 @@ class RestartFile {
     for (const Line& line : found->second) function(keyed(line));
   }
 
-  /// Returns the first header line that has a key, or nothing.
+  /// Returns the first header line that contains a key, or nothing.
   std::optional<KeyedLine> header(const std::string& key) const {
     for (const Line& line : header_)
       if (KeyedLine words = keyed(line); words.has(key)) return words;
@@ -74,7 +74,7 @@ class RestartFile {
     return line;
   }
 
-  /// Returns the name of the section that a line begins; empty if it begins none.
+  /// Returns the name of the section that begins in a line; empty if no section begins there.
   static std::string_view section_name(const Line& line) {
     constexpr std::array<std::string_view, 5> kNames = {"Species", "Walls", "Boundaries", "Particles",
                                                         "Interactions"};
@@ -111,7 +111,7 @@ class RestartFile {
   std::map<std::string, std::vector<Line>> sections_;
 };
 
-/// Returns the axis along which a vector lies, or nothing if it is along no axis.
+/// Returns the axis along which a vector points, or nothing if it points along no axis.
 std::optional<int> axis_of(const Eigen::Vector3d& v) {
   for (int a = 0; a < 3; ++a) {
     Eigen::Vector3d rest = v;
@@ -121,8 +121,8 @@ std::optional<int> axis_of(const Eigen::Vector3d& v) {
   return std::nullopt;
 }
 
-/// Normal of a wall, which points away from the grains. Recent files give it as the orientation that turns the first
-/// axis to it, older ones as a vector.
+/// Returns the normal of a wall, which points away from the grains. Recent files contain the rotation that turns the
+/// first axis into the normal; older files contain the normal as a vector.
 Eigen::Vector3d wall_normal(const KeyedLine& line) {
   if (line.has("normal")) return line.vector("normal");
   const Eigen::Vector3d imaginary = line.vector(line.position("orientation") + 2, "orientation");
@@ -130,7 +130,9 @@ Eigen::Vector3d wall_normal(const KeyedLine& line) {
   return q.normalized() * Eigen::Vector3d::UnitX();
 }
 
-/// Reads the walls of a file. @return for each wall of the file, its end of an axis; walls across z of disks are left out
+/// Reads the walls of a file.
+/// @return for each wall of the file, the end of an axis at which it lies; absent for walls that are left out, such as
+/// walls across z of a packing of disks
 std::vector<std::optional<WallSide>> read_walls(const RestartFile& file, bool replaced, int dimension,
                                                 ListedSpace& space) {
   std::vector<std::optional<WallSide>> walls;
@@ -142,23 +144,22 @@ std::vector<std::optional<WallSide>> read_walls(const RestartFile& file, bool re
     if (!axis && replaced) return;
     if (!axis)
       throw InputError(line.place(),
-                       fmt::format("the wall {} is no plane across an axis, expected an InfiniteWall "
-                                   "along x, y or z; --walls gives the walls in place of the file",
+                       fmt::format("the wall {} is not a plane perpendicular to an axis, expected an "
+                                   "InfiniteWall along x, y or z; or give the walls with --walls",
                                    line.word(0)));
     if (*axis >= dimension) return;
     const WallSide side{*axis, normal[*axis] > 0.0 ? 1 : -1};
     walls.back() = side;
     if (replaced) return;
-    // Older files give the distance of the plane from the origin along the normal, in place of a point of the plane.
+    // Older files contain the distance of the plane from the origin along the normal instead of a point on the plane.
     const double position =
         line.has("normal") ? side.side * line.number("position") : line.vector("position")[*axis];
     ListedEnds& ends = ends_along(*axis, space);
     std::optional<double>& end = side.side < 0 ? ends.low : ends.high;
     if (end)
-      throw InputError(line.place(),
-                       fmt::format("the wall {} at {:.6g} is the second one, after that at {:.6g}: "
-                                   "expected one wall at each end of an axis",
-                                   side.name(), position, *end));
+      throw InputError(line.place(), fmt::format("the wall {} at {:.6g} is the second wall at this end, after "
+                                                 "the wall at {:.6g}: expected one wall at each end of an axis",
+                                                 side.name(), position, *end));
     end = position;
   });
   return walls;
@@ -185,7 +186,7 @@ void add_periodic_boundary(const KeyedLine& line, ListedSpace& space) {
       line.number(line.has("distanceLeft") ? "distanceLeft" : "position_left") * normal[*axis];
 }
 
-/// In a Lees-Edwards cell the image across y is displaced along x by the shift of the boundary.
+/// In a Lees-Edwards cell, the periodic image across y is displaced along x by the shift of the boundary.
 void add_lees_edwards(const KeyedLine& line, ListedSpace& space) {
   const double left = line.number("left"), down = line.number("down");
   const double length = line.number("right") - left;
@@ -205,9 +206,8 @@ void read_boundaries(const RestartFile& file, ListedPacking& listed) {
       add_lees_edwards(line, space);
     } else if (kind == "AngledPeriodicBoundary") {
       listed.remarks.push_back(
-          fmt::format("the boundary {} turns the grains that cross it, so that it is no lattice: the packing "
-                      "is read as open, with "
-                      "the contacts that the file lists",
+          fmt::format("the boundary {} rotates the grains that cross it, so it is not a lattice translation: "
+                      "the packing is read as open, with the contacts that the file lists",
                       kind));
     } else {
       listed.remarks.push_back(fmt::format("the boundary {} has no counterpart in floc and is left out", kind));
@@ -222,7 +222,7 @@ bool has_angled_boundary(const RestartFile& file) {
   return found;
 }
 
-/// Reads one particle. Recent files name every value; in older ones the values have fixed places after "BP".
+/// Reads one particle. Recent files name every value; in older files the values have fixed positions after "BP".
 ListedGrain read_particle(const KeyedLine& line, std::int64_t index, int& n_fixed) {
   ListedGrain grain;
   grain.id = index;
@@ -262,10 +262,11 @@ ListedContact read_interaction(const KeyedLine& line, const std::vector<std::opt
                                                  std::ssize(walls) - 1));
     c.wall = walls[static_cast<std::size_t>(c.id2)];
     if (!c.wall)
-      throw InputError(line.place(),
-                       fmt::format("the contact is one with wall {}, which is not read: expected a "
-                                   "contact with a wall across x, y or z",
-                                   c.id2));
+      throw InputError(
+          line.place(),
+          fmt::format(
+              "the contact is with wall {}, which is not read: expected a contact with a wall across x, y or z",
+              c.id2));
   }
   c.force = line.vector("force");
   if (dimension == 2 && line.has("torque") && line.vector("torque")[2] != 0.0)
@@ -274,7 +275,7 @@ ListedContact read_interaction(const KeyedLine& line, const std::vector<std::opt
   return c;
 }
 
-/// Returns the dimension: 2 if the system or its particles are two-dimensional.
+/// Returns the dimension of the packing: 2 if the system or its particles are two-dimensional, otherwise 3.
 int dimension_of(const RestartFile& file) {
   const char* key = file.header("systemDimensions") ? "systemDimensions" : "dim";
   const std::optional<KeyedLine> line = file.header(key);
@@ -283,7 +284,7 @@ int dimension_of(const RestartFile& file) {
   return line->has("particleDimensions") && line->number("particleDimensions") == 2.0 ? 2 : 3;
 }
 
-/// Sets the sides of the box along axes that are not periodic, which the header gives.
+/// Sets the sides of the box along the axes that are not periodic. The header contains them.
 void set_box(const RestartFile& file, ListedSpace& space) {
   space.cell.assign(3, std::vector<double>(3, 0.0));
   space.periodic = {false, false, false};
@@ -375,10 +376,11 @@ std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options
     if (on_wall) {
       const auto found = options.wall_ids.find(c.id2);
       if (found == options.wall_ids.end())
-        throw InputError(line.place(),
-                         fmt::format("the second body is the wall {0}: say which wall it is, for example "
-                                     "--wall-ids {0}=z-",
-                                     c.id2));
+        throw InputError(
+            line.place(),
+            fmt::format("the second body is the wall {0}: give the position of this wall, for example "
+                        "--wall-ids {0}=z-",
+                        c.id2));
       c.wall = found->second;
     }
     c.force = sign * (line.number(8, "the normal force") * line.vector(10, "the normal") +

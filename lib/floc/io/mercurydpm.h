@@ -12,23 +12,23 @@ namespace floc {
 bool is_mercurydpm(const std::string& path);
 
 /// Reads a packing from a restart file of MercuryDPM: particles, interactions with their forces, walls that are planes
-/// across an axis (InfiniteWall), periodic and Lees-Edwards boundaries, and gravity. A Lees-Edwards cell becomes a skewed
-/// cell, whose second lattice vector leans by the shift of the boundary modulo the length of the cell. A boundary that
-/// turns the grains that cross it (AngledPeriodicBoundary) is no lattice: the packing is then open, with the contacts
-/// that the file lists. Forces of a file include dashpots. `options.law` is required; the species of the file are not
-/// read. `options.contacts` may name the .fstat file of the run, whose grains are numbered in the order of the restart
-/// file.
-/// @throws InputError naming file and line for a malformed file, or for walls of other kinds, unless the option `walls`
-/// gives the walls
+/// perpendicular to an axis (InfiniteWall), periodic and Lees-Edwards boundaries, and gravity. A Lees-Edwards cell
+/// becomes a skewed cell: its second lattice vector is displaced along x by the shift of the boundary, modulo the
+/// length of the cell. A boundary that rotates the grains that cross it (AngledPeriodicBoundary) is not a lattice
+/// translation: the packing is then open, with the contacts that the file lists. The forces in the file include dashpot
+/// forces. `options.law` is required; the species in the file are not read. `options.contacts` may name the .fstat file
+/// of the run, in which the grains are numbered in the order of the restart file.
+/// @throws InputError naming file and line if the file is malformed, or if it contains walls of other kinds and the
+/// option `walls` is not given
 Imported read_mercurydpm(const std::string& path, const ImportOptions& options);
 
 /// Whether a file is probably an .fstat file of MercuryDPM: rows of 16 numbers, after lines that begin with #.
 bool is_mercurydpm_fstat(const std::string& path);
 
-/// Reads contacts from the file `options.contacts`, an .fstat file of MercuryDPM: the contacts of its last time. Each
-/// row has time, i, j, contact point (3), overlap, tangential overlap, normal force f_n, tangential force f_t, unit
-/// normal n (3), unit tangent t (3). A negative j is wall number -j - 1. The force on i is f_n n + f_t t, or its opposite
-/// at a wall, where the program writes n and t with the other sign.
+/// Reads contacts from the file `options.contacts`, an .fstat file of MercuryDPM: the contacts at the last time in the
+/// file. Each row contains time, i, j, contact point (3), overlap, tangential overlap, normal force f_n, tangential
+/// force f_t, unit normal n (3), unit tangent t (3). A negative j is wall number -j - 1. The force on i is f_n n + f_t
+/// t. At a wall it is the opposite, because MercuryDPM writes n and t with the opposite sign there.
 /// @throws InputError naming file and line
 std::vector<ListedContact> read_mercurydpm_contacts(const ImportOptions& options, int dimension);
 

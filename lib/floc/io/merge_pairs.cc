@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair of grains, whichever of the two comes first.
+/// Identity of a pair of grains and their image. It does not depend on the order of the two grains.
 using Pair = std::tuple<std::int64_t, std::int64_t, int, int, int>;
 
 /// Whether the bodies of a contact are in ascending order.
@@ -29,7 +29,8 @@ Pair pair_of(const ListedContact& c) {
   return {std::min(c.id1, c.id2), std::max(c.id1, c.id2), image[0], image[1], image[2]};
 }
 
-/// Whether two rows of a pair give the same forces. @param mirrored  whether the rows name the two grains in opposite order
+/// Whether two rows of a pair contain equal forces.
+/// @param mirrored  whether the rows name the two grains in opposite order
 bool agree(const ListedContact& a, ListedContact b, bool mirrored) {
   constexpr double kDigits = 1e-4;
   if (mirrored) reverse_actions(b);
@@ -65,8 +66,8 @@ std::string merge_pairs(std::vector<ListedContact>& contacts) {
   const std::size_t n_read = contacts.size();
   contacts = std::move(kept);
   return fmt::format(
-      "{} of the {} contacts listed are the second rows of their pairs and are left out; the forces of {} "
-      "of them contradict the first row",
+      "{} of the {} contacts listed are second rows of a pair and are left out; {} of these second rows "
+      "contradict the forces in the first row",
       n_merged, n_read, n_different);
 }
 

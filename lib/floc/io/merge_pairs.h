@@ -7,10 +7,10 @@
 
 namespace floc {
 
-/// Merges contacts that a file lists twice, once from each of the two grains: of two rows of the same pair and image, the
-/// second is left out. Contacts that are listed once are kept.
-/// @return a sentence for the user: how many rows were left out, and of how many pairs the two rows contradict each other
-/// because their forces are not opposite to each other to four digits
+/// Merges contacts that a file lists twice, once for each of the two grains: if two rows have the same pair and image,
+/// the second row is left out. Contacts that are listed once are kept.
+/// @return a sentence for the user with the number of rows that were left out, and the number of pairs whose two rows
+/// contradict each other, because their forces are not opposite and equal to four digits
 std::string merge_pairs(std::vector<ListedContact>& contacts);
 
 }  // namespace floc

@@ -39,7 +39,8 @@ class GrainSurfaces {
 
 const Grains<3>& grains_in_space(const std::string& path, const AnyState& state) {
   if (const auto* in_space = std::get_if<State<3>>(&state)) return in_space->packing.grains;
-  throw InputError(path, "the packing is two-dimensional, but files of this format hold surfaces in space");
+  throw InputError(
+      path, "the packing is two-dimensional, but files of this format contain surfaces in three dimensions");
 }
 
 }  // namespace

@@ -10,12 +10,13 @@
 
 namespace floc {
 
-/// Points with arrays of data, as the formats of VTK hold them. The arrays that give grains are radius (or r, or diameter)
-/// and, optionally, mass and id; their names may have capital letters.
+/// Points with arrays of data, as they are stored in formats of VTK. The arrays that describe grains are radius (or r,
+/// or diameter) and, optionally, mass and id; their names may have capital letters.
 struct PointCloud {
   std::string path;
-  std::vector<double> x;                                        ///< coordinates, three per point (length)
-  std::vector<std::size_t> grains;                              ///< points that are grains; empty: all points
+  std::vector<double> x;  ///< coordinates, three per point (length)
+  /// indices of the points that are grains; if empty, all points are grains
+  std::vector<std::size_t> grains;
   std::vector<std::string> arrays;                              ///< names of the arrays of point data
   std::function<std::vector<double>(const std::string&)> read;  ///< returns the numbers of an array
   std::function<std::string(const std::string&)> place;         ///< returns the place of an array in messages
@@ -23,7 +24,7 @@ struct PointCloud {
   std::optional<std::vector<ListedContact>> contacts;
 };
 
-/// Makes a packing of points. `options.columns` renames the arrays; `options.law` is required.
+/// Makes a packing whose grains are points. `options.columns` renames the arrays; `options.law` is required.
 /// @throws InputError naming file and array for a missing or malformed array
 Imported read_points(const PointCloud& cloud, const ImportOptions& options);
 

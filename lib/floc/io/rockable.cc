@@ -23,10 +23,11 @@
 namespace floc {
 namespace {
 
-/// Shape of bodies as the file of shapes describes it: the points nearer than mesh.rounding to a vertex, edge or face.
+/// Shapes of bodies in the file of shapes; the key is the name. A shape consists of all points whose distance from a
+/// vertex, edge or face of the mesh is at most mesh.rounding.
 using RockableShapes = std::map<std::string, Mesh<3>>;
 
-/// Whether a shape is a sphere: it has one vertex, the centre.
+/// Whether a shape is a sphere: its only vertex is its centre.
 bool is_sphere(const Mesh<3>& shape) {
   return shape.vertices.size() == 1 && shape.vertices.front().isZero(0.0);
 }
@@ -154,7 +155,8 @@ Configuration read_configuration(const std::string& path) {
   return out;
 }
 
-/// Makes a wall of a driven body whose shape is a flat face across an axis: of the surface that is turned to `middle`.
+/// Makes a wall of a driven body whose shape is a flat face across an axis. The wall is at the surface that faces
+/// `middle`.
 WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::Vector3d& middle,
                   ListedSpace& space) {
   constexpr double kThin = 1e-9;
@@ -166,16 +168,15 @@ WallSide add_face(const RockableBody& body, const Mesh<3>& shape, const Eigen::V
   int axis = 0;
   const double thickness = (high - low).minCoeff(&axis);
   if (shape.vertices.size() < 3 || thickness > kThin * (high - low).maxCoeff())
-    throw InputError(body.place.text(),
-                     fmt::format("the driven body {} is no flat face across an axis, expected a wall; "
-                                 "--walls gives the walls in place of the file",
-                                 body.shape));
+    throw InputError(body.place.text(), fmt::format("the driven body {} is not a flat face perpendicular to an "
+                                                    "axis, expected a wall; or give the walls with --walls",
+                                                    body.shape));
   const WallSide wall{axis, body.position[axis] < middle[axis] ? -1 : 1};
   add_wall(wall, low[axis] - wall.side * body.scale * shape.rounding, space);
   return wall;
 }
 
-/// Shapes of a configuration, and those of grains with corners as floc has them.
+/// Shapes of the bodies of a configuration, and the indices of those that were added to the shapes of the packing.
 class Bodies {
  public:
   explicit Bodies(const std::string& path) : path_(path), meshes_(read_rockable_shapes(path)) {}
@@ -187,7 +188,8 @@ class Bodies {
                      fmt::format("the shape {} is not in the file of shapes, {}", body.shape, path_));
   }
 
-  /// Returns the index of the shape of a body in the table of shapes of the packing, and adds it there if it is new.
+  /// Returns the index of the shape of a body in the table of shapes of the packing. Adds the shape to the table if it
+  /// is new.
   int index(const RockableBody& body, ListedPacking& listed) {
     const auto [at, is_new] = indices_.try_emplace(body.shape, static_cast<int>(listed.shapes.in_3d.size()));
     if (is_new) listed.shapes.in_3d.push_back(make_shape(mesh(body), listed.remarks));
@@ -212,7 +214,7 @@ class Bodies {
   std::map<std::string, int> indices_;
 };
 
-/// Makes the grains of the bodies that are not driven. If one of them has corners, all get shapes.
+/// Makes the grains from the bodies that are not driven. If any of them has corners, all grains get shapes.
 void add_grains(const Configuration& from, Bodies& bodies, ListedPacking& listed) {
   const auto first = from.bodies.begin() + from.n_driven;
   const bool round = std::all_of(first, from.bodies.end(),

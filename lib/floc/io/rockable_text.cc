@@ -21,7 +21,7 @@ std::string words(const Vec<3>& v) {
   return fmt::format("{} {} {}", v[0], v[1], v[2]);
 }
 
-/// Name of the file of shapes that belongs to a configuration, without its folder.
+/// Returns the name of the file of shapes of a configuration, without its folder.
 std::string shape_file(const std::string& path) {
   return std::filesystem::path(path).filename().replace_extension(".shp").string();
 }
@@ -56,10 +56,9 @@ ShapeText text_of_ball() {
 
 ShapeText text_of(const Shape<3>& shape, std::size_t index, const std::string& path) {
   if (!(shape.rounding > 0.0))
-    throw InputError(path,
-                     fmt::format("shape {} has sharp corners, but the shapes of Rockable are rounded; a scene "
-                                 "gives rounded ones by grains.shape.rounding",
-                                 index));
+    throw InputError(path, fmt::format("shape {} has sharp corners, but the shapes of Rockable are rounded; "
+                                       "use a scene with grains.shape.rounding",
+                                       index));
   ShapeText out{fmt::format("Shape{}", index),
                 shape.rounding,
                 shape.volume,
@@ -77,7 +76,7 @@ ShapeText text_of(const Shape<3>& shape, std::size_t index, const std::string& p
   return out;
 }
 
-/// Shape of a plate across an axis that covers the cell: a rectangle.
+/// Returns the shape of a plate perpendicular to an axis: a rectangle that covers the cell.
 ShapeText text_of_plate(const Packing<3>& packing, int axis, double radius) {
   const Vec<3> sides = packing.cell.matrix.diagonal();
   const Vec<3> one = sides[(axis + 1) % 3] * Vec<3>::Unit((axis + 1) % 3),
@@ -93,7 +92,7 @@ ShapeText text_of_plate(const Packing<3>& packing, int axis, double radius) {
           1};
 }
 
-/// Groups of bodies of one density, which differ by more than rounding errors.
+/// Groups of bodies with equal densities, except for rounding errors. Rockable gives each group one density.
 class DensityGroups {
  public:
   int group(double density) {
@@ -165,12 +164,13 @@ class ConfigurationText {
                                      "xyz"[axis]));
     for (const Contact<3>& c : packing_.contacts)
       if (c.bonded || c.distant)
-        throw InputError(path_,
-                         "the packing has contacts that act across gaps, which a configuration of Rockable "
-                         "does not hold");
+        throw InputError(
+            path_,
+            "the packing has contacts that act across gaps, which a configuration of Rockable cannot contain");
   }
 
-  /// Words of a body: name, group, cluster, homothety, position, velocity, acceleration, orientation, spin, spin rate.
+  /// Returns the line of a body: name, group, cluster, homothety, position, velocity, acceleration, orientation, spin,
+  /// spin rate.
   static std::string body(const std::string& shape, int group, double scale, const Vec<3>& position,
                           const Vec<3>& velocity, const Eigen::Quaterniond& q, const Vec<3>& spin) {
     return fmt::format("{} {} 0 {} {} {} 0 0 0 {} {} {} {} {} 0 0 0\n", shape, group, scale, words(position),
@@ -199,8 +199,8 @@ class ConfigurationText {
     return static_cast<int>(std::ranges::find(plates_, index) - plates_.begin());
   }
 
-  /// Words of an interaction: i, j, type, two sub-elements, normal from j to i, gap, position, velocity, normal force,
-  /// tangential force on i, moment, damping. Type 2 is a vertex on a face, 3 two edges, 0 two vertices.
+  /// Returns the line of an interaction: i, j, type, two sub-elements, normal from j to i, gap, position, velocity,
+  /// normal force, tangential force on i, moment, damping. Type 0 is two vertices, 2 a vertex on a face, 3 two edges.
   std::string interaction(const Contact<3>& c) const {
     const int type = packing_.grains.are_round() ? 0 : c.type == ContactType::kEdgeEdge ? 3 : 2;
     return fmt::format("{} {} {} 0 0 {} {} {} 0 0 0 {} {} 0 0 0 0\n", body_of(c.i), body_of(c.j), type,
@@ -210,7 +210,7 @@ class ConfigurationText {
 
   const Packing<3>& packing_;
   std::string path_;
-  std::vector<int> plates_;  ///< indices of the walls that are not open, as in contacts
+  std::vector<int> plates_;  ///< indices of the walls that are not open; contacts use the same indices
   double plate_radius_ = 0.0;
 };
 

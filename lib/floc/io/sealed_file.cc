@@ -24,9 +24,9 @@ static_assert(kSealBegin.size() + 64 + kSealEnd.size() == kSealSize);
 
 constexpr std::string_view kHdf5Signature = "\x89HDF\r\n\x1a\n";
 
-/// Whether the HDF5 library can open the file at this path. Standard input and pipes it cannot open; they have to be
-/// copied to a file. A file that exists only in memory (an entry of /proc without a file name) it cannot open either,
-/// because it first resolves symbolic links.
+/// Whether the HDF5 library can open the file at this path. It cannot open standard input or pipes, which must be
+/// copied to a file. Nor can it open a file that exists only in memory (an entry of /proc without a file name), because
+/// it resolves symbolic links first.
 bool is_plain_file(const std::string& path) {
   std::error_code error;
   return path != "-" && std::filesystem::is_regular_file(path, error) &&
@@ -41,8 +41,8 @@ std::unique_ptr<TemporaryFile> copy_of(const std::string& path) {
   return copy;
 }
 
-/// Reads up to `n` bytes of a file from the position `offset` into `buffer`. Returns these bytes; fewer than `n` if the
-/// file ends before.
+/// Reads up to `n` bytes of a file from the position `offset` into `buffer`. Returns these bytes, which are fewer than
+/// `n` if the file ends earlier.
 std::string_view read_at(int fd, const std::string& path, std::size_t offset, std::size_t n,
                          std::vector<char>& buffer) {
   buffer.resize(n);
@@ -89,11 +89,9 @@ SealedFile::SealedFile(const std::string& path)
   const std::size_t size = size_of(fd);
   std::vector<char> buffer;
   if (read_at(fd, path, 0, kHdf5Signature.size(), buffer) != kHdf5Signature)
-    throw InputError(
-        path,
-        size == 0
-            ? "the file is empty, expected a floc state (HDF5)"
-            : "the file is not a floc state, which floc run and floc convert write: it is not an HDF5 file");
+    throw InputError(path, size == 0 ? "the file is empty, expected a floc state (HDF5)"
+                                     : "the file is not a state file of floc (written by floc run or floc "
+                                       "convert): it is not an HDF5 file");
   const std::size_t n = size < kSealSize ? 0 : size - kSealSize;
   const std::string tail(read_at(fd, path, n, kSealSize, buffer));
   if (n == 0 || !tail.starts_with(kSealBegin) || !tail.ends_with(kSealEnd))

@@ -15,10 +15,11 @@ namespace floc {
 /// library.
 inline constexpr std::size_t kSealSize = 80;
 
-/// Returns the text of the seal of a state file. @param sha256  SHA-256 of all bytes before the seal
+/// Returns the text of the seal of a state file.
+/// @param sha256  SHA-256 of all bytes before the seal
 std::string seal_of(const std::string& sha256);
 
-/// Computes the seal of the content of a file and appends the seal to the file. @throws IoError if it cannot be written
+/// Computes the seal of the content of a file and appends it to the file. @throws IoError if the seal cannot be written
 void append_seal(AtomicFile& file);
 
 /// A state file whose seal (checksum) has been verified. The file may also be a pipe, or standard input ("-").

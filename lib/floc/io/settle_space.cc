@@ -13,12 +13,12 @@
 namespace floc {
 namespace {
 
-/// Largest overlap of a sphere with its own periodic image along z, relative to its diameter. Grains that would overlap
-/// by more are taken as disks, for which the height of the cell has no meaning.
+/// Largest overlap of a sphere with its own periodic image along z, relative to its diameter. If grains would overlap
+/// by more, they are taken as disks, for which the height of the cell has no meaning.
 constexpr double kDeepestOverlap = 0.1;
 
-/// Largest accepted difference in z between disks, relative to the smallest diameter. It allows for files with few
-/// digits.
+/// Largest accepted difference in z between disks, relative to the smallest diameter. It is not zero because files may
+/// have few digits.
 constexpr double kOnePlane = 1e-6;
 
 struct Guess {
@@ -27,7 +27,7 @@ struct Guess {
   bool doubtful = false;
 };
 
-/// Whether one of the first two lattice vectors has a component along z, or the third a component along x or y.
+/// Whether one of the first two lattice vectors has a component along z, or the third lattice vector one along x or y.
 bool tilts_along_z(const std::vector<std::vector<double>>& cell) {
   return cell[0][2] != 0.0 || cell[1][2] != 0.0 || cell[2][0] != 0.0 || cell[2][1] != 0.0;
 }
@@ -44,14 +44,16 @@ Guess guess_of_layer(const std::vector<ListedGrain>& grains, double height, bool
     largest = std::max(largest, 2.0 * g.radius);
   }
   if (n_touching == 0)
-    return {2, "every z is the same, so the grains are taken as disks in 2D; --dimension 3 makes them spheres",
-            false};
+    return {
+        2,
+        "every z is the same, so the grains are taken as disks in 2D; give --dimension 3 to make them spheres",
+        false};
   if (n_touching == grains.size() && largest - height <= kDeepestOverlap * largest && !mid_plane)
     return {
         3,
         fmt::format("every z is the same, but the cell is {:.6g} high, less than the diameter of each grain, "
-                    "so the grains are taken as spheres that touch their own images along z; --dimension 2 "
-                    "makes them disks",
+                    "so the grains are taken as spheres that touch their own images along z; give --dimension "
+                    "2 to make them disks",
                     height),
         false};
   return {2,
@@ -69,11 +71,10 @@ Guess guess_dimension(const ListedSpace& space, const std::vector<ListedGrain>& 
   const double none = std::numeric_limits<double>::infinity();
   if (space.cell.empty()) return guess_of_layer(grains, none, space.mid_plane);
   if (tilts_along_z(space.cell))
-    return {
-        3,
-        "every z is the same, but the lattice vectors are tilted along z, so the grains are taken as spheres; "
-        "--dimension 2 makes them disks",
-        false};
+    return {3,
+            "every z is the same, but the lattice vectors are tilted along z, so the grains are taken as "
+            "spheres; give --dimension 2 to make them disks",
+            false};
   const bool periodic = space.periodic.size() < 3 || space.periodic[2];
   return guess_of_layer(grains, periodic ? std::abs(space.cell[2][2]) : none, space.mid_plane);
 }
@@ -99,10 +100,9 @@ void set_cell(const ImportOptions& options, int dimension, ListedPacking& listed
   for (int a = 0; a < dimension && !space.cell.empty(); ++a) {
     const std::vector<double>& vector = space.cell[a];
     if (dimension == 2 && vector[2] != 0.0)
-      throw InputError(space.place,
-                       fmt::format("lattice vector {} has the z component {:.6g}, expected 0 in two "
-                                   "dimensions; --dimension 3 makes the grains spheres",
-                                   a + 1, vector[2]));
+      throw InputError(space.place, fmt::format("lattice vector {} has the z component {:.6g}, expected 0 in "
+                                                "two dimensions; give --dimension 3 to make the grains spheres",
+                                                a + 1, vector[2]));
     if (space.positive_sides && !(vector[a] > 0.0))
       throw InputError(space.place,
                        fmt::format("the cell is degenerate: its side along {} is {:.6g}, must be positive",
@@ -125,7 +125,7 @@ std::size_t n_beyond_faces(const ListedPacking& listed, int axis) {
   });
 }
 
-/// Adds the ends that the file states for axes whose ends are not set yet.
+/// Adds the ends that the file gives for axes whose ends are not set yet.
 void add_stated_ends(int dimension, ListedPacking& listed) {
   const ListedSpace& space = listed.space;
   std::string open;
@@ -142,17 +142,16 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
   }
   if (!open.empty())
     listed.remarks.push_back(fmt::format(
-        "the packing is not periodic along {} ({}), and no walls are given: it ends in free space there", open,
-        space.boundary));
+        "the packing is not periodic along {} ({}), and no walls are given: both ends of these axes are open",
+        open, space.boundary));
   if (n_beyond > 0)
     listed.inconsistencies.push_back(fmt::format(
-        "{} grains reach beyond faces of the box that are taken as open: --walls {} puts walls there", n_beyond,
-        open));
+        "{} grains reach beyond faces of the box that are taken as open: give --walls {} to put walls there",
+        n_beyond, open));
   if (space.periodic.empty() && listed.ends.empty() && !space.cell.empty())
     listed.remarks.emplace_back(
         "the packing is taken as periodic in every direction, because the file does not say whether it is; "
-        "--walls "
-        "gives it walls");
+        "give --walls for a packing with walls");
 }
 
 /// Sets the ends of the axes that are not periodic, from the options or, without them, from the file.
@@ -168,7 +167,7 @@ void set_ends(const ImportOptions& options, int dimension, ListedPacking& listed
             [](const ListedEnds& a, const ListedEnds& b) { return a.axis < b.axis; });
 }
 
-/// Returns the lowest and the highest coordinate along an axis that a grain reaches.
+/// Returns the lowest and the highest coordinate that any grain reaches along an axis.
 std::pair<double, double> extent(const ListedPacking& listed, int axis) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const ListedGrain& g : listed.grains) {
@@ -178,12 +177,12 @@ std::pair<double, double> extent(const ListedPacking& listed, int axis) {
   return {low, high};
 }
 
-/// Makes the side of the cell along each axis that is not periodic as long as the distance of its two ends.
+/// Sets the side of the cell along each axis that is not periodic to the distance between its two ends.
 void fit_cell_to_ends(int dimension, ListedPacking& listed) {
   if (listed.ends.empty()) return;
   if (listed.cell.empty() && static_cast<int>(listed.ends.size()) == dimension)
     listed.cell.assign(dimension, std::vector<double>(dimension, 0.0));
-  if (listed.cell.empty()) return;  // an error, which assemble() reports
+  if (listed.cell.empty()) return;  // this error is reported by assemble()
   for (const ListedEnds& ends : listed.ends) {
     const auto [lowest, highest] = extent(listed, ends.axis);
     const double side = ends.high.value_or(highest) - ends.low.value_or(lowest);
@@ -223,7 +222,7 @@ void require_grains_between_walls(const ListedPacking& listed) {
     }
 }
 
-/// Sets the body force, and checks that the packing is not periodic along every axis.
+/// Sets gravity, and checks that the packing is not periodic along every axis if there is gravity.
 void set_gravity(const ImportOptions& options, int dimension, ListedPacking& listed) {
   listed.gravity = options.gravity.empty() ? listed.space.gravity : Eigen::Vector3d(Eigen::Vector3d::Zero());
   const std::string place = options.gravity.empty() ? listed.space.place : "--gravity";
@@ -234,11 +233,11 @@ void set_gravity(const ImportOptions& options, int dimension, ListedPacking& lis
     listed.gravity[static_cast<Eigen::Index>(a)] = options.gravity[a];
   if (dimension == 2) listed.gravity[2] = 0.0;
   if (!listed.gravity.isZero(0.0) && listed.ends.empty())
-    throw InputError(
-        place, fmt::format("gravity is ({}), but the packing is periodic along every axis, so that nothing "
-                           "bears its weight: expected a wall (--walls), or no gravity (--gravity {})",
-                           fmt::join(listed.gravity.begin(), listed.gravity.begin() + dimension, ", "),
-                           dimension == 2 ? "0,0" : "0,0,0"));
+    throw InputError(place,
+                     fmt::format("gravity is ({}), but the packing is periodic along every axis, so nothing "
+                                 "bears its weight: expected a wall (--walls), or no gravity (--gravity {})",
+                                 fmt::join(listed.gravity.begin(), listed.gravity.begin() + dimension, ", "),
+                                 dimension == 2 ? "0,0" : "0,0,0"));
 }
 
 }  // namespace
@@ -262,8 +261,8 @@ void require_one_plane(const ListedPacking& listed) {
     if (std::abs(g.position[2] - z) > kOnePlane * smallest)
       throw InputError(g.place.text(),
                        fmt::format("z = {:.6g}, but z = {:.6g} at {}: expected the same z for all disks of a "
-                                   "two-dimensional packing (three vectors of --cell, or --dimension 3, make "
-                                   "the grains spheres)",
+                                   "two-dimensional packing (to make the grains spheres, give three vectors "
+                                   "with --cell, or --dimension 3)",
                                    g.position[2], z, listed.grains.front().place.text()));
 }
 

@@ -5,16 +5,16 @@
 
 namespace floc {
 
-/// Decides which space a packing fills, from what its file states (`listed.space`) and from the options of the user. The
-/// members cell, cell_place, ends and gravity of `listed` are set, in two or three dimensions.
+/// Determines the space that a packing fills from the data in its file (`listed.space`) and from the options of the
+/// user. Sets the members cell, cell_place, ends and gravity of `listed`, in two or three dimensions.
 ///
 /// The first of the following that is given determines the dimension:
 ///   1. the option `--dimension`
 ///   2. the number of vectors in the option `--cell`
 ///   3. the dimension in the file.
 /// If none is given, the dimension is guessed. Grains with different z are spheres. Grains that all have the same z are
-/// spheres if the cell has tilts along z, or if it is periodic along z and so low that each grain touches its own image
-/// along z by a small overlap. Otherwise they are disks.
+/// spheres if the cell has tilts along z, or if it is periodic along z and its height is so small that each grain
+/// slightly overlaps its own image along z. Otherwise they are disks.
 ///
 /// The first of the following that is given determines the boundary along an axis:
 ///   1. the option `--walls`
@@ -23,17 +23,17 @@ namespace floc {
 /// If none is given, the axis is taken as periodic. The open ends of an axis are placed at the outermost points of the
 /// grains.
 ///
-/// A sentence about each guess is added to `listed.remarks` or, if the grains are taken as disks but some would touch
-/// their own images if they were spheres, to `listed.inconsistencies`.
+/// A sentence about each guess is added to `listed.remarks`. If the grains are taken as disks, but some of them would
+/// touch their own images if they were spheres, the sentence is added to `listed.inconsistencies`.
 /// @param listed  contains the space and the grains on input
 /// @return 2 or 3
-/// @throws InputError for a packing without grains, a periodic axis without a lattice vector, a cell that is skewed across
-/// walls, a wall that cuts off more than a tenth of a grain's radius, or gravity in a packing that is periodic along every
-/// axis
+/// @throws InputError for a packing without grains, a periodic axis without a lattice vector, a cell that is skewed
+/// across walls, a wall that cuts off more than a tenth of a grain's radius, or gravity in a packing that is periodic
+/// along every axis
 int settle_space(const ImportOptions& options, ListedPacking& listed);
 
-/// Checks that all grains of a two-dimensional packing have the same z. @throws InputError naming a grain with another
-/// z
+/// Checks that all grains of a two-dimensional packing have the same z.
+/// @throws InputError naming a grain with another z
 void require_one_plane(const ListedPacking& listed);
 
 }  // namespace floc

@@ -124,7 +124,7 @@ class WritingArchive {
   void value(const char* group, const char* name, const T& v) {
     file_.attribute(group, name, v);
   }
-  /// Writes a value that is missing in files of some other versions of floc. ReadingArchive does not require it.
+  /// Writes a value that files of some other versions of floc do not contain. ReadingArchive accepts files without it.
   template <class T>
   void value_if_there(const char* group, const char* name, const T& v) {
     value(group, name, v);
@@ -147,8 +147,8 @@ class ReadingArchive {
  public:
   explicit ReadingArchive(const Hdf5Reader& file) : file_(file) {}
 
-  /// Reads an array with one row per item. Row k sets get(items[k]), a member of item k. @pre `items` has one item for
-  /// each row
+  /// Reads an array with one row per item. Row k sets get(items[k]), a member of item k.
+  /// @pre `items` has one item for each row
   template <class Items, class Get>
   void rows(const Field& field, Items& items, const Get& get) {
     using Layout = ArchiveItem<std::remove_cvref_t<decltype(get(items.front()))>>;

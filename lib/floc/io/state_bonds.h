@@ -10,8 +10,8 @@ namespace floc {
 template <int Dim>
 bool has_bonds(const Packing<Dim>& packing);
 
-/// Whether a state file holds the twisting moments and stiffnesses of the contacts: the law has twisting resistance, or
-/// bonds of spheres may have it.
+/// Whether a state file contains the twisting moments and stiffnesses of the contacts. It does if the law has twisting
+/// resistance, and for bonds of spheres, which may have it.
 template <int Dim>
 bool keeps_twisting(const Packing<Dim>& packing);
 

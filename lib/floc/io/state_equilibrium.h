@@ -12,16 +12,16 @@ namespace floc {
 template <int Dim>
 void write_equilibrium(WritingArchive& archive, const State<Dim>& state);
 
-/// Reads what write_equilibrium() writes.
+/// Reads the data that write_equilibrium() writes.
 template <int Dim>
 void read_equilibrium(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);
 
-/// Writes the imposed load if the current stage of the load path loads the axes differently. Writes nothing if the load
-/// is an isotropic pressure.
+/// Writes the imposed load if the current stage of the load path imposes different loads on the axes. Writes nothing if
+/// the load is an isotropic pressure.
 template <int Dim>
 void write_directed_load(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& state);
 
-/// Reads what write_directed_load() writes.
+/// Reads the data that write_directed_load() writes.
 /// @throws InputError if the driven axis is not an axis of the packing, or cannot be sheared
 template <int Dim>
 void read_directed_load(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);

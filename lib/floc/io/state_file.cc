@@ -34,9 +34,9 @@ const std::string kSignConvention = "compression_positive";
 
 constexpr Field kId = {"grains/id", Quantity::count, "index of the grain in all arrays"};
 
-/// Names of the optional groups of a state file, and `rigid` if its contacts are rigid. Its root attribute `features`
-/// lists those that it has, and a reader rejects a file with a feature that the reader does not support. A new physical
-/// feature therefore needs no new version of the file format.
+/// Names of the optional groups of a state file, and `rigid`, which marks a file with rigid contacts. The root
+/// attribute `features` lists those that the file contains. A reader rejects a file with a feature that it does not
+/// support, so a new physical feature does not need a new version of the file format.
 const std::string kContactMemory = "contacts/memory";
 const std::string kNoFeatures = "none";
 const std::string kWalls = "walls";
@@ -72,8 +72,8 @@ Quantity quantity_of(Unit unit) {
   return Quantity::ratio;
 }
 
-/// Returns the history quantities of contacts (such as the elongations of tangential springs): those of the law between
-/// grains and, if there are walls, those of the law between grains and walls. Each quantity is returned once.
+/// Returns the history quantities of contacts (such as the elongations of tangential springs), each once: those of the
+/// law between grains and, if there are walls, those of the law between grains and walls.
 template <int Dim>
 std::vector<HistoryQuantity> quantities_of(const Packing<Dim>& packing) {
   std::vector<HistoryQuantity> all = history_quantities(packing.law, Dim);
@@ -101,7 +101,7 @@ void write_memory(WritingArchive& archive, const Packing<Dim>& packing) {
   }
 }
 
-/// An array of contact history that state files of version 1 contain for every contact law.
+/// An array of contact history that state files of version 1 contain under every contact law.
 struct Version1Name {
   const char* name;
   HistoryKind kind;
@@ -117,8 +117,8 @@ bool remembers(const Packing<Dim>& packing, const std::string& name) {
                      [&](const HistoryQuantity& q) { return name == q.declared.name; });
 }
 
-/// Writes the contact history a second time, under the names of arrays in version 1 of the file format, for scripts
-/// that read these names. The arrays are zero if the law has no such history.
+/// Writes the contact history a second time, under the names of the arrays in version 1 of the file format, for scripts
+/// that use these names. The arrays are zero if the law has no such history.
 template <int Dim>
 void write_version_1_names(Hdf5Writer& file, WritingArchive& archive, const Packing<Dim>& packing) {
   for (const Version1Name& known : kVersion1Names) {
@@ -168,15 +168,12 @@ void check_features(const Hdf5Reader& file) {
   std::istringstream names(features);
   for (std::string name; names >> name;)
     if (std::find(kKnownFeatures.begin(), kKnownFeatures.end(), name) == kKnownFeatures.end())
-      throw InputError(
-          file.place("/"),
-          fmt::format(
-              "features = \"{}\": this version of floc does not know {}, so it would misread the state; "
-              "it knows {}",
-              features, name, fmt::join(kKnownFeatures, ", ")));
+      throw InputError(file.place("/"), fmt::format("features = \"{}\": this version of floc does not support "
+                                                    "{}, so it would misread the state; it supports {}",
+                                                    features, name, fmt::join(kKnownFeatures, ", ")));
 }
 
-/// Returns the names of the features of the file of a state, separated by blanks.
+/// Returns the names of the features of a state in a file, separated by blanks.
 /// @param remembers  whether the contacts have a history
 template <int Dim>
 std::string features_of(const State<Dim>& state, bool remembers) {
@@ -203,9 +200,9 @@ const char* boundary_along(const std::vector<Wall<Dim>>& walls, int axis) {
   return "periodic";
 }
 
-/// Returns one word for the boundary along each axis: "periodic", "walls" (a wall at each end), "open" (no wall), "wall-open" or
-/// "open-wall" (a wall at the lower or upper end alone), for example "walls periodic". For a packing that is periodic
-/// along all axes, the text is the single word "periodic".
+/// Returns one word for the boundary along each axis, for example "walls periodic". The words are "periodic", "walls"
+/// (a wall at each end), "open" (no wall), "wall-open" (a wall at the lower end only) and "open-wall" (a wall at the
+/// upper end only). For a packing that is periodic along all axes, the text is the single word "periodic".
 template <int Dim>
 std::string boundary_of(const Packing<Dim>& packing) {
   if (packing.walls.empty()) return "periodic";
@@ -343,7 +340,7 @@ void check_descriptions(const Hdf5Reader& file, std::int64_t version, const Stat
   require("cell", "boundary", boundary_of(s.packing));
 }
 
-/// Checks that the contacts with walls are rigid where those between grains are, and only there.
+/// Checks that the contacts with walls are rigid if and only if the contacts between grains are rigid.
 template <int Dim>
 void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing) {
   if (packing.walls.empty() || packing.wall_law.is_rigid() == packing.law.is_rigid()) return;
@@ -352,7 +349,7 @@ void require_one_kind_of_law(const Hdf5Reader& file, const Packing<Dim>& packing
                                packing.wall_law.normal_keyword(), packing.law.is_rigid() ? "" : "not "));
 }
 
-/// Checks the record of the time step that begins at a state in motion.
+/// Checks the data of the time step that begins at a state in motion.
 template <int Dim>
 void check_motion(const Hdf5Reader& file, const State<Dim>& s) {
   if (!s.motion) return;
@@ -419,7 +416,7 @@ struct Header {
   std::int64_t dimension = 0;
 };
 
-/// Reads the attributes of a state file that tell how to read the rest. Checks format, version, features, sign
+/// Reads the attributes of a state file that determine how the rest is read. Checks format, version, features, sign
 /// convention, units and dimension.
 Header read_header(const Hdf5Reader& file) {
   std::string format;
@@ -435,7 +432,7 @@ Header read_header(const Hdf5Reader& file) {
         fmt::format("version = {}: the file was written by a newer floc; this floc reads versions up to {}",
                     version, kStateVersion));
   if (version < 1) throw InputError(file.place("/"), fmt::format("version = {}, expected 1 or more", version));
-  // Files of version 1 have no attribute `features`, because the optional groups that it lists came with version 2.
+  // Files of version 1 have no attribute `features`, because its optional groups were introduced in version 2.
   if (version >= 2) check_features(file);
   std::string sign;
   file.attribute("/", "sign_convention", sign);
@@ -454,7 +451,7 @@ Header read_header(const Hdf5Reader& file) {
 
 /// Opens a state file, reads its header, and returns the result of `read(file, header)`.
 /// @param path  name of the file in messages
-/// @param content_path  path under which the file is opened; another one if `path` is a pipe or standard input
+/// @param content_path  path under which the file is opened; it differs from `path` for a pipe or standard input
 template <class Read>
 auto read_content(const std::string& path, const std::string& content_path, const Read& read) {
   try {

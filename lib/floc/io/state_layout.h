@@ -34,11 +34,11 @@ struct Field {
   const char* meaning;
 };
 
-/// Writes or reads the cell of a state file, depending on the archive (WritingArchive, ReadingArchive). This function
-/// and the other functions describe_...() therefore define the layout of the file once for writing and reading. They
-/// call rows(field, items, get) for an array with one member of each item, column(field, values) for an array that is
-/// stored as it is, column_if_there(field, values, size) for an array that the file omits if it is empty, and
-/// matrix(field, m) for a matrix.
+/// Writes or reads the cell of a state file, depending on the archive (WritingArchive or ReadingArchive). This function
+/// and the other functions describe_...() define the layout of the file only once, for both writing and reading. They
+/// call these functions of the archive: rows(field, items, get) for an array with one member of each item,
+/// column(field, values) for an array that is stored as it is, column_if_there(field, values, size) for an array that
+/// the file omits if it is empty, and matrix(field, m) for a matrix.
 template <class Archive, class Cell>
 void describe_cell(Archive& archive, Cell& cell) {
   archive.matrix({"cell/matrix", Quantity::length, "rows are the lattice vectors"}, cell.matrix);
@@ -84,8 +84,8 @@ void describe_walls(Archive& archive, Walls& walls) {
       [](auto& w) -> auto& { return w.velocity; });
 }
 
-/// Writes or reads the arrays that state files contain for the contacts under every contact law. Arrays of flags,
-/// forces and stiffnesses that the law does not have are zero.
+/// Writes or reads the arrays for contacts that state files contain under every contact law. Arrays of flags, forces
+/// and stiffnesses that the law does not have are zero.
 template <int Dim, class Archive, class Contacts>
 void describe_contacts(Archive& archive, Contacts& contacts) {
   using enum Quantity;
@@ -153,8 +153,8 @@ void describe_twisting(Archive& archive, Contacts& contacts) {
       [](auto& c) -> auto& { return c.twisting_yield; });
 }
 
-/// Writes or reads the attributes of a state file that describe the equilibrium, the load path and the provenance, by
-/// calls archive.value(group, name, variable).
+/// Writes or reads the attributes of a state file that describe the equilibrium, the load path and the provenance, with
+/// calls of archive.value(group, name, variable).
 template <class Archive, class State>
 void describe_attributes(Archive& archive, State& s) {
   archive.value("equilibrium", "worst_force_grain", s.residuals.worst_force_grain);

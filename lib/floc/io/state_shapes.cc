@@ -39,7 +39,7 @@ constexpr Field kAxes = {
     "for each shape, row by row, the matrix whose columns are the axes of the vertices in the "
     "coordinates from which the shape was made"};
 
-/// Largest relative difference between the radius of a grain and the radius that follows from its shape and scale.
+/// Largest relative difference between the radius of a grain and the radius computed from its shape and scale.
 constexpr double kRadiusError = 1e-12;
 /// Largest number of shapes, faces and vertices in a file. Larger numbers may not fit an int, the type of indices.
 constexpr std::uint64_t kMostRows = 1'000'000'000;
@@ -92,8 +92,8 @@ constexpr std::int32_t kLastType = static_cast<std::int32_t>(ContactType::kFaceF
   throw InputError(file.place(path), what);
 }
 
-/// Reads an array of numbers that tell where the parts of each item begin in another array.
-/// @return the numbers, one more than there are items: ascending from 0 to the number of rows of the other array
+/// Reads an array that gives, for each item, the row at which the parts of this item begin in another array.
+/// @return the rows, one number more than there are items: ascending from 0 to the number of rows of the other array
 std::vector<std::int32_t> take_starts(const Hdf5Reader& file, ReadingArchive& archive, const Field& field,
                                       std::uint64_t n_items, std::uint64_t n_parts) {
   auto starts = archive.take<std::int32_t>(field, {n_items + 1});

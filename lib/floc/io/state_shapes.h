@@ -8,14 +8,15 @@
 /// scale of each grain and the point and type of each contact (docs/states.md).
 namespace floc {
 
-/// Writes the table of shapes of a packing and what grains and contacts have of them. Writes nothing for a packing of
-/// round grains.
+/// Writes the table of shapes of a packing, the shape and scale of each grain, and the point and type of each contact.
+/// Writes nothing for a packing of round grains.
 template <int Dim>
 void write_shapes(WritingArchive& archive, const Packing<Dim>& packing);
 
-/// Reads the table of shapes, and the shape and scale of each grain. Every shape is exactly that which was written.
+/// Reads the table of shapes, and the shape and scale of each grain. Every number is exactly the number that was
+/// written.
 /// @pre the radii of the grains have been read
-/// @throws InputError unless every shape is a convex body whose recorded mass properties are right to 1e-9, and the
+/// @throws InputError unless every shape is a convex body whose recorded mass properties are accurate to 1e-9, and the
 /// radius of each grain is its scale times the radius of its shape
 template <int Dim>
 void read_shapes_of_state(const Hdf5Reader& file, ReadingArchive& archive, Grains<Dim>& grains);

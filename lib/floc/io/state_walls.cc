@@ -23,8 +23,8 @@ constexpr Field kWallForce = {"walls/force", Quantity::force,
                               "static normal force of the grains on the wall, positive outwards"};
 
 /// Checks the walls of a state.
-/// @throws InputError unless the axes of the walls are in ascending order, each axis with walls has two walls, the
-/// lower wall first, and the distance of these two walls is the side of the cell along the axis
+/// @throws InputError unless the axes of the walls are in ascending order, each axis with walls has two walls with the
+/// lower wall first, and the distance between these two walls is the side of the cell along the axis
 template <int Dim>
 void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
   const std::vector<Wall<Dim>>& walls = packing.walls;
@@ -49,9 +49,10 @@ void check_walls(const Hdf5Reader& file, const Packing<Dim>& packing) {
     const double side = packing.cell.matrix(walls[w].axis, walls[w].axis);
     if (!packing.cell.rectangular() || !(distance > 0.0) || !(std::abs(distance / side - 1.0) < 1e-9))
       refuse("walls/position",
-             fmt::format("{:.6g} above the opposite wall, expected the side of a rectangular cell, "
-                         "{:.6g}",
-                         distance, side));
+             fmt::format(
+                 "{:.6g} above the opposite wall, expected a distance equal to the side of a rectangular cell, "
+                 "{:.6g}",
+                 distance, side));
   }
   if (walls.size() % 2 != 0)
     throw InputError(file.place("walls/axis"),

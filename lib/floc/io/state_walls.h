@@ -12,9 +12,9 @@ namespace floc {
 template <int Dim>
 void write_walls(Hdf5Writer& file, WritingArchive& archive, const State<Dim>& state);
 
-/// Reads the walls, and the contact law between grains and walls, into the packing of a state. @pre the cell of the
-/// packing has been read
-/// @throws InputError unless each axis with walls has two walls, and their distance is the side of the rectangular cell
+/// Reads the walls, and the contact law between grains and walls, into the packing of a state.
+/// @pre the cell of the packing has been read
+/// @throws InputError unless each axis with walls has two walls whose distance is the side of the rectangular cell
 /// along the axis
 template <int Dim>
 void read_walls(const Hdf5Reader& file, ReadingArchive& archive, State<Dim>& state);

@@ -12,7 +12,8 @@
 namespace floc {
 namespace {
 
-/// Returns a value as text; empty if the value is undefined. @param number  format string for a real number
+/// Returns a value as text; empty if the value is undefined.
+/// @param number  format string for a real number
 std::string to_text(const TableValue& value, const char* number) {
   return std::visit(
       [number](const auto& v) -> std::string {
@@ -47,7 +48,7 @@ void write_csv(std::ostream& out, const Table& table) {
   line(cells);
   for (const auto& row : table.rows) {
     cells.clear();
-    // Without a precision, fmt prints the shortest digits that read back as the same number.
+    // Without a precision, fmt prints the fewest digits that are read back as the same number.
     for (const TableValue& value : row) cells.push_back(csv_quoted(to_text(value, "{}")));
     line(cells);
   }

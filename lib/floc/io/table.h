@@ -19,7 +19,7 @@ using TableValue = std::variant<std::monostate, bool, std::int64_t, double, std:
 TableValue or_undefined(const std::optional<double>& number);
 TableValue or_undefined(const std::string& text);
 
-/// Table with named columns, as the commands of floc print it.
+/// Table with named columns, in the form in which the commands of floc print tables.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<TableValue>> rows;  ///< each row has one value per column

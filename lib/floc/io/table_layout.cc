@@ -14,18 +14,18 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-constexpr std::size_t kSample = 200;  ///< number of lines from which the layout is found
+constexpr std::size_t kSample = 200;  ///< number of lines that are analysed to find the layout
 
-/// Whether a cell stands for a value that is missing or undefined.
+/// Whether a cell denotes a missing or undefined value.
 bool is_missing(std::string_view cell) {
   constexpr std::array<std::string_view, 14> kMissing = {"",    "-",    "--",   "nan", "NaN", "NAN",  "inf",
                                                          "Inf", "-inf", "-Inf", "NA",  "n/a", "null", "None"};
   return std::find(kMissing.begin(), kMissing.end(), cell) != kMissing.end();
 }
 
-/// Splits a line of names into `n` cells where the names contain blanks and blanks separate them: a unit in brackets
-/// belongs to the name before it, or the names are two or more blanks apart. @return the cells; empty if none of
-/// these ways gives `n` cells
+/// Splits a line of names at blanks into `n` cells if the names themselves contain blanks. Two ways are tried: a unit
+/// in brackets is joined to the name before it, or names are separated by two or more blanks.
+/// @return the cells; empty if neither way gives `n` cells
 Cells names_between_blanks(std::string_view line, std::size_t n) {
   Cells merged;
   for (std::string& word : split_cells(line, ' ').value_or(Cells{})) {
@@ -44,7 +44,8 @@ Cells names_between_blanks(std::string_view line, std::size_t n) {
   return spaced.size() == n ? spaced : Cells{};
 }
 
-/// How well a line names the columns: number of wanted names, and number of words.
+/// Returns two numbers by which lines are compared as the line of names: the number of wanted names, and the number of
+/// words.
 std::pair<std::ptrdiff_t, std::ptrdiff_t> rank_as_names(const Cells& cells,
                                                         const std::vector<std::string>& wanted) {
   const auto is_wanted = [&](const std::string& cell) {
@@ -56,7 +57,7 @@ std::pair<std::ptrdiff_t, std::ptrdiff_t> rank_as_names(const Cells& cells,
           std::count_if(cells.begin(), cells.end(), is_word)};
 }
 
-/// The first lines of a table, split at one separator.
+/// The first lines of a table, split at a given separator.
 class SplitLines {
  public:
   SplitLines(const TableLines& lines, char separator, const std::vector<std::string>& wanted)
@@ -76,9 +77,9 @@ class SplitLines {
   char separator() const { return separator_; }
   const std::vector<Cells>& rows() const { return rows_; }
   std::size_t width() const { return width_; }  ///< usual number of cells
-  /// Largest number of cells of a row of data, without empty ones at the end.
+  /// Largest number of cells in a row of data, without the empty cells at its end.
   std::size_t filled() const { return filled_; }
-  std::size_t first() const { return first_; }  ///< index of the first row with the usual number of numbers
+  std::size_t first() const { return first_; }  ///< index of the first row of data
   bool has_numbers() const { return first_ < rows_.size(); }
 
   std::size_t count_numbers(const Cells& cells) const {
@@ -86,14 +87,14 @@ class SplitLines {
     return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), number));
   }
 
-  /// Whether a line has as many cells as the rows of data, up to empty cells at the end.
+  /// Whether a line has as many cells as the rows of data, except for empty cells at the end.
   bool fits(const Cells& cells) const {
     return cells.size() == width_ || without_trailing_empties(cells) == filled_;
   }
   bool has_names() const { return first_ > 0 ? fits(rows_[first_ - 1]) : !names_in_comment().first.empty(); }
 
-  /// Returns the names of the columns in a comment above the table, and the number of its line; no names if no comment
-  /// has one word for each column.
+  /// Returns the names of the columns in a comment above the table, and the number of the line of this comment. The
+  /// names are empty if no comment has one word for each column.
   std::pair<Cells, int> names_in_comment() const {
     for (auto comment = comments_.rbegin(); comment != comments_.rend(); ++comment)
       for (const char separator : {separator_, ' '}) {
@@ -104,7 +105,7 @@ class SplitLines {
     return {};
   }
 
-  /// Share of numbers among the cells of the rows of data that are not empty, from 0 to 1.
+  /// Fraction of the cells in the rows of data that are numbers, from 0 to 1. Empty cells are not counted.
   double share_of_numbers() const {
     std::size_t n_numbers = 0, n_filled = 0;
     for (std::size_t i = first_; i < rows_.size(); ++i) {
@@ -115,13 +116,15 @@ class SplitLines {
     return n_filled == 0 ? 0.0 : static_cast<double>(n_numbers) / static_cast<double>(n_filled);
   }
 
-  /// Whether half of what is in the rows of data or more is numbers, and a line above them names the columns.
+  /// Whether at least half of the cells in the rows of data are numbers, and a line above them names the columns.
   bool is_plausible() const { return has_numbers() && has_names() && share_of_numbers() >= 0.5; }
 
  private:
-  /// Finds the number of cells in which most numbers stand; if there are none, that of most lines.
+  /// Finds the usual number of cells: the one in whose lines most numbers are found or, without numbers, that of most
+  /// lines.
   void find_width() {
-    std::map<std::size_t, std::pair<std::size_t, std::size_t>> counts;  // cells of a line: numbers, lines
+    // key: cells of a line; value: numbers in such lines, and number of such lines
+    std::map<std::size_t, std::pair<std::size_t, std::size_t>> counts;
     for (const Cells& cells : rows_) {
       counts[cells.size()].first += count_numbers(cells);
       counts[cells.size()].second += 1;
@@ -130,7 +133,7 @@ class SplitLines {
       if (width_ == 0 || count >= counts[width_]) width_ = width;
   }
 
-  /// Finds the first row of data, below the line that has two of the wanted names or more if there is one.
+  /// Finds the first row of data. It is below the line with two or more of the wanted names, if there is such a line.
   void find_first(const std::vector<std::string>& wanted) {
     std::size_t most = 0;
     auto begin = rows_.begin();
@@ -153,7 +156,7 @@ class SplitLines {
   std::size_t filled_ = 0;
 };
 
-/// The separator of a table without numbers: the first of these that its first line contains.
+/// Returns the separator of a table without numbers: the first of several separators that occurs in the first line.
 char separator_of_words(const TableLines& lines) {
   const std::string_view first = lines.rows.empty() ? std::string_view() : lines.rows.front().text;
   for (const char candidate : {',', '\t', ';'})
@@ -168,7 +171,8 @@ char separator_of_words(const TableLines& lines) {
 SplitLines split_at_best_separator(const TableLines& lines, const std::vector<std::string>& wanted) {
   std::vector<SplitLines> candidates;
   for (const char separator : {',', ';', '\t', ' '}) candidates.emplace_back(lines, separator, wanted);
-  // A single column of numbers with decimal commas is the last choice: it may as well be several columns.
+  // A single column of numbers with decimal commas is the last choice, because it may also be several columns of
+  // integers.
   const auto rank = [](const SplitLines& split) {
     const bool several = split.width() > 1;
     return std::tuple(several && split.is_plausible(), several && split.has_numbers() && split.has_names(),
@@ -183,8 +187,8 @@ bool is_blank(const Cells& cells) {
   return without_trailing_empties(cells) == 0;
 }
 
-/// Whether a row below the names gives units: all of its cells do, or half of them, one of which is no single letter. A
-/// cell may be empty or say that there is no unit.
+/// Whether a row below the names contains units. It does if all of its cells are units, or if half of them are and at
+/// least one of these is longer than a single letter. A cell may be empty, or contain a sign for numbers without unit.
 bool is_units_row(const Cells& cells) {
   std::size_t n_words = 0, n_units = 0, n_clear = 0;
   for (const std::string& cell : cells) {
@@ -198,11 +202,11 @@ bool is_units_row(const Cells& cells) {
   return !is_blank(cells) && (n_units == n_words || (n_clear > 0 && 2 * n_units >= n_words));
 }
 
-/// Takes the names from the lines `begin` to `end - 1`, of which those below the names are rows of data or of units.
+/// Takes the names of the columns from the lines `begin` to `end - 1`. The lines below the names contain data or units.
 void take_names(const SplitLines& split, const TableLines& lines, std::size_t begin, std::size_t end,
                 const std::vector<std::string>& wanted, TableLayout& layout) {
   const std::vector<Cells>& rows = split.rows();
-  // Words above columns without data are no names, as those of a title are that a separator ends.
+  // Words above columns without data are not counted as names. They occur if a title contains the separator.
   const auto rank = [&](const Cells& cells) {
     const std::size_t n = split.has_numbers() ? std::min(cells.size(), split.filled()) : cells.size();
     return rank_as_names({cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(n)}, wanted);
@@ -223,17 +227,17 @@ void take_names(const SplitLines& split, const TableLines& lines, std::size_t be
   }
 }
 
-/// Whether a line ends within a quoted cell: it has an odd number of quotation marks, of which the last one begins a cell.
+/// Whether a line ends within a quoted cell: its number of quotation marks is odd, and the last one begins a cell.
 bool ends_within_quotes(std::string_view line) {
   const std::size_t last = line.rfind('"');
   if (last == std::string_view::npos || std::count(line.begin(), line.end(), '"') % 2 == 0) return false;
   return last == 0 || std::string_view(",; \t").find(line[last - 1]) != std::string_view::npos;
 }
 
-/// Returns where the first row of a text ends: at the end of its first line or, if this line ends within a quoted cell,
-/// at the end of the line that closes the cell, if that is one of the next few.
+/// Returns the end of the first row of a text. This is the end of its first line or, if this line ends within a quoted
+/// cell, the end of the line that closes the cell, if it is one of the next few lines.
 std::size_t end_of_row(std::string_view text) {
-  constexpr int kMostLines = 5;  // of a name of a column in a spreadsheet
+  constexpr int kMostLines = 5;  // the name of a column in a spreadsheet may extend over several lines
   const std::size_t end = std::min(text.find('\n'), text.size());
   if (!ends_within_quotes(text.substr(0, end))) return end;
   std::size_t later = end;
@@ -270,7 +274,7 @@ TableLayout find_table_layout(const TableLines& lines, const std::vector<std::st
   TableLayout layout;
   layout.separator = split.separator();
   if (lines.rows.empty()) return layout;
-  // A table without numbers has no place that tells titles from names: its first line names the columns.
+  // In a table without numbers, titles and names cannot be distinguished. Its first line is taken as the names.
   if (!split.has_numbers()) {
     take_names(split, lines, 0, 1, wanted, layout);
     return layout;

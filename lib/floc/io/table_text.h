@@ -8,14 +8,14 @@ namespace floc {
 /// Text of a table in UTF-8, whose lines end in "\n" or "\r\n".
 struct TableText {
   std::string text;
-  /// Encoding of the file in words, such as "Latin-1"; empty for UTF-8.
+  /// Name of the encoding of the file, such as "Latin-1"; empty for UTF-8.
   std::string encoding;
 };
 
-/// Converts the bytes of a table to UTF-8. Recognised are UTF-8 and UTF-16, each with or without byte order mark; a text
-/// that is none of these is taken for Latin-1, with the characters that Windows adds to it (code page 1252). Lines that
-/// end in carriage returns alone, as on old Macs, get the line ends of Unix.
-/// Minus signs become hyphens, and no-break spaces blanks.
+/// Converts the bytes of a table to UTF-8. UTF-8 and UTF-16 are recognised, each with or without byte order mark. Any
+/// other text is taken as Latin-1 with the additional characters of Windows (code page 1252). Lines that end in
+/// carriage returns alone, as on old Macs, get the line ends of Unix. Minus signs are replaced by hyphens, and no-break
+/// spaces by blanks.
 /// @param place  name of the file, for messages
 /// @throws InputError if the text is in UTF-32
 TableText decoded_table(const std::string& place, std::string bytes);

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// A unit: name of the physical quantity that it measures, and size of the unit in SI units.
+/// A unit: the physical quantity that it measures, and its size in SI units.
 struct KnownUnit {
   std::string_view measures;
   double size;
@@ -135,14 +135,14 @@ std::string_view without_brackets(std::string_view text) {
   return enclosed ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
-/// Whether a text in round brackets at the end of a header is a remark or a symbol, as in "sigma (effective)" and "Void
-/// ratio (e)", and not a unit.
+/// Whether a text in round brackets at the end of a header is a remark or a symbol and not a unit. Examples: "sigma
+/// (effective)" and "Void ratio (e)".
 bool is_remark(const std::string& text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.'; };
   return !unit_of(text) && std::all_of(text.begin(), text.end(), is_letter);
 }
 
-/// Splits a header that ends with a unit in brackets. Returns nothing if it does not.
+/// Splits a header that ends with a unit in brackets into name and unit. Returns nothing if it does not end with one.
 std::optional<std::pair<std::string, std::string>> split_brackets(const std::string& header) {
   const bool closed = !header.empty() && (header.back() == ']' || header.back() == ')');
   const std::size_t open = closed ? header.rfind(header.back() == ']' ? '[' : '(') : std::string::npos;
@@ -154,7 +154,7 @@ std::optional<std::pair<std::string, std::string>> split_brackets(const std::str
   return std::pair(std::string(trimmed(header.substr(0, open))), unit == "-" || unit == "1" ? "" : unit);
 }
 
-/// Whether a text is a unit that is no part of a name elsewhere, as "bar" of "sigma_bar" and "N" of "F_N" are.
+/// Whether a text is a unit that is not also a common part of names, as "bar" is in "sigma_bar" and "N" in "F_N".
 bool is_clear_unit(const std::string& text) {
   constexpr std::array<std::string_view, 7> kClear = {"psi", "ksi", "mm", "cm", "um", "µm", "pcf"};
   const auto known = unit_of(text);

@@ -10,9 +10,9 @@
 namespace floc {
 namespace {
 
-/// Paths of the transient files that exist now, for the signal handler, which removes them. Null marks a free entry.
-/// The number of entries is generous, because a program has few transient files at a time. A file for which no entry is
-/// free is still removed by the destructor of its TransientFile, but not by a signal.
+/// Paths of the existing transient files, for the signal handler, which removes them. Null marks a free entry. There
+/// are more entries than a program usually has transient files at a time. A file for which no entry is free is removed
+/// by the destructor of its TransientFile, but not by a signal.
 std::array<std::atomic<const char*>, 64> g_names{};
 
 void register_name(const char* name) {

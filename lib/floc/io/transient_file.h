@@ -4,8 +4,8 @@
 
 namespace floc {
 
-/// A file that is removed at the end of the scope of this object, or when a signal ends the program, unless keep() has
-/// been called.
+/// A file that is removed by the destructor of this object, or when a signal ends the program, unless keep() has been
+/// called.
 class TransientFile {
  public:
   /// @param path  path of the file, which exists already or will be created by the caller

@@ -13,7 +13,7 @@ namespace {
 
 using Names = std::set<std::string_view>;
 
-/// Usual names of each quantity, as without_capitals(plain()) writes them.
+/// Usual names of each quantity, in the form that without_capitals(plain()) gives them.
 const std::map<std::string, Names>& usual_names() {
   static const std::map<std::string, Names> names = {
       {"pressure",
@@ -217,7 +217,7 @@ const std::map<std::string, Names>& usual_names() {
   return names;
 }
 
-/// Text in a plain name that replaces a character outside ASCII, or several of them in one row.
+/// Replacement in a plain name of a character, or of several successive characters, outside ASCII.
 struct Plain {
   std::string_view from, to;
 };
@@ -236,7 +236,7 @@ constexpr auto kPlain = std::to_array<Plain>({
     {"û", "u"},       {"ý", "y"},     {"ź", "z"},   {"ż", "z"},   {"ž", "z"},   {"Ż", "z"},
 });
 
-/// Writes a name without blanks, hyphens, underscores, signs of TeX and accents, with Greek letters as words.
+/// Returns a name without blanks, hyphens, underscores, TeX characters and accents, and with Greek letters spelled out.
 std::string plain(std::string_view name) {
   constexpr std::string_view kLeftOut = " \t_-.^{}$\\*";
   std::string text;
@@ -254,7 +254,8 @@ std::string plain(std::string_view name) {
   return text;
 }
 
-/// Writes a plain name with small letters, unless it is a symbol of one or two letters, in which capitals have a meaning.
+/// Returns a plain name in small letters, unless it is a symbol of one or two letters, in which capitals have a
+/// meaning.
 std::string without_capitals(std::string name) {
   if (name.size() <= 2) return name;
   for (char& c : name)
@@ -266,7 +267,7 @@ bool is_one_of(const Names& names, std::string_view part) {
   return names.contains(without_capitals(plain(part)));
 }
 
-/// Splits a name at brackets, commas, colons and signs of equality.
+/// Splits a name at brackets, commas, colons and equals signs.
 std::vector<std::string_view> parts_of(std::string_view name) {
   std::vector<std::string_view> parts;
   while (!name.empty()) {

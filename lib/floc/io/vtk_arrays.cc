@@ -18,7 +18,7 @@ namespace floc {
 namespace {
 
 /// Decodes base64 text up to the first character that is not base64. Padding (=) may occur within the text, because VTK
-/// may encode the length of the data and the data separately.
+/// may encode the length of the data separately from the data.
 std::string from_base64(std::string_view text) {
   constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
@@ -78,8 +78,8 @@ std::vector<double> parse_ascii(const std::string& place, std::string_view text)
 }
 
 /// Returns an upper bound on the number of base64 characters that encode the block at the beginning of `text`. A block
-/// is the data of one array after a header with the length of the data. Header and data are encoded separately or
-/// together.
+/// is a header with the length of the data, followed by the data of one array. Header and data are encoded separately
+/// or together.
 /// @param header_size  size of the header before encoding (bytes)
 std::size_t encoded_size(std::string_view text, std::size_t header_size) {
   const std::string header = from_base64(text.substr(0, 12)).substr(0, header_size);
@@ -89,7 +89,8 @@ std::size_t encoded_size(std::string_view text, std::size_t header_size) {
 }
 
 /// Returns the data of a block, which consists of a header and the data of one array. The header contains the length of
-/// the data in bytes. @param header_size  size of the header (bytes)
+/// the data in bytes.
+/// @param header_size  size of the header (bytes)
 std::string_view payload(const std::string& place, std::string_view block, std::size_t header_size) {
   std::uint64_t length = 0;
   if (block.size() >= header_size) std::memcpy(&length, block.data(), header_size);
@@ -99,8 +100,8 @@ std::string_view payload(const std::string& place, std::string_view block, std::
   return block.substr(header_size, length);
 }
 
-/// Returns the data of an array that is compressed in blocks. They begin with a header of whole numbers: the number of
-/// blocks, the size of each block and of the last one before compression, and the compressed size of each block.
+/// Returns the data of an array that is compressed in blocks. The blocks follow a header of whole numbers: the number
+/// of blocks, the size of each block and of the last block before compression, and the compressed size of each block.
 /// @param encoded  whether `text` is base64; header and blocks are then encoded separately
 std::string inflate_blocks(const std::string& place, std::string_view text, std::size_t header_size,
                            bool encoded) {
@@ -243,7 +244,7 @@ std::vector<double> VtkArrays::read(const std::string& section, const std::strin
     const auto offset = static_cast<std::size_t>(array.attribute("offset").as_ullong());
     if (offset > d.appended.size())
       throw InputError(here, fmt::format("offset = {} lies beyond the end of the appended data", offset));
-    // The appended block begins with its length, so its end need not be searched.
+    // The appended block begins with its length, so the position of its end need not be searched.
     block = std::string_view(d.appended).substr(offset);
     if (!d.appended_raw && d.compressed) block = block.substr(0, block.find_first_of("< \n"));
     if (!d.appended_raw && !d.compressed)

@@ -7,14 +7,17 @@
 
 namespace floc {
 
-/// Reads arrays of numbers from a file in VTK's XML format. The file has to contain an unstructured grid in one piece
-/// (VTK can split a grid into several). The numbers are little endian and not compressed. Those of an array are ASCII
-/// or base64 text within its XML element, or base64 text or raw bytes in the element AppendedData at the end of the
-/// file.
+/// Reads arrays of numbers from a file in VTK's XML format. The file must contain an unstructured grid or polygonal
+/// data in one piece (VTK can split a grid into several pieces). The numbers are little endian, and uncompressed or
+/// compressed by zlib. They are stored as ASCII or base64 text in the XML element of the array, or as base64 text or
+/// raw bytes in the element AppendedData at the end of the file.
 class VtkArrays {
  public:
-  /// Parses the XML of a file. @param path  name of the file in messages  @param content  content of the file
-  /// @throws InputError naming the file if it is not an XML file of VTK with one piece of an unstructured grid
+  /// Parses the XML of a file.
+  /// @param path  name of the file in messages
+  /// @param content  content of the file
+  /// @throws InputError naming the file if it is not an XML file of VTK with one piece of an unstructured grid or of
+  /// polygonal data
   VtkArrays(const std::string& path, const std::string& content);
   ~VtkArrays();
   VtkArrays(const VtkArrays&) = delete;

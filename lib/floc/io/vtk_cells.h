@@ -10,7 +10,7 @@ namespace floc {
 /// Types of cells in files of VTK.
 inline constexpr int kVertexCell = 1, kLineCell = 3, kPolygonCell = 7, kPolyhedronCell = 42;
 
-/// Returns a vector in space, in 2D with a zero for its third component.
+/// Returns a vector in three dimensions. In 2D its third component is zero.
 template <int Dim>
 Eigen::Vector3d in_space(const Vec<Dim>& v) {
   Eigen::Vector3d out = Eigen::Vector3d::Zero();

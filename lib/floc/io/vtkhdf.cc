@@ -27,7 +27,7 @@ namespace {
 
 const std::string kRoot = "VTKHDF";
 
-/// Moment of a rolling spring as a vector; in 2D along z.
+/// Returns the moment of a rolling spring as a vector. In 2D it is along z.
 Eigen::Vector3d moment_in_space(const RotationVector<2>& m) {
   return {0.0, 0.0, m[0]};
 }
@@ -35,7 +35,7 @@ Eigen::Vector3d moment_in_space(const RotationVector<3>& m) {
   return m;
 }
 
-/// Numbers of an array, and the number of its components.
+/// An array of numbers with its name and the number of its components.
 struct Column {
   std::string name;
   std::uint64_t components = 1;
@@ -45,7 +45,7 @@ struct Column {
   void add(const Eigen::Vector3d& v) { values.insert(values.end(), v.begin(), v.end()); }
 };
 
-/// Points, cells and arrays of the file of a packing.
+/// Points, cells and data arrays of the file of a packing.
 class Grid {
  public:
   template <int Dim>
@@ -72,7 +72,7 @@ class Grid {
       connectivity.insert(connectivity.end(), {lines_[k], lines_[k + 1]});
       end_cell(kLineCell);
     }
-    // The counts are those of the only part of the file.
+    // A file may have several parts. This one has only one, so the counts are those of the whole file.
     integers(file, kRoot + "/NumberOfPoints", {static_cast<std::int64_t>(n_points)});
     integers(file, kRoot + "/NumberOfCells", {static_cast<std::int64_t>(types.size())});
     integers(file, kRoot + "/NumberOfConnectivityIds", {static_cast<std::int64_t>(connectivity.size())});
@@ -86,7 +86,7 @@ class Grid {
     for (const Column* column :
          {&normal_force_, &shear_force_, &rolling_moment_, &twisting_moment_, &gap_, &image_, &wall_, &bonded_})
       write_column(file, "CellData", *column);
-    // Stiffnesses that the contact law does not have, as those of rigid contacts, are left out.
+    // Stiffnesses that the contact law does not have are left out, for example those of rigid contacts.
     for (const Column* column : {&kn_, &kt_, &kr_, &ktw_})
       if (std::any_of(column->values.begin(), column->values.end(), [](double k) { return k != 0.0; }))
         write_column(file, "CellData", *column);
@@ -175,7 +175,7 @@ void encode_vtkhdf(const State<Dim>& state, const std::string& path) {
   file.close();
 }
 
-/// Cells of a file that are vertices or lines.
+/// The cells of a file that are vertices or lines.
 struct VtkCells {
   struct Line {
     std::size_t cell;  ///< number of the cell, and row in the arrays of cell data
@@ -210,7 +210,7 @@ class VtkHdf {
     return file_.has(kRoot + "/" + group) ? file_.names(kRoot + "/" + group) : std::vector<std::string>{};
   }
 
-  /// Returns vertices and lines, in the order of the rows of cell data.
+  /// Returns the vertices and lines of the file. They refer to rows of the cell data by the numbers of their cells.
   VtkCells cells(std::size_t n_points) const {
     VtkCells out;
     if (is_grid_) {
@@ -232,7 +232,8 @@ class VtkHdf {
   }
 
  private:
-  /// Adds the cells of one group of arrays. @param type_of  function that returns the type of a cell
+  /// Adds the cells of one group of arrays.
+  /// @param type_of  function that returns the type of a cell
   template <class TypeOf>
   void add_cells(const std::string& group, const TypeOf& type_of, std::size_t n_points, VtkCells& out) const {
     const std::vector<double> points = numbers(group + "Connectivity"), offsets = numbers(group + "Offsets");
@@ -264,7 +265,7 @@ class VtkHdf {
   bool is_grid_ = true;
 };
 
-/// One array of cell data, empty if the file does not have it.
+/// One array of cell data; empty if the file does not contain it.
 class CellArray {
  public:
   CellArray(const VtkHdf& file, const std::string& name, std::size_t components, std::size_t n_cells)
@@ -295,7 +296,8 @@ std::int64_t whole_of(const std::string& place, std::size_t entry, double value)
   throw InputError(place, fmt::format("entry {} is {}, expected a whole number", entry, value));
 }
 
-/// Reads the contacts from the lines. @param id  identifier of the grain at each point
+/// Makes contacts of the lines.
+/// @param id  identifier of the grain at each point
 std::vector<ListedContact> contacts_of(const VtkHdf& file, const VtkCells& cells,
                                        const std::vector<std::int64_t>& id) {
   const auto array = [&](const char* name, std::size_t components = 1) {

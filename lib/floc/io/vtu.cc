@@ -23,8 +23,8 @@
 namespace floc {
 namespace {
 
-/// Returns the indices of the points that are grains: the points of the VTK cells of type vertex. If the file has no such
-/// cells, the result is empty, and all points are grains.
+/// Returns the indices of the points that are grains: the points of the VTK cells of type vertex. If the file has no
+/// such cells, all points are grains, and the result is empty.
 std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_points) {
   std::vector<std::size_t> points;
   if (arrays.has("Cells", "types")) {
@@ -45,7 +45,7 @@ std::vector<std::size_t> grain_points(const VtkArrays& arrays, std::size_t n_poi
   return points;
 }
 
-/// Whether a file is in VTK's XML format and has a data set of a kind.
+/// Whether a file is in VTK's XML format and has a data set of a given kind.
 bool has_data_set(const std::string& path, const char* kind) {
   const std::string text = read_beginning(path, 1000);
   return text.find("<VTKFile") != std::string::npos && text.find(kind) != std::string::npos;
@@ -111,8 +111,8 @@ void append(pugi::xml_node section, const ArrayText& array) {
   node.text().set(array.numbers.c_str());
 }
 
-/// Returns the corners of the outline of a shape in the plane, counter-clockwise; rounded corners become arcs of up to 1/16 of
-/// a turn.
+/// Returns the corners of the outline of a two-dimensional shape, counter-clockwise. Rounded corners become polygons
+/// with one side per 1/16 of a turn or less.
 std::vector<Vec<2>> outline(const Shape<2>& shape) {
   constexpr double kArc = 0.125 * std::numbers::pi;
   std::vector<Vec<2>> points;
@@ -130,9 +130,9 @@ std::vector<Vec<2>> outline(const Shape<2>& shape) {
   return points;
 }
 
-/// Points, VTK cells and data arrays of the VTU file of a packing: a point and a vertex for each grain, and one or two
-/// lines for each contact. A grain with corners has a polygon or the polyhedron of its core (the shape without its rounding),
-/// too, and its contacts are lines through the contact point.
+/// Points, VTK cells and data arrays of the VTU file of a packing. Each grain is a point and a vertex, and each contact
+/// is one or two lines. A grain with corners is also drawn as a polygon or as the polyhedron of its core (the shape
+/// without its rounding), and its contacts are lines through the contact point.
 class Drawing {
  public:
   template <int Dim>
@@ -183,7 +183,7 @@ class Drawing {
     ++n_cells_;
   }
 
-  /// Adds the points of a polygon or polyhedron in the coordinates of a shape. @return their indices
+  /// Adds the points of a polygon or polyhedron, given in the coordinates of its shape. @return indices of the points
   template <int Dim>
   std::vector<int> add_placed(const Grains<Dim>& grains, int i, const std::vector<Vec<Dim>>& points) {
     const PlacedShape<Dim> placed = grains.placed(i);

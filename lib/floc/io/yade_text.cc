@@ -18,7 +18,7 @@
 namespace floc {
 namespace {
 
-/// Table in a text file of YADE (spheres or interactions), and the periodic cell if a comment in the file gives it.
+/// Table in a text file of YADE (spheres or interactions), and the periodic cell if a comment in the file contains it.
 struct YadeTable {
   CsvTable table;
   std::vector<std::vector<double>> cell;
@@ -137,11 +137,12 @@ Law law_of(const CsvTable& table, const std::string& path) {
 
 void check_no_contact_columns(const ImportOptions& options) {
   if (!options.contact_columns.empty())
-    throw InputError("--contact-columns",
-                     "the file of interactions of YADE names its columns itself; leave this option out");
+    throw InputError(
+        "--contact-columns",
+        "the file of interactions of YADE contains the names of its columns; leave this option out");
 }
 
-/// Whether a file begins with a number, so that it has no line with the names of the columns.
+/// Whether a file begins with a number, and thus has no line with the names of the columns.
 bool begins_with_number(const std::string& path) {
   const std::string text = beginning_of_table(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -7,13 +7,14 @@
 
 namespace floc {
 
-/// Whether the first line of a file is a comment that names the columns x, y, z and r, or that gives a periodic cell.
+/// Whether the first line of a file is a comment that names the columns x, y, z and r, or that contains a periodic
+/// cell.
 bool is_yade_text(const std::string& path);
 
 /// Whether the first line of a file is a comment that names the columns id1 and id2.
 bool is_yade_interactions(const std::string& path);
 
-/// Reads spheres that a script of YADE wrote as text, one per line. Two comment lines are read:
+/// Reads spheres from a text file that a script of YADE has written, one sphere per line. Two comment lines are read:
 ///   # cell ax ay az bx by bz cx cy cz     lattice vectors (columns of O.cell.hSize), unless `options.cell` is given
 ///   # id x y z r [mass]                   names of the columns; the comment of export.textExt(),
 ///                                         "\#format x_y_z_r", is accepted as well

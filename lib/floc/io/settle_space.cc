@@ -142,8 +142,8 @@ void add_stated_ends(int dimension, ListedPacking& listed) {
   }
   if (!open.empty())
     listed.remarks.push_back(fmt::format(
-        "the packing is not periodic along {} ({}), and no walls are given: both ends of these axes are open",
-        open, space.boundary));
+        "the packing is not periodic along {} ({}), and no walls are given: it ends in free space there", open,
+        space.boundary));
   if (n_beyond > 0)
     listed.inconsistencies.push_back(fmt::format(
         "{} grains reach beyond faces of the box that are taken as open: give --walls {} to put walls there",

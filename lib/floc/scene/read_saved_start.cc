@@ -61,7 +61,7 @@ std::string refusal_of(const State<Dim>& state, const Scene& scene) {
     return "the grains of the state have shapes, which need rigid contacts in this version of floc: expected "
            "contact.normal = {law = \"rigid\"}";
   if (is_open(state.packing.walls) && !scene.assembly.box)
-    return "the state has an open end along an axis: expected a periodic state, or a table [box] in "
+    return "the state ends in free space along an axis: expected a periodic state, or a table [box] in "
            "the "
            "scene";
   if (std::ranges::any_of(state.packing.contacts, [](const auto& c) { return c.bonded; }))

@@ -369,7 +369,7 @@ bool is_free_along_every_axis(const std::vector<Wall<Dim>>& walls) {
 void require_strains(const std::string& file, const AnyState& any, StrainSet strains) {
   if (std::visit([](const auto& state) { return is_free_along_every_axis(state.packing.walls); }, any))
     throw InputError(file,
-                     "this packing has an open end along every axis, so it resists no strain and has no "
+                     "this packing ends in free space along every axis, so it resists no strain and has no "
                      "moduli; floc network computes its coordination, and floc forces its forces");
   if (strains == StrainSet::full &&
       std::visit([](const auto& state) { return !state.packing.walls.empty(); }, any))

@@ -94,7 +94,7 @@ TEST_F(ForcesCommand, RefuseInWordsWhatHasNone) {
       {"rolling/state-0001.h5", "rolling/state-0001.h5: its contact law resists rolling or twisting"},
       {"slipping/state-0001.h5 --stress 1,2,3,4", "stress: there are 4 components: expected the pressure"},
       {"slipping/state-0001.h5 --contacts c.csv --range-of 100000",
-       "contact 100000: this state has no contact with this number: expected 0 to"},
+       "contact 100000: this state has no contact with this number: expected a number from 0 to"},
   };
   for (const auto& [arguments, words] : refusals) {
     const Outcome o = forces(arguments);

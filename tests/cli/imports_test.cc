@@ -54,7 +54,7 @@ TEST_F(Imports, OfAClusterHaveContactsAndNoModuli) {
   const Outcome none = floc_arguments({"moduli", scratch_.file("s.h5"), "--force"});
   EXPECT_EQ(none.code, 4);
   EXPECT_THAT(none.err,
-              HasSubstr("ends in free space along every axis, so that it resists no strain and has no moduli"));
+              HasSubstr("ends in free space along every axis, so it resists no strain and has no moduli"));
 }
 
 /// A column of n spheres between walls across x and y, on a floor, under gravity: the force below sphere k is the weight of
@@ -198,10 +198,9 @@ TEST_F(Imports, MergePairsThatAreListedTwice) {
   merged.emplace_back("--pairs-twice");
   const Outcome o = convert("g.csv", merged);
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(
-      o.err,
-      HasSubstr("2 of the 4 contacts listed are the second rows of their pairs and are left out; the forces "
-                "of 1 of them contradict the first row"));
+  EXPECT_THAT(o.err,
+              HasSubstr("2 of the 4 contacts listed are second rows of a pair and are left out; the forces "
+                        "of 1 of them contradict the first row"));
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ TEST(MeasuredTables, ThatLackANumberAreRefusedWithTheOptionThatGivesIt) {
   refused("p,h\n1,20\n2,19\n",
           "with --columns initial_void_ratio=NUMBER or solid_height=NUMBER, the column \"h\"");
   refused("p,density\n1,2\n2,2.8\n",
-          "stdin:3: bulk_density = 2.8: expected a density up to that of the particles",
+          "stdin:3: bulk_density = 2.8: expected a density up to the density of the particles",
           {"--columns", "particle_density=2.7"});
   refused("p [mm],e\n1,0.9\n2,0.8\n", "have the unit mm: expected a unit of pressure");
   refused("p,e [kPa]\n1,0.9\n2,0.8\n", "the column \"e [kPa]\" has the name of a void ratio, but not its unit");

@@ -66,14 +66,14 @@ TEST_F(PlanCommand, BadInputIsNamedAndNothingIsRunOrWritten) {
       {kDemoScene + "--budget 0.01s", "a single sample of the smallest size, 50 grains, takes "},
       {kDemoScene + "--want K0=0.1", "K0 is not a quantity of this scene"},
       {kDemoScene + "--want phi=1e-9", "phi=1e-09: expected at least "},
-      {kDemoScene + "--want phi=0.003 --budget 2s", "the nearest that the budget allows are phi="},
+      {kDemoScene + "--want phi=0.003 --budget 2s", "the nearest errors that the budget allows are phi="},
       {kDemoScene + "--budget 1h --set contact.normal.stiffness=1e9", "a K_N/F0 = 1e+09 is outside the range"},
       {kDemoScene + "--budget 1h --set cell.mass=100", "the mass of the cell is 1e+03 times the default"},
       {kDemoScene + "--budget 1h --set accuracy.phi=0.01", "remove the table [accuracy]"},
       {kDemoScene + "--budget 1h --prices none.csv", "none.csv"},
       {kDemoScene + "--budget 1h --prices beads.csv",
-       "the scene is of the kind disks-cohesive, but the table beads.csv is "
-       "about scenes of the kind beads-hertz; tables are shipped for"},
+       "the scene is of the kind disks-cohesive, but the table beads.csv describes scenes of the kind "
+       "beads-hertz; tables are shipped for"},
       {kDemoScene + "--budget 1h --prices old.csv", "old.csv: column"},
       {kDemoScene + "--budget 1h --pilot --set grains.count=1", "grains.count"},
       {kDemoScene + "--budget 1s --pilot", "--pilot: the samples of 200 grains are not complete within 0.2 s"},

@@ -99,16 +99,16 @@ const Refusal kOfPackings[] = {
     {"no_law",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r --cell '5,0;0,5' "},
-     "g.csv: the file holds no contact law: give --law"},
+     "g.csv: the file contains no contact law: give --law"},
     {"no_cell",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r " + kLaw},
-     "g.csv: the file holds no cell: give --cell"},
+     "g.csv: the file contains no cell: give --cell"},
     {"no_grains", {{"g.csv", "x,y,r\n"}}, {kConvert}, "g.csv: the file has no grains"},
     {"cell_of_one_vector",
      {{"g.csv", kGrains}},
      {"convert g.csv p.h5 --columns radius=r --cell '5' " + kLaw},
-     "the cell has to have two lattice vectors in 2D, or three in 3D"},
+     "the cell must have two lattice vectors in 2D, or three in 3D"},
     {"quotes_that_do_not_end",
      {{"g.csv", kGrains + "\"0,0,0.5\n"}},
      {kConvert},
@@ -145,7 +145,7 @@ const Refusal kOfFormats[] = {
     {"xyz_cut_short",
      {{"g.xyz", "1\n"}},
      {"convert g.xyz --from extended-xyz p.h5 " + kLaw},
-     "g.xyz: the file ends before the comment line of a frame, which has to contain Properties="},
+     "g.xyz: the file ends before the comment line of a frame: expected a comment line with Properties="},
     {"xyz_empty",
      {{"g.xyz", "\n"}},
      {"convert g.xyz --from extended-xyz p.h5 " + kLaw},
@@ -244,7 +244,7 @@ const Refusal kOfFormats[] = {
     {"yade_no_law",
      {{"g.txt", kYade}},
      {"convert g.txt p.h5 --cell '5,0;0,5'"},
-     "g.txt: the file holds no contact law: give --law"},
+     "g.txt: the file contains no contact law: give --law"},
     {"yade_interactions_without_a_law",
      {{"g.txt", kYade}, {"i.txt", "# id1 id2 fnx fny fnz\n0 1 1 0 0\n"}},
      {"convert g.txt p.h5 --cell '5,0;0,5' --contacts i.txt"},
@@ -252,7 +252,8 @@ const Refusal kOfFormats[] = {
     {"yade_contact_columns",
      {{"g.txt", kYade}},
      {"convert g.txt p.h5 " + kLaw + " --contact-columns id1=a"},
-     "--contact-columns: the file of interactions of YADE names its columns itself; leave this option out"}};
+     "--contact-columns: the file of interactions of YADE contains the names of its columns; leave this option "
+     "out"}};
 INSTANTIATE_TEST_SUITE_P(FilesOfOtherPrograms, Refused, ::testing::ValuesIn(kOfFormats),
                          [](const auto& test) { return std::string(test.param.name); });
 
@@ -372,7 +373,7 @@ const Refusal kOfCommands[] = {
     {"nothing_to_set_in",
      {},
      {"scene check " + kDemo + " --set grains.count.x=1"},
-     "the scene has no table or array item 'count' in which a key could be set"},
+     "the scene has no table or array item 'count' in which this override could set a key"},
     {"no_room",
      {},
      {"run " + kDemo + " -o d --set cell.solid_fraction=0.85 --set grains.count=50"},
@@ -454,8 +455,8 @@ pressure = 0.01
                                    "the scene, or omit --seeds"));
   const Outcome study = run_floc("tradeoff s.toml", scratch.path());
   EXPECT_EQ(study.code, 4);
-  EXPECT_THAT(study.err, HasSubstr("the study makes samples with different numbers of grains, which requires a "
-                                   "gas in place of a saved state: expected \"direct\" or \"aggregation\""));
+  EXPECT_THAT(study.err, HasSubstr("the study varies the number of grains, so the samples must be made from a "
+                                   "gas and not from a saved state: expected \"direct\" or \"aggregation\""));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(BadState, OfAnotherFormatVersionOrShapeIsRefusedWithExitCode4) {
                                   file.group("cell");
                                   file.array("cell/matrix", {2, 2}, std::vector<std::int32_t>(4, 1));
                                 }),
-                 ":/cell/matrix: the dataset holds values of another type, expected real numbers");
+                 ":/cell/matrix: the dataset contains values of another type, expected real numbers");
 }
 
 TEST(BadState, CutShortOrForeignIsRefusedWithExitCode4) {

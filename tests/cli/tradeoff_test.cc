@@ -253,7 +253,8 @@ TEST(ModuliWithinAnAccuracy, AreRefusedInWordsWhereTheyCannotBe) {
   EXPECT_THAT(refusal("C=0.1").err,
               HasSubstr("--accuracy C=0.1: expected X, B=X or G=X, where X is a relative error"));
   EXPECT_THAT(refusal("little").err, HasSubstr("--accuracy little: expected X"));
-  EXPECT_THAT(refusal("0.1 --increments i.csv").err, HasSubstr("needs --method factor in place of --accuracy"));
+  EXPECT_THAT(refusal("0.1 --increments i.csv").err,
+              HasSubstr("needs --method factor; give it instead of --accuracy"));
   EXPECT_EQ(refusal("0.1 --method bounds").code, 2);
   EXPECT_EQ(refusal("0.1 --rolling-stiffness 1").code, 2);
   // The numbers are given all the same, with their errors.
@@ -261,7 +262,8 @@ TEST(ModuliWithinAnAccuracy, AreRefusedInWordsWhereTheyCannotBe) {
   EXPECT_EQ(beyond.code, 3);
   EXPECT_THAT(
       beyond.err,
-      HasSubstr("no method computes B and G as accurately as --accuracy requires: even with --method factor"));
+      HasSubstr(
+          "no method computes B and G with the accuracy that --accuracy requires: even with --method factor"));
   EXPECT_THAT(beyond.out, HasSubstr(",factor,"));
 }
 

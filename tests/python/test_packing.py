@@ -167,7 +167,7 @@ class Refusals(unittest.TestCase):
                      contacts={"id1": [0], "id2": [1], "normal_force": [1.0, 2.0]})
         self.refused("contact 0: id2 = 70: no grain has this id", contacts={"id1": [0], "id2": [70]})
         self.refused("contacts: id1 has values of type float64", contacts={"id1": [0.5], "id2": [1]})
-        self.refused("contact 0: .*pulls with the force 1",
+        self.refused("contact 0: .*carries a tensile force of 1",
                      contacts={"id1": [0], "id2": [1], "normal_force": [-1.0]})
 
     def test_take_integers_written_as_real_numbers(self):

@@ -127,10 +127,9 @@ int make_plan(PlanCommand& arguments) {
     throw InputError(arguments.scene,
                      "floc plan chooses the numerical settings itself: remove the table [accuracy]");
   if (scene.starts_from_state())
-    throw InputError(
-        arguments.scene,
-        "assembly.protocol = \"state\": a plan needs samples with any number of grains, which requires a "
-        "gas in place of a saved state: expected \"direct\" or \"aggregation\"");
+    throw InputError(arguments.scene,
+                     "assembly.protocol = \"state\": a plan chooses the number of grains, so the samples must "
+                     "be made from a gas and not from a saved state: expected \"direct\" or \"aggregation\"");
   std::optional<PriceTable> table = prices_for(arguments, scene);
   const std::string prices = table ? table->name() : "pilot";
   std::optional<PilotResult> pilot;

@@ -50,7 +50,7 @@ TEST(AtomicFile, OverADirectoryLeavesTheDirectoryAndNoPart) {
   std::filesystem::create_directory(scratch.file("d"));
   EXPECT_THAT([&] { write_bytes_atomically(scratch.file("d"), "x"); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr(
-                  scratch.file("d") + ": this path is a directory, expected the name of a file")));
+                  scratch.file("d") + ": this path is a directory: expected the name of a file")));
   EXPECT_TRUE(std::filesystem::is_directory(scratch.file("d")));
   EXPECT_EQ(n_files(scratch.path()), 1);
 }

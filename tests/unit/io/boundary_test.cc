@@ -162,9 +162,9 @@ TEST_F(GivenBoundary, HoldsContactsWithItsWallsAlone) {
   EXPECT_EQ(p.contacts[1].i, 1);
   EXPECT_EQ(p.contacts[1].j, 4);
   options_.walls = "x=:2,y=0:1";
-  expect_refusal("c.csv:2: the contact is one of grain 0 with the wall x-, but the packing has no wall there");
+  expect_refusal("c.csv:2: the contact is between grain 0 and the wall x-, but the packing has no such wall");
   options_.walls = "x=-3:2,y=0:1";
-  expect_refusal("c.csv:2: grain 0 carries a force of 3 at the wall x-, but its gap is 3");
+  expect_refusal("c.csv:2: grain 0 carries a force of 3 at the wall x-, but the gap is 3");
   test::write_text(options_.contacts, "id1,id2,normal_force\ny-,x-,3\n");
   expect_refusal("c.csv:2: the bodies y- and x- are both walls");
 }
@@ -205,7 +205,7 @@ TEST_F(GivenBoundary, DoesNotMatterToBonds) {
   EXPECT_EQ(p.contacts[0].kt, 30.0);
   EXPECT_EQ(p.contacts[0].normal_force, 0.0);
   test::write_text(options_.bonds, "id1,id2\n0,1\n");
-  expect_refusal("b.csv:2: kn = 0, expected a positive number, the stiffness of the bond");
+  expect_refusal("b.csv:2: kn = 0, expected a positive stiffness of the bond");
   test::write_text(options_.bonds, "id1,id2,kn\n0,2,1\n");
   expect_refusal("b.csv:2: id2 = 2: no grain has this id");
 }

@@ -59,7 +59,7 @@ TEST(Csv, NamesFileLineAndColumnOfWhatItCannotRead) {
 TEST(Csv, RefusesALineOfAnotherLengthAndATableWithoutHeader) {
   EXPECT_THAT(
       [] { parse("x,y\n1,2\n1,2,b\n"); },
-      ThrowsMessage<InputError>("t.csv:3: the line has 3 cells, expected 2 as in the header of the csv table"));
+      ThrowsMessage<InputError>("t.csv:3: the line has 3 cells, expected 2 as in the header of the table"));
   EXPECT_THAT([] { parse("x,y\n\"1,2\n"); }, ThrowsMessage<InputError>(HasSubstr("t.csv:2: a quoted cell")));
   EXPECT_THAT([] { parse("# nothing\n"); }, ThrowsMessage<InputError>(HasSubstr("no header")));
   EXPECT_THAT([] { CsvTable::read("nowhere.csv"); }, ThrowsMessage<InputError>(HasSubstr("No such file")));

@@ -93,11 +93,9 @@ TEST_F(LammpsDump, OfATriclinicBoxHasTheBoundsOfItsBoundingBox) {
 TEST_F(LammpsDump, OfSeveralFramesIsReadLastUnlessOneIsNamed) {
   grains(frame(10, "id x y z radius", kRows) + frame(20, "id x y z radius", "1 2 3 0 0.25\n"));
   EXPECT_EQ(packing<2>().grains.size(), 1);
-  EXPECT_THAT(
-      read().remarks,
-      ElementsAre(
-          "frame 1 of the frames 0 to 1 is read, time step 20",
-          "every z is the same, so the grains are taken as disks in 2D; --dimension 3 makes them spheres"));
+  EXPECT_THAT(read().remarks, ElementsAre("frame 1 of the frames 0 to 1 is read, time step 20",
+                                          "every z is the same, so the grains are taken as disks in 2D; give "
+                                          "--dimension 3 to make them spheres"));
   options_.index = 0;
   EXPECT_EQ(packing<2>().grains.size(), 3);
   options_.index = 2;

@@ -149,7 +149,8 @@ TEST(MercuryDpm, NamesWhatIsWrong) {
   refusal("radius 0.51", "radius -0.51", "must be positive");
   refusal("radius", "radios", "the line has no radius");
   refusal("position 0", "position zero", "position is \"zero");
-  refusal("InfiniteWall id 0", "AxisymmetricWall id 0", "the wall AxisymmetricWall is no plane across an axis");
+  refusal("InfiniteWall id 0", "AxisymmetricWall id 0",
+          "the wall AxisymmetricWall is not a plane perpendicular to an axis");
   refusal("particleWallIds 0 0", "particleWallIds 0 5", "wall = 5, but the file has the walls 0 to 1");
   refusal("particleIds 0", "particleIds 99", "id1 = 99: no grain has this id");
   refusal("Particles 16", "Particles 1e30", "the number of Particles");

@@ -130,7 +130,7 @@ TEST(RockableShapes, NamesWhatIsWrong) {
   const std::string good = fmt::format(fmt::runtime(kCornerOnFace), 2, 0.4, 0.4, 1);
   refusal(good + good, "cubes.conf:10: the contact of grains 0 and 1 is listed twice");
   refusal(fmt::format(fmt::runtime(kCornerOnFace), 2, 4, 0.4, 1), "cubes.conf:9: the contact point is 4.0");
-  refusal(fmt::format(fmt::runtime(kCornerOnFace), 2, 0.4, 0.4, -1), "pulls with the force");
+  refusal(fmt::format(fmt::runtime(kCornerOnFace), 2, 0.4, 0.4, -1), "carries a tensile force of");
   refusal("0 1 2 0 0 0 0 -3 -0.01 0.4 0.4 0.5 0 0 0 1 0 0 0\n", "the normal of the contact has the length 3");
   refusal("0 1 2 0 0 0 0 -1 -0.01 0.4\n", "cubes.conf:9");
   refusal(good, "preCompDone", "preCompDone n\n");

@@ -90,7 +90,7 @@ TEST(Rockable, NamesWhatIsWrong) {
   refusal("Sphere 0", "Cube 0", "the shape Cube is not in the file of shapes");
   refusal("Sphere 0", "Plate 0", "preCompDone");
   refusal("Sphere 1 0 1", "Sphere 1 0 -1", "must be positive");
-  refusal("nDriven 6", "nDriven 7", "the driven body Sphere is no flat face across an axis");
+  refusal("nDriven 6", "nDriven 7", "the driven body Sphere is not a flat face perpendicular to an axis");
   refusal("Interactions ", "Interactions 1", "the file ends before row");
   refusal("shapeFile shapes.txt", "shapeFile none.txt", "none.txt");
   refusal("Particles", "Partikles", "the file has no section Particles");

@@ -188,9 +188,8 @@ TEST_F(Plans, WhatCannotBeHadIsRefusedWithTheNearestThatCan) {
   PlanRequest dear;
   dear.wants = {{"phi", 2e-3}};
   dear.budget = 5.0;
-  EXPECT_THAT(refusal(dear),
-              AllOf(HasSubstr("the wanted errors take "), HasSubstr("; the nearest that the budget "
-                                                                    "allows are phi=0.0")));
+  EXPECT_THAT(refusal(dear), AllOf(HasSubstr("the requested errors take "),
+                                   HasSubstr("; the nearest errors that the budget allows are phi=0.0")));
   // The nearest that is named can be had.
   const std::string words = refusal(below);
   const std::size_t at = words.find("at least ") + 9;

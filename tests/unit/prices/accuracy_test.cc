@@ -98,13 +98,14 @@ TEST(Accuracy, TheCellAddsTheErrorOfTheNearestFactorMeasuredBeyondItsOwn) {
 }
 
 TEST(Accuracy, WhatTheCellAddsIsSaidAndCountsForTheLeastError) {
-  EXPECT_THAT(choice_with({{2.0, 1.0}}, 6e-2).reason,
-              HasSubstr(". Added to these are the errors measured with cell_mass at 2 times its default value: "
-                        "phi 2.0e-04 in 95 % of the states"));
+  EXPECT_THAT(
+      choice_with({{2.0, 1.0}}, 6e-2).reason,
+      HasSubstr(". The total also includes the errors measured with cell_mass at 2 times its default value: "
+                "phi 2.0e-04 in 95 % of the states"));
   EXPECT_THAT(
       choice_with({{2.0, 1.0}}, 2.01e-4).failure_reason,
       HasSubstr("expected at least 0.0002, which is the smallest error in the table shipped with floc for this "
-                "quantity with the mass and the strain rate of the cell that the scene gives"));
+                "quantity for the mass and the strain rate of the cell in the scene"));
 }
 
 TEST(Accuracy, TheTableSpeaksForCellsBetweenThoseMeasured) {
@@ -128,8 +129,8 @@ TEST(Accuracy, TheReasonNamesSettingsCostAndErrors) {
       "the "
       "strictest "
       "settings. "
-      "Measured errors: phi 5.0e-02 in 95 % of the states, +3.0e-02 +- 2.0e-02 in means over samples after a "
-      "collapse");
+      "Measured errors: phi 5.0e-02 in 95 % of the states, +3.0e-02 +- 2.0e-02 in the means over samples of "
+      "the states after a collapse");
 }
 
 TEST(Accuracy, TheTableSpeaksForGrainsAboutAsStiff) {

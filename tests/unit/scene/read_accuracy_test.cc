@@ -94,7 +94,7 @@ TEST(AccuracyOfAScene, RefusesATableOfAnotherKind) {
         error.what(),
         testing::AllOf(HasSubstr("s.toml:20: [accuracy]: the scene is of the kind disks-cohesive, but the "
                                  "table "),
-                       HasSubstr("beads.csv is about scenes of the kind beads-hertz; tables are shipped "
+                       HasSubstr("beads.csv describes scenes of the kind beads-hertz; tables are shipped "
                                  "for the kinds ")));
   }
 }

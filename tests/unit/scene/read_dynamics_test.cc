@@ -173,8 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
                "grains is given by dynamics.time_step"},
         BadKey{"run.skin=0.1", "run.skin is not allowed with rigid contacts"},
         BadKey{"equilibrium.finish=auto",
-               "equilibrium.finish is not allowed with rigid contacts: the forces in "
-               "which rigid grains end are chosen by dynamics.finish"},
+               "equilibrium.finish is not allowed with rigid contacts: dynamics.finish chooses among the "
+               "possible forces of rigid grains at rest"},
         BadKey{"equilibrium.patience=2", "equilibrium.patience is not allowed with rigid contacts"},
         BadKey{"accuracy.phi=0.1", "[accuracy] is not allowed with rigid contacts"},
         BadKey{"assembly.vibration={dilation=1.1, collisions=10}",
@@ -216,8 +216,8 @@ TEST(ReadDynamics, StagesWithADirectionKeepAStress) {
               keeps_a_stress
                   ? ""
                   : std::string("s.toml:16: load.0.control = \"") + control +
-                        "\": this stage imposes the lengths of all axes, but rigid grains need a stress on "
-                        "one axis at least, because their forces have no scale otherwise; expected a stage "
+                        "\": this stage imposes the lengths of all axes, but rigid grains need a stress on at "
+                        "least one axis, because otherwise their forces have no scale; expected a stage "
                         "that keeps or imposes a stress");
 }
 

@@ -37,8 +37,9 @@ TEST(Tradeoff, SettingsThatDoNotFitAreLeftOutByName) {
   options.budget = 1.0;
   const Tradeoff tradeoff = study_tradeoff(small_scene(400), options);
   EXPECT_EQ(tradeoff.n_grains, 40);
-  EXPECT_THAT(tradeoff.left_out.front(),
-              HasSubstr("the samples have 40 grains in place of 400, because more do not fit into the budget"));
+  EXPECT_THAT(
+      tradeoff.left_out.front(),
+      HasSubstr("the samples have 40 grains in place of 400, because more grains do not fit into the budget"));
 }
 
 TEST(Tradeoff, ComparesOnlySettingsThatLeaveThePhysicsAlone) {

@@ -90,8 +90,9 @@ TEST_F(ConvertLists, KeepNeighboursThatTheLawAttractsAndNoneOfThemIsAtACap) {
       "1,3,1.5,0,0,0\n2,4,1.5,0,0,0\n",
       law);
   ASSERT_EQ(o.code, 0) << o.err;
-  EXPECT_THAT(o.err,
-              HasSubstr("contacts: 2 have a gap, 2 pull, 0 have a tangential force or moment at its limit"));
+  EXPECT_THAT(
+      o.err,
+      HasSubstr("contacts: 2 have a gap, 2 are tensile, 0 have a tangential force or moment at its limit"));
   const json moduli = row("moduli", "s.h5");
   EXPECT_EQ(moduli["n_distant"], 2);
   EXPECT_EQ(moduli["n_at_cap"], 0);

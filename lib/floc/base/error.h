@@ -10,7 +10,7 @@ namespace floc {
 class InputError : public std::runtime_error {
  public:
   /// @param place  file, "file:line" or "file:/dataset", printed before `problem`; may be empty
-  /// @param problem  key or option at fault, its value and the expected value, in words
+  /// @param problem  key or option at fault, its value and the expected value
   InputError(const std::string& place, const std::string& problem);
 };
 

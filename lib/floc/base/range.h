@@ -14,7 +14,7 @@ struct NumberRange {
   bool without_least = false;  ///< whether `least` itself is outside of the range
 
   bool holds(double x) const { return (without_least ? x > least : x >= least) && x <= most; }
-  /// Returns the range in words, for example "a positive number" or "a number from 4 to 1000".
+  /// Returns a description of the range, for example "a positive number" or "a number from 4 to 1000".
   std::string words() const;
 };
 
@@ -28,7 +28,7 @@ struct WholeRange {
   std::int64_t most;
 
   bool holds(std::int64_t x) const { return x >= least && x <= most; }
-  /// Returns the range in words, for example "a whole number from 2 to 100".
+  /// Returns a description of the range, for example "a whole number from 2 to 100".
   std::string words() const;
 };
 

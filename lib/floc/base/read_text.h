@@ -28,8 +28,8 @@ bool ends_in_carriage_return(std::string_view text);
 /// Returns `text` without the byte order mark of UTF-8 at its beginning, if it has one.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// Returns words to add to the message that `text` is not a number. If a comma in place of the decimal point is the
-/// only fault of `text`, the words say that a point is expected. Otherwise the result is an empty string.
+/// Returns an addition to the message that `text` is not a number. If the only fault of `text` is a comma in place of
+/// the decimal point, the addition says that a point is expected. Otherwise it is empty.
 std::string decimal_comma_hint(std::string_view text);
 
 }  // namespace floc

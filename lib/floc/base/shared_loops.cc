@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBits = 20;  // number of bits that store the number of an iteration
 
-/// Number of times that a waiting thread looks for a change before it yields its core.
+/// Number of times that a waiting thread tests its condition before it yields its core.
 constexpr int kSpins = 2000;
 
 template <class Condition>

@@ -18,10 +18,10 @@ namespace {
 constexpr double kForceTolerance = 1e-6;
 
 void add_list(const ListedContactCounts& listed, int n_kept, ConversionSummary& summary) {
-  summary.lines.push_back(fmt::format(
-      "contacts: {} read, {} kept, {} left out because they have a gap and no force, {} left out because "
-      "they pull, {} moved to the nearest image",
-      listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
+  summary.lines.push_back(
+      fmt::format("contacts: {} read, {} kept, {} left out because they have a gap and no force, {} left out "
+                  "because they are tensile, {} moved to the nearest image",
+                  listed.n_read, n_kept, listed.n_neighbors, listed.n_tensile, listed.n_other_image));
   if (listed.n_neighbors > 0)
     summary.inconsistencies.push_back(
         fmt::format("{} of the {} contacts listed have a gap and no force, and the law has no attraction "
@@ -57,7 +57,8 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         "contacts: {} are bonds, or act across a gap up to --touch-gap, with stiffnesses of their own",
         check.n_bonds));
   summary.lines.push_back(fmt::format(
-      "contacts: {} have a gap, {} pull, {} have a tangential force or moment at its limit; normal forces "
+      "contacts: {} have a gap, {} are tensile, {} have a tangential force or moment at its limit; normal "
+      "forces "
       "differ from the law by at most {:.1e} of their mean",
       check.n_with_gap + check.n_distant, check.n_pulling, check.n_mobilised, check.largest_difference));
   if (check.n_with_gap > 0)
@@ -65,7 +66,7 @@ void add_contacts(const ContactCheck& check, bool cohesive, ConversionSummary& s
         fmt::format("{} contacts carry a force across a gap at which the law does not act", check.n_with_gap));
   if (check.n_pulling > 0 && !cohesive)
     summary.inconsistencies.push_back(
-        fmt::format("{} contacts pull, but the law has no adhesion", check.n_pulling));
+        fmt::format("{} contacts are tensile, but the law has no adhesion", check.n_pulling));
   if (check.n_beyond_cap > 0)
     summary.inconsistencies.push_back(fmt::format(
         "{} tangential forces or rolling moments are above their limit in the law", check.n_beyond_cap));

@@ -33,7 +33,7 @@ struct ImportOptions {
   /// Names of the columns of contacts in the file `contacts`: the key is the name that floc uses, the value is the name
   /// in the file. A column that is not in this map has the name that floc uses.
   std::map<std::string, std::string> contact_columns;
-  std::optional<int> dimension;  ///< 2 or 3; if absent, settle_space() decides
+  std::optional<int> dimension;  ///< dimension, 2 or 3; if absent, settle_space() decides
   /// Number of the packing (or frame) to read from a file with several packings, from 0. If absent, the format
   /// determines whether the first or the last packing is read.
   std::optional<int> index;
@@ -44,7 +44,8 @@ struct ImportOptions {
   /// Largest gap at which grains are taken to touch if contacts are found from the geometry (length). Contacts across a
   /// gap have no force.
   double touch_gap = 0.0;
-  bool pairs_twice = false;  ///< whether the file lists pairs twice, once from each grain: see merge_pairs()
+  /// whether the file lists each pair twice, once for each of its grains, see merge_pairs()
+  bool pairs_twice = false;
 };
 
 /// Numbers of the contacts that a file lists: all, those left out, and those kept with another image.
@@ -81,7 +82,7 @@ struct Imported {
   bool contacts_known = false;
   /// Whether the stiffnesses of the contact law were computed as means of the listed stiffnesses.
   bool law_of_contacts = false;
-  ListedContactCounts listed_contacts;  ///< set only if contacts_known is true
+  ListedContactCounts listed_contacts;  ///< numbers of listed contacts; set only if contacts_known is true
   /// Whether the file gives the volumes of the liquid bridges.
   bool liquid_known = false;
   bool target_stress_known = false;  ///< whether the file gives the imposed stress

@@ -151,7 +151,8 @@ Columns columns_of_style(const std::string& place, const std::string& style) {
   return columns;
 }
 
-/// Returns the atom style that the line "Atoms # sphere" names; sphere if it names none.
+/// Returns the atom style in the heading of the section Atoms, such as "Atoms # sphere"; "sphere" if the heading has
+/// none.
 std::string style_of(const std::string& line) {
   const std::size_t comment = line.find('#');
   return comment == std::string::npos ? "sphere" : std::string(trimmed(line.substr(comment + 1)));

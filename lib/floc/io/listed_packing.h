@@ -31,7 +31,7 @@ struct ListedGrain {
 struct ListedContact {
   FileLine place;
   std::int64_t id1 = 0;
-  std::int64_t id2 = 0;          ///< ignored if the second body is a wall
+  std::int64_t id2 = 0;          ///< identifier of the second grain; ignored if the second body is a wall
   std::optional<WallSide> wall;  ///< wall that grain id1 touches; if absent, grain id1 touches grain id2
   /// whether the contact is a bond, which acts at any gap, independent of the law
   bool bond = false;
@@ -54,7 +54,7 @@ struct ListedContact {
   bool edges = false;         ///< whether two edges cross at this point
   std::optional<Eigen::Vector3d> shear_force;
   std::optional<Eigen::Vector3d> rolling_moment;
-  std::optional<double> twisting_moment;  ///< about the contact normal from id1 to id2
+  std::optional<double> twisting_moment;  ///< twisting moment about the contact normal from id1 to id2
   std::optional<double> kn;               ///< normal stiffness (force/length)
   std::optional<double> kt;               ///< tangential stiffness (force/length)
   std::optional<double> kr;               ///< rolling stiffness (force * length)

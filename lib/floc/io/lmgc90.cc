@@ -87,7 +87,7 @@ struct Body {
   /// Axes of a body in space, one per column.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   bool has_inertia = false;     ///< whether the file gives moments of inertia about these axes
-  std::string contactor;        ///< DISKx, SPHER, POLYG, POLYR, JONCx, PLANx, ...
+  std::string contactor;        ///< type of the contactor: DISKx, SPHER, POLYG, POLYR, JONCx, PLANx, ...
   double radius = 0.0;          ///< radius of a disk or sphere
   double half_thickness = 0.0;  ///< half the thickness of a bar or plate
   std::int64_t n_vertices = 0, n_faces = 0;
@@ -102,7 +102,7 @@ struct Body {
   }
 };
 
-/// Returns a count that a line gives. @param most  largest number allowed
+/// Reads a count from a line. @param most  largest number allowed
 std::int64_t count_of(const DatFile& file, std::string_view key, std::int64_t most) {
   const double value = file.number(key);
   if (value >= 0.0 && value <= static_cast<double>(most) && value == std::floor(value))
@@ -412,7 +412,8 @@ Imported read_lmgc90(const std::string& path, const ImportOptions& options) {
   listed.space.dimension = bodies.front().spatial ? 3 : 2;
   listed.space.gravity = bulk.gravity;
   listed.space.periodic = {false, false, false};
-  listed.space.boundary = "files of LMGC90 do not state periodic directions, and have no wall across it";
+  listed.space.boundary =
+      "files of LMGC90 contain no periodic directions, and there is no wall across this axis";
   add_grains(bodies, bulk, listed);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const ListedGrain& grain : listed.grains)

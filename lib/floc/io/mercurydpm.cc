@@ -288,7 +288,7 @@ int dimension_of(const RestartFile& file) {
 void set_box(const RestartFile& file, ListedSpace& space) {
   space.cell.assign(3, std::vector<double>(3, 0.0));
   space.periodic = {false, false, false};
-  space.boundary = "the restart file has no periodic boundary and no wall across it";
+  space.boundary = "the restart file has no periodic boundary and no wall across this axis";
   const bool recent = file.header("xMin").has_value();
   for (int a = 0; a < 3; ++a) {
     const std::string low = std::string(1, "xyz"[a]) + (recent ? "Min" : "min");

@@ -106,7 +106,8 @@ RockableBody read_body(const KeyedLine& line) {
   return body;
 }
 
-/// Words of an interaction: i, j, type, two sub-elements, normal (3), distance, position (3), velocity (3), fn, ft (3).
+/// Reads an interaction. Its words are i, j, type, two sub-elements, normal (3), distance, position (3), velocity (3),
+/// fn, ft (3).
 ListedContact read_interaction(const KeyedLine& line) {
   ListedContact c;
   c.place = line.file_line();
@@ -255,7 +256,7 @@ Imported read_rockable(const std::string& path, const ImportOptions& options) {
   listed.space.gravity = from.gravity;
   listed.space.cell = from.periodic ? from.cell : std::vector<std::vector<double>>{};
   listed.space.periodic.assign(3, from.periodic);
-  listed.space.boundary = "the configuration has no periodic cell and no wall across it";
+  listed.space.boundary = "the configuration has no periodic cell and no wall across this axis";
   add_grains(from, bodies, listed);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const ListedGrain& grain : listed.grains)

@@ -4,7 +4,7 @@
 
 #include "floc/base/vec.h"
 
-/// Parts that the formats of VTK share.
+/// Constants and functions for all formats of VTK.
 namespace floc {
 
 /// Types of cells in files of VTK.

@@ -55,7 +55,8 @@ void take_walls(const BoxOptions& box, const Law& law, Packing<Dim>& packing) {
   refresh_contacts(packing);
 }
 
-/// Returns the options unchanged. @throws InputError if the number of threads is out of its range
+/// Checks the number of threads and returns the options unchanged. @throws InputError if this number is out of its
+/// range
 RunOptions checked(RunOptions options) {
   require_in_range("threads", options.relaxation.threads, RunOptions::kThreads);
   return options;
@@ -161,8 +162,8 @@ void Run<Dim>::take_packing_back() {
   equilibrator_.reset();
 }
 
-/// Starts the step to the present equilibrium. If the plan of the run has a vibration before this equilibrium, the
-/// packing is vibrated first.
+/// Starts the step to the equilibrium that is computed next. If the plan of the run has a vibration before this
+/// equilibrium, the packing is vibrated first.
 /// @pre this object holds the packing (packing_)
 template <int Dim>
 void Run<Dim>::shake_and_start_step() {

@@ -83,7 +83,8 @@ class PriceModel {
   double core_seconds(const PricedSettings& settings, double n_grains) const;
   /// Returns the largest memory of a run (MB) of `n_grains` grains.
   double memory_mb(double n_grains) const;
-  /// Returns the error of an observable. It is infinite if the table does not say what error the settings cause.
+  /// Returns the error of an observable. It is infinite if the table does not contain the error that the settings
+  /// cause.
   PricedError error(const ObservablePrice& observable, const PricedSettings& settings, double n_grains,
                     double n_samples) const;
   /// Returns the settings of the table that equal those of the scene. If there are none, returns the settings of the
@@ -105,13 +106,13 @@ class PriceModel {
   double size_exponent_ = 1.0;
 };
 
-/// Expected price of one run of a scene.
+/// Expected processor time and memory of one run of a scene.
 struct ExpectedPrice {
   double core_seconds;
   double memory_mb;
 };
 
-/// Returns the expected price of one run of a scene with its own settings and number of grains.
+/// Returns the expected processor time and memory of one run of a scene with its own settings and number of grains.
 ExpectedPrice expected_price(const PriceModel& model, const Scene& scene);
 
 }  // namespace floc

@@ -66,8 +66,7 @@ std::vector<PricedSettings> candidates_of(const PriceTable& table, bool (*is_wan
   return candidates;
 }
 
-/// Returns the relative error of an observable that settings are guaranteed not to exceed; infinite if it was not
-/// measured.
+/// Returns an upper bound of the relative error of an observable with these settings; infinite if it was not measured.
 double guaranteed_error(const PricedSettings& candidate, const std::string& observable) {
   const auto found = candidate.of.find(observable);
   if (found == candidate.of.end()) return std::numeric_limits<double>::infinity();

@@ -47,7 +47,7 @@ bool same_load(double a, double b) {
   return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// Returns whether a state was made under the load of an equilibrium of a plan.
+/// Returns whether the load of a state is the load of a planned equilibrium.
 template <int Dim>
 bool is_load_of(const PlannedEquilibrium& planned, const State<Dim>& state) {
   const StageReference& turn = state.path.turn;

@@ -32,9 +32,9 @@ class RunDirectory {
   /// @throws IoError if the directory cannot be written
   RunDirectory(const std::string& path, Existing existing, const RunOptions& options);
 
-  /// Returns the point that an earlier run reached in this directory: that of its checkpoint, or that of its last saved
-  /// state if the state is later. Returns std::nullopt if the directory contains no run. If the run was killed after it
-  /// saved a state and before it wrote the row of this state into path.csv, the row is added now.
+  /// Returns the point from which an earlier run in this directory continues: its checkpoint or, if it is later, its
+  /// last saved state. Returns std::nullopt if the directory contains no run. If the run was killed after it saved a
+  /// state and before it wrote the row of this state into path.csv, the row is added now.
   /// @pre Dim is the dimension of the run
   template <int Dim>
   std::optional<ReachedPoint<Dim>> resume_point();

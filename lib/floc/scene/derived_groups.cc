@@ -75,7 +75,7 @@ void add_pressures(const Scene& scene, double unit, const char* name, const char
   }
 }
 
-/// Adds the pressures of a scene in units of the stress by the adhesion.
+/// Adds the pressures of a scene in units of the stress caused by adhesion, F0/a^(D-1).
 void add_reduced_pressures(const Scene& scene, double a, Groups& groups) {
   add_pressures(scene, pull_off_force(scene) / std::pow(a, scene.dimension - 1), "P_star",
                 scene.dimension == 2 ? "a P/F0" : "a^2 P/F0", groups);

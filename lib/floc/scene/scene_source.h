@@ -23,8 +23,7 @@ class SceneSource {
   const toml::table& root() const { return root_; }
   toml::table& root() { return root_; }
 
-  /// Returns the place that gives the value of a key, for messages: "file:line", or "--set key=value" if an override
-  /// gives it.
+  /// Returns the place of the value of a key, for messages: "file:line", or "--set key=value" if an override gives it.
   /// @param node  TOML node of the value, or the table in which the key is missing
   std::string place_of(const std::string& key, const toml::node* node) const;
 

@@ -106,7 +106,7 @@ void warn_of_range(const Scene& scene, Warnings& warnings) {
   if (scene.law.range() > radius && radius > 0.0)
     warnings.push_back(
         fmt::format("contact.adhesion.range = {}: the range is longer than the smallest radius, {}, so that "
-                    "grains attract other grains behind their nearest neighbours",
+                    "grains attract other grains beyond their nearest neighbours",
                     scene.law.range(), radius));
 }
 

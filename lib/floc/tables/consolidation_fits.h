@@ -18,7 +18,8 @@ struct ConsolidationFitOptions {
   std::string protocol;
   std::vector<double> window;
   double P0 = 0.0;
-  std::string loading;  ///< "first", "virgin", or empty: virgin if floc chooses the law, otherwise first
+  /// fitted rows, "first" or "virgin" loading; if empty, "virgin" if floc chooses the law, otherwise "first"
+  std::string loading;
   std::string weights;
   std::string loss = "squared";
   int n_bootstrap = 0;

@@ -31,10 +31,9 @@ std::optional<Mat<Dim>> stress_of(const std::vector<double>& components) {
   if (components.empty()) return std::nullopt;
   const int n = static_cast<int>(components.size());
   if (n != 1 && n != Dim && n != kSymmetric<Dim>)
-    throw InputError(
-        "stress", fmt::format("there are {} components: expected the pressure, {} components along the axes, "
-                              "or {} components in the order of Voigt",
-                              n, Dim, kSymmetric<Dim>));
+    throw InputError("stress", fmt::format("there are {} components: expected the pressure, {} components "
+                                           "along the axes, or {} components in Voigt order",
+                                           n, Dim, kSymmetric<Dim>));
   if (n == 1) return Mat<Dim>(components[0] * Mat<Dim>::Identity());
   Mat<Dim> stress = Mat<Dim>::Zero();
   for (int s = 0; s < n; ++s) {

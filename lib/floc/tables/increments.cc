@@ -35,7 +35,7 @@ Names column_names() {
 template <int Dim>
 constexpr int kStepColumns = 1 + Dim + kRotations<Dim> + 3;
 
-/// Appends to the cells of a contact its cells for one stress increment, isotropic or deviatoric.
+/// Appends the cells for one stress increment, isotropic or deviatoric, to the row of a contact.
 /// @param step  response of the network to the stress increment; if absent, the cells are empty
 /// @param c     index of the contact in the network; -1 for a contact of a rattler, which is not in the network
 template <int Dim>

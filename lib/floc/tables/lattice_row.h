@@ -26,7 +26,7 @@ struct LatticeRow {
   int n_bare = 0, n_open = 0;
   SpringRelaxationReport report;
   std::vector<double> strain,
-      stress;  ///< components in the order 11, 22, 12 (2D) or 11, 22, 33, 23, 13, 12 (3D)
+      stress;  ///< stress components in the order 11, 22, 12 (2D) or 11, 22, 33, 23, 13, 12 (3D)
   StressDistribution all, grain, matrix, forces;
   int n_pairs = 0;  ///< number of pairs of grains that exert forces on each other
   std::optional<double> pearson_bonded, pearson_state;

@@ -51,8 +51,8 @@ struct ObservableError {
 /// only the member `mean` is known.
 using ObservableErrors = std::array<ObservableError, kObservables>;
 
-/// Lowest and highest reduced pressure P* (pressure over F0/a, with the pull-off force F0 and the largest diameter a)
-/// of the states to which the consolidation law is fitted.
+/// Lowest and highest reduced pressure P* (pressure divided by F0/a, with the pull-off force F0 and the largest
+/// diameter a) of the states to which the consolidation law is fitted.
 using PressureWindow = std::pair<double, double>;
 
 /// Returns, for each state of a path, whether it can be compared with the state of the reference path (the run with the

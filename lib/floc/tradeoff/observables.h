@@ -80,7 +80,7 @@ struct StateMeasures {
 /// Declaration of an observable: its name, its unit, its meaning, the scenes that have it, and its value in one state.
 struct DeclaredObservable {
   const char* name;
-  const char* unit;  ///< "1", "F1" (the force scale) or "stress"
+  const char* unit;  ///< unit: "1", "F1" (the force scale) or "stress"
   const char* meaning;
   ObservableSource source;
   bool (*applies)(const Scene&);

@@ -33,7 +33,8 @@ struct StudiedSetting {
   double steps_factor = 1.0;      ///< factor by which the numbers of steps per decade are multiplied
   int n_grains = 0;               ///< number of grains; 0 for the number of the scene
   ModuliOptions moduli;
-  std::optional<LatticeSettings> lattice;  ///< present in a study of cemented grains
+  /// settings of the lattice; present only in a study of cemented grains
+  std::optional<LatticeSettings> lattice;
 
   bool is_reference() const { return parameter == "strict"; }
   /// Whether the variant differs from the scene only in how the elastic moduli are computed. No run is then made: the

@@ -18,8 +18,8 @@ using ColumnNames = std::map<std::string, std::string>;
 struct UnitColumn {
   int index;
   std::string unit;  ///< unit of the column, such as kPa; empty if none is given
-  /// Whether the user gave the unit, or gave "[1]" for numbers without unit. It is then known whether the numbers are
-  /// in percent.
+  /// Whether the user gave the unit, or gave "[1]" for numbers without unit. In both cases it is known whether the
+  /// numbers are in percent.
   bool unit_is_given = false;
 };
 

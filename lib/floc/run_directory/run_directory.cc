@@ -40,8 +40,8 @@ State<Dim> read_run_state(const std::string& file) {
                                      Dim == 2 ? 3 : 2, Dim));
 }
 
-/// Returns whether two stresses, lengths or strains are equal up to rounding. The steps of a stage that was lengthened
-/// have the same size up to rounding, because the change of the stage is then divided by another number of steps.
+/// Returns whether two stresses, lengths or strains are equal up to rounding. Rounding errors occur if a stage is
+/// lengthened, because the load of each step is then computed from other numbers.
 bool same_load(double a, double b) {
   constexpr double kRounding = 1e-9;
   return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));

@@ -5,8 +5,9 @@
 
 namespace floc {
 
-/// Records a fault for every softening in a scene that is not possible. It is not possible for packings between walls,
-/// for stages that impose a length, together with [accuracy], and for contacts that are too soft for it
+/// Checks the softening of springs wherever a scene gives it, and records a fault where it is not possible: for
+/// packings between walls, for stages that impose a length, together with [accuracy], and for contacts that are too
+/// soft for it (softening_limit()).
 /// (softening_limit()).
 /// @param root  reader of the root table of the scene
 void check_softening(TableReader& root, const SceneSource& source, const Scene& scene);

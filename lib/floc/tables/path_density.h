@@ -42,7 +42,7 @@ SolidFractions solid_fractions(const NamedColumns& columns);
 /// percentages are too small. No error is thrown if the user gave the unit with `--columns "NAME=COLUMN [%]"` or "[1]"
 double factor_of_share(const NamedColumns& columns, const std::string& name);
 
-/// Converts a solid fraction or a void ratio to a solid fraction.
+/// Returns a solid fraction that is given either as a solid fraction or as a void ratio.
 /// @param place  place of the value in messages
 /// @throws InputError if the value is not possible
 double solid_fraction_of(const std::string& place, double value, bool is_void_ratio);

@@ -28,7 +28,7 @@ void SharedLoops::run(int n_threads, const std::function<void(SharedLoops& loops
   SharedLoops loops(n_threads);
   run_in_team(n_threads, [&](int thread, Barrier&) {
     if (thread != 0) return loops.help(thread);
-    // The helper threads end when the program ends, even if it throws.
+    // The helper threads end when `program` ends, even if it throws.
     struct End {
       std::atomic<bool>& ended;
       ~End() { ended.store(true, std::memory_order_release); }

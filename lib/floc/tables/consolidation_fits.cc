@@ -14,6 +14,7 @@
 namespace floc {
 namespace {
 
+/// Each description completes a message that begins with "N row(s)".
 constexpr LeftOutStep kLeftOut[] = {
     {PathStep::zero_pressure, "zero_pressure", "at P* = 0"},
     {PathStep::unloading, "unloading", "of unloading"},

@@ -20,8 +20,8 @@ std::string read_file(const std::string& path);
 /// @throws InputError if the file is missing or cannot be read
 std::string read_beginning(const std::string& path, std::size_t most);
 
-/// Passes the content of a file to `take` piece by piece, so that the file need not fit into memory. A file compressed by
-/// gzip is decompressed.
+/// Passes the content of a file to `take` piece by piece, so that the file need not fit into memory. A file compressed
+/// by gzip is decompressed.
 /// @param path  the file, or "-" for the standard input
 /// @throws InputError if the file is missing or cannot be read
 void read_pieces(const std::string& path, const std::function<void(std::string_view)>& take);

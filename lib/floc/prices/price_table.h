@@ -21,8 +21,8 @@ struct PriceRow {
   double core_seconds;  ///< processor time of a sample (s)
   double memory_mb;     ///< largest memory of a run, without the memory of the program itself (MB)
   double error;         ///< upper limit of the errors of 95 % of the states; NaN if no states were compared
-  /// Relative difference of the observable from its value in the run with the strictest settings, as a mean over samples
-  /// and over the states after a collapse (a sudden rearrangement of grains); NaN if no means were compared.
+  /// Relative difference of the observable from its value in the run with the strictest settings, as a mean over
+  /// samples and over the states after a collapse (a sudden rearrangement of grains); NaN if no means were compared.
   double mean_difference;
   double mean_stderr;  ///< standard error of mean_difference
   double mean_error;   ///< half width of the 95 % confidence interval of mean_difference

@@ -247,7 +247,7 @@ const Refusal kRefusals[] = {
     {"gas_faster_than_the_walls_hold",
      {"assembly.kinetic_pressure=300"},
      3,
-     "run away: no grain touches them",
+     "and no grain touches them",
      box_scene(3)},
     {"walls_lighter_than_steps_can_follow",
      {"box.mass=0.01"},

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Options that change, for one stage of a run (such as the assembly or a stage of the load path), how the packing
+/// Options for one stage of a run (such as the assembly or a stage of the load path) that change how the packing
 /// responds to its load. Members that are set replace the members of RelaxationOptions during that stage.
 struct CellResponse {
   std::optional<double> inertial_number_cap;
@@ -22,8 +22,8 @@ struct CellResponse {
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
-  /// Returns this response with its unset members taken from `other`. If a cap of either kind is set here, neither cap
-  /// is taken from `other`.
+  /// Returns this response with its unset members taken from `other`. If this response sets either of the two caps, no
+  /// cap is taken from `other`.
   CellResponse or_else(const CellResponse& other) const {
     CellResponse out = *this;
     if (!has_cap()) {

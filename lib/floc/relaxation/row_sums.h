@@ -12,8 +12,8 @@ namespace floc {
 /// beginning of that array.
 /// @param pair  number of rows before this row
 /// @param row_size  number of doubles in a row
-/// @throws InputError if the place does not fit an int, which happens with more than 537 million pairs under a law with
-/// friction
+/// @throws InputError if the place exceeds the largest int; with friction, this happens with more than 537 million
+/// pairs
 int row_place(std::int64_t pair, int row_size);
 
 /// Memory for the rows (force and moments of each pair) that the passes over pairs write, and plans by which the rows

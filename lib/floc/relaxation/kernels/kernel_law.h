@@ -87,8 +87,8 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =
       kHoldsLiquid<Adhesion> || std::is_constructible_v<DryAttraction, Adhesion>;
-  // Models are combined by the rules of kIsCompiled (law_table.h). Elastic spheres have no adhesion other than liquid.
-  // Neither elastic spheres nor grains with liquid bridges resist rolling. A law of the normal force that includes
+  // Models are combined by the rules of kIsCompiled (law_table.h): elastic spheres have no adhesion except by liquid;
+  // neither elastic spheres nor grains with liquid bridges resist rolling; a law of the normal force that includes
   // adhesion has no separate adhesion model.
   using Dry = std::conditional_t<kElasticSpheres || kAdheresByItself<Normal>, NoAdhesion,
                                  std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
@@ -116,8 +116,8 @@ struct With<std::variant<Laws...>, Law> {
       std::conditional_t<(std::is_same_v<Laws, Law> || ...), std::variant<Laws...>, std::variant<Laws..., Law>>;
 };
 
-/// Variant type `List`, extended by the kernel laws to which those of the contact laws `Laws` are completed that exist
-/// in this dimension. Each kernel law is listed once.
+/// Variant type `List`, extended by the kernel laws of those contact laws among `Laws` that exist in this dimension.
+/// Each kernel law is listed once.
 template <int Dim, class List, class... Laws>
 struct KernelLaws {
   using Type = List;

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Returns the component of a stress tensor that does work on one of the strains of the cell.
+/// Returns the component of a stress tensor whose work is done on one of the strains of the cell.
 /// @param column  number of this strain in the order of StrainSet
 template <int Dim>
 double conjugate(const Mat<Dim>& tensor, int column) {
@@ -14,8 +14,8 @@ double conjugate(const Mat<Dim>& tensor, int column) {
 }
 
 /// Returns the term that prestress adds to the moduli, because a strain E of the cell convects the static stress sigma:
-/// -sym(sigma E) + sigma tr E, symmetrised (docs/physics.md, "Prestress"). It is added to K/V, with the stiffness K
-/// against strain after relaxation of the grains and the volume V.
+/// -sym(sigma E) + sigma tr E, as a symmetrised matrix (docs/physics.md, "Prestress"). It is added to K/V, with the
+/// stiffness K against strain after relaxation of the grains and the volume V.
 /// @param stress  static stress sigma, compression positive (force/length^(Dim-1))
 /// @param n       number of strains of the cell, in the order of StrainSet
 /// @return n x n matrix, in the unit of the stress

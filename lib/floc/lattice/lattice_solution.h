@@ -47,7 +47,7 @@ struct LatticeSolution {
 };
 
 /// Solver for a lattice network that is loaded once or several times. The factor of the stiffness matrix and the set of
-/// closed elements are kept from one load to the next.
+/// closed elements are kept for the next load.
 template <int Dim>
 class LatticeSolver {
  public:
@@ -60,7 +60,7 @@ class LatticeSolver {
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
   /// Returns the moduli of the sample, with all nodes free to relax: stress per unit of each strain, in the order of
-  /// StrainSet::full. The elements that were open in the last solution stay open.
+  /// StrainSet::full. The elements that were open in the last solution remain open.
   /// @pre solve() was called
   Eigen::MatrixXd moduli();
 

@@ -25,7 +25,7 @@ using BondedContacts = std::vector<BondedContact<Dim>>;
 /// Replaces the contacts of a packing by the given bonds, and its contact law by a law under which these contacts can
 /// carry the forces of the bonds:
 /// - linear springs, with the mean stiffnesses of the bonds;
-/// - adhesion of twice the largest tension, and at least a tenth of the largest normal force;
+/// - adhesion of twice the largest tension, and at least a tenth of the largest force;
 /// - friction if bonds resist shear, and rolling resistance if bonds carry moments, each with a limit of twice the
 ///   largest force or moment of the bonds.
 template <int Dim>

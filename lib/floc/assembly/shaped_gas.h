@@ -30,7 +30,7 @@ double densest_gas(const Grains<Dim>& grains);
 /// Makes a gas of grains with shapes in a square (in 3D cubic) cell. Their circumscribed circles or spheres are placed
 /// by make_gas(); the grains then do not overlap in any orientation.
 /// @param options  grains of a scene that gives their shapes
-/// @param solid_fraction volume of the grains divided by the volume of the cell
+/// @param solid_fraction  volume of the grains divided by the volume of the cell
 /// @param seed  seed of the run, which determines the shapes and the orientations
 /// @param random  random stream for the diameters and the positions
 /// @throws InputError if the solid fraction is above densest_gas(), or if shaped_grains() or make_gas() throws it

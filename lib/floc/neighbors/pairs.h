@@ -25,7 +25,7 @@ struct NeighborPair {
 /// pairs with different periodic images, and a grain may form pairs with its own periodic images; a grain and two
 /// opposite images of itself form one pair.
 ///
-/// @param gap distance between the surfaces of two grains below which they form a pair (length), >= 0
+/// @param gap  distance between the surfaces of two grains below which they form a pair (length), >= 0
 /// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain lies more
 /// than 1e9 cells away from the cell; if the search would take too long, for example because a grain is many cells
 /// wide, or because very many small grains are mixed with a very large grain; or if there are more than 10 000 pairs

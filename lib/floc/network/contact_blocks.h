@@ -52,7 +52,7 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
 /// @param on_i, on_j  columns of G for the unknowns of i and of j, rows x kDofs; if i = j, `on_i` contains both and
 ///                    `on_j` is zero
 /// @param boundary    columns of G for the unknowns of the boundary (strains of a cell, displacements of walls)
-/// @param d the matrix D, an Eigen expression; it must be symmetric if `sum` stores only one triangle
+/// @param d           the matrix D, an Eigen expression; it must be symmetric if `sum` stores only one triangle
 /// @param sum         stiffness matrix, an object with these functions: add(grain, grain, block) adds a block of two
 ///                    grains, the lower one first if `kSymmetric`; boundary(), border(grain) and, unless `kSymmetric`,
 ///                    border_row(grain) return references to the blocks of the boundary

@@ -18,7 +18,7 @@ namespace floc {
 ///
 /// @param bodies    as for GaussSeidel; they get the velocities at the end of the step
 /// @param contacts  contacts of the step, which get the impulses
-/// @param stiffness for each contact, the change of the momenta of its two bodies due to the rotation of its normal
+/// @param stiffness  for each contact, the change of the momenta of its two bodies due to the rotation of its normal
 /// force, for unit velocities; positive semidefinite, in the order of PairMatrix (mass); empty for none
 /// @return whether the program was solved; otherwise nothing is changed. The solution fails only because of rounding
 /// errors, for instance if the masses are negligible in a very long time step

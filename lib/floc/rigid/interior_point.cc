@@ -222,7 +222,7 @@ struct InteriorPoint<Dim>::Iteration {
   /// by given amounts.
   /// @param products  change of (W^-1 x) o (W z), with the Jordan product o, divided by lambda in the sense of this
   /// product
-  /// @param tau_kappa change of the product of tau and kappa
+  /// @param tau_kappa  change of the product of tau and kappa
   Point<Dim> direction(double reduction, const Blocks<Dim>& products, double tau_kappa) const {
     Point<Dim> d;
     Blocks<Dim> u(at.x.size());

@@ -35,7 +35,7 @@ struct ClippedFace {
 /// @param place  transformation from the coordinates of `incident` to the coordinates of `reference`
 /// @param lowest  vertex of `incident` that is lowest above the reference face
 /// @param reach  largest height of a point above the reference face (length)
-/// @param tolerance distance below which points are merged and heights count as equal (length)
+/// @param tolerance  distance below which points are merged and heights count as equal (length)
 template <int Dim>
 ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
                               const RelativePlace<Dim>& place, int lowest, double reach, double tolerance);

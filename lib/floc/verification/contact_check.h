@@ -42,7 +42,7 @@ struct ContactCheck {
 /// Checks the contact forces of a packing against its contact law, and its contacts against the positions of the
 /// grains. If the law is linear and contacts have stiffnesses of their own, the normal force of each contact is
 /// compared with its own stiffness times its overlap.
-/// @param tolerance smallest difference of a normal force from the law that counts, divided by the mean absolute value
+/// @param tolerance  smallest difference of a normal force from the law that counts, divided by the mean absolute value
 /// of the normal forces; differences that rounding of the positions can explain never count
 template <int Dim>
 ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance);

@@ -12,8 +12,8 @@ enum class BoxSide {
   fixed,     ///< two walls that do not move
   periodic,  ///< no walls: a periodic boundary; the length of the box along this axis is constant
   floor,     ///< a wall that does not move at the lower end, and free space above the grains
-  lid,  ///< a wall that does not move at the lower end, and a wall that moves under the imposed pressure at the
-        ///< upper end
+  /// a wall that does not move at the lower end, and a wall that moves under the imposed pressure at the upper end
+  lid,
 };
 
 /// Box with walls in which grains are packed. It replaces the periodic cell.

@@ -79,9 +79,8 @@ struct Attitude<3> {
   /// Integrates Euler's equations for the rotation of a rigid body over `time`, by the Runge-Kutta method of fourth
   /// order. The angular momentum is constant, and the tensor of inertia rotates with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
-    if (spin_at_start.isZero(0.0))
-      return;  // for clusters that touch their own periodic image, the spin is 0 and no moment of inertia is
-               // defined
+    // Clusters that touch their own periodic image have a spin of 0, and no moment of inertia is defined for them.
+    if (spin_at_start.isZero(0.0)) return;
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
     const auto spin_at = [&](const Eigen::Quaterniond& q) {

@@ -11,9 +11,8 @@ namespace floc {
 /// distribution. All shares are fractions of the volume (area in 2D) of all grains; for grains with corners, of the
 /// volume of their circumscribed spheres (circles).
 struct SizeClass {
-  double from = 0.0,
-         to = 0.0;  ///< ends of the interval (length); it contains `to`, and the first interval also contains
-                    ///< `from`
+  /// Ends of the interval (length). It contains `to`; the first interval also contains `from`.
+  double from = 0.0, to = 0.0;
   int n_grains = 0;
   double share = 0.0;    ///< share of the grains in the interval
   double passing = 0.0;  ///< share of all grains with diameters up to `to`

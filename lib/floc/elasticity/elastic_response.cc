@@ -237,8 +237,8 @@ class InheritedInverse {
   const ResponseMemory& memory_;
   // diagonal entry of the stiffness matrix for each unknown that the factor does not contain; 0 for the other unknowns
   Eigen::VectorXd diagonal_;
-  std::vector<int>
-      row_;  // for each row of the factor, the row of its unknown in this network; -1 if there is none
+  // for each row of the factor, the row of its unknown in this network; -1 if there is none
+  std::vector<int> row_;
   // for each row of the factor: the value solved for in the other network divided by the value solved for in this
   // network
   std::vector<double> scale_;

@@ -64,13 +64,13 @@ struct ElasticResponse {
   int n_negative = 0;
   /// number of negative eigenvalues of the stiffness against wall shifts (`wall_shift`) after relaxation of the grains
   int n_negative_shifts = 0;
-  int n_mechanisms =
-      0;  ///< number of zero eigenvalues of the stiffness matrix K, except the free motions in `free`
+  /// number of zero eigenvalues of the stiffness matrix K, except the free motions in `free`
+  int n_mechanisms = 0;
   /// relative backward error of the solution: largest net force on a grain divided by the sum of the magnitudes of the
   /// forces on it
   double residual = 0.0;
-  double condition =
-      1.0;  ///< estimated condition number of the stiffness matrix K; infinite if there are mechanisms
+  /// estimated condition number of the stiffness matrix K; infinite if there are mechanisms
+  double condition = 1.0;
   /// false if rounding leaves no digit of `relaxed` correct, even with the square root of the stiffness matrix
   bool resolved = true;
   /// Whether the solver counts negative eigenvalues and mechanisms. If it does not, `error` is an estimate instead of a

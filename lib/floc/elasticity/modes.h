@@ -31,8 +31,8 @@ std::string name_of(ModeKind kind);
 template <int Dim>
 struct Mode {
   ModeKind kind = ModeKind::elastic;
-  double eigenvalue =
-      0.0;  ///< eigenvalue (force/length): twice the elastic energy divided by the squared length of `motion`
+  /// eigenvalue (force/length): twice the elastic energy divided by the squared length of `motion`
+  double eigenvalue = 0.0;
   /// twice the energy with the geometric terms of the prestress, divided by the squared length of `motion`
   /// (force/length)
   double with_prestress = 0.0;
@@ -77,9 +77,8 @@ struct SoftModes {
   /// number of modes with eigenvalues up to `near_bound` (unstable modes, mechanisms and near-mechanisms), from the
   /// inertia of the stiffness matrix shifted by this bound
   int n_below_near_bound = 0;
-  bool complete =
-      true;  ///< whether `modes` contains every mode whose eigenvalue is below the largest eigenvalue in
-             ///< `modes`
+  /// whether `modes` contains every mode whose eigenvalue is below the largest eigenvalue in `modes`
+  bool complete = true;
 };
 
 /// Finds the softest modes of a network, without its free motions (see FreeMotions), by Lanczos' method with shift and

@@ -216,8 +216,8 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
     m.failure = m.bounds.fault;
     return;
   }
-  const double low = std::min(m.bounds.B_reuss, m.bounds.B_voigt);  // B_reuss <= B_voigt holds except for
-                                                                    // rounding
+  // B_reuss <= B_voigt holds except for rounding
+  const double low = std::min(m.bounds.B_reuss, m.bounds.B_voigt);
   m.B = 0.5 * (low + m.bounds.B_voigt);
   m.B_error = 0.5 * (m.bounds.B_voigt - low);
   m.G = m.G_error = 0.5 * m.bounds.G_voigt;

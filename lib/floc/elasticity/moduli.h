@@ -15,9 +15,9 @@ class ParallelSolver;
 
 /// Method by which the moduli are computed. It determines their cost, and whether their errors are bounds or estimates.
 enum class ModuliMethod {
-  factor,         ///< Cholesky factor in double precision; gives error bounds
-  single_factor,  ///< Cholesky factor in single precision, with refinement in double precision: half the
-                  ///< memory; gives error estimates
+  factor,  ///< Cholesky factor in double precision; gives error bounds
+  /// Cholesky factor in single precision, with refinement in double precision: half the memory; gives error estimates
+  single_factor,
   /// conjugate gradients that start from the solution of the last state, with its factor as preconditioner; gives error
   /// estimates
   iterative,
@@ -63,8 +63,8 @@ struct ModuliOptions {
 template <int Dim>
 struct NetworkLoad {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static stress, compression positive (force/length^(Dim-1))
-  bool unloaded =
-      false;  ///< whether the network was brought to equilibrium under zero stress, see ModuliOptions
+  /// whether the network was brought to equilibrium under zero stress, see ModuliOptions
+  bool unloaded = false;
   MeanField mean_field{};  ///< averages for the mean-field forms of the bounds
   /// number of mobilised contacts (whose force is at its limit), which the moduli treat as elastic
   int n_mobilised = 0;

@@ -66,9 +66,9 @@ class FrameTurn {
   Vec<3, T> n_, mean_normal_;
   T cos_, sin_;
   Vec<3, T> across_;
-  T lean_;          // coefficient `lean` in the mean normal m = n1 - lean across
-  T along_middle_;  // component along m of the change of the vector between the centres, divided by their
-                    // distance
+  T lean_;  // coefficient `lean` in the mean normal m = n1 - lean across
+  // component along m of the change of the vector between the centres, divided by their distance
+  T along_middle_;
 };
 
 }  // namespace floc

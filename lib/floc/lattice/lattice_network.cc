@@ -162,8 +162,8 @@ class NetworkBuilder {
   struct Parts {
     // for each node, the number of the connected part that contains it; -1 for nodes without elements
     std::vector<int> of;
-    std::vector<std::vector<Vec<Dim, int>>>
-        winding;  // for each connected part, linearly independent loops around the cell (numbers of cells)
+    // for each connected part, linearly independent loops around the cell (numbers of cells)
+    std::vector<std::vector<Vec<Dim, int>>> winding;
     // for each connected part: 1 if it contains a fixed node in the lower half of the cell, plus 2 if it contains a
     // fixed node in the upper half
     std::vector<int> n_faces;

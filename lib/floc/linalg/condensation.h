@@ -10,15 +10,15 @@ namespace floc {
 struct SpringSystem {
   /// matrix A: one row per spring, one column per free unknown
   Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      on_boundary;            ///< B: one row per spring, one column per boundary unknown
+  /// B: one row per spring, one column per boundary unknown
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> on_boundary;
   Eigen::VectorXd stiffness;  ///< k: stiffness of each spring; may be negative
 };
 
 /// Approximation M^-1 of the inverse of the stiffness matrix K = A^T k A of a SpringSystem, with bounds on its quality.
 struct ApproximateInverse {
-  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< function that returns M^-1 b for a vector
-                                                                 ///< b
+  /// function that returns M^-1 b for a vector b
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;
   /// Whether the stiffness matrix K and the matrix M are positive semidefinite. If they are, condense() minimises the
   /// energy by conjugate gradients.
   bool definite = true;

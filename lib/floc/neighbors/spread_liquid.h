@@ -7,8 +7,8 @@ namespace floc {
 /// Changes of the liquid bridges of a packing when its liquid is distributed anew.
 struct LiquidChange {
   int n_formed = 0;  ///< number of pairs of grains that had no liquid bridge before and have one now
-  int n_broken =
-      0;  ///< number of pairs of grains that had a liquid bridge before (intact or broken) and have none now
+  /// number of pairs of grains that had a liquid bridge before (intact or broken) and have none now
+  int n_broken = 0;
 
   double largest = 0.0;  ///< largest relative change of the volume of a liquid bridge that existed before
 

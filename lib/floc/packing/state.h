@@ -36,23 +36,22 @@ struct PathPosition {
   std::int64_t n_steps = 0;  ///< number of time steps since the start of the run
   std::string ending;  ///< ending of the relaxation: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
-  StepCounts counts =
-      {};  ///< counts of the time steps of contact dynamics that led to the state; all zero for elastic
-           ///< contacts
+  /// counts of the time steps of contact dynamics that led to the state; all zero for elastic contacts
+  StepCounts counts = {};
 };
 
 /// Origin of a state: the program, the seed and the state file from which the run continued. It contains no date or
 /// time, so that repeated runs give identical files.
 struct Provenance {
-  std::string program;  ///< program that made the state: "floc 0.1.0", or the program from which a packing was
-                        ///< converted
+  /// program that made the state: "floc 0.1.0", or the program from which a packing was converted
+  std::string program;
   std::string commit;
   std::string compiler;
   std::uint64_t seed = 0;
   std::uint64_t stream_state = 0;  ///< state of the random stream with which the run continues
-  std::string parent_sha256;       ///< hash of the state file from which the run continued; empty for the first
-                                   ///< state
-  std::string source;              ///< file from which a packing was converted
+  /// hash of the state file from which the run continued; empty for the first state
+  std::string parent_sha256;
+  std::string source;  ///< file from which a packing was converted
 };
 
 /// Saved state of a run: all data that determine how the run continues from it, and all data that an analysis

@@ -11,20 +11,20 @@ namespace floc {
 /// Criteria that an equilibrium has to meet besides the tolerances of its residuals.
 enum class Demand {
   none,
-  lengths,       ///< all axes have reached their imposed lengths
-  response,      ///< the stress has responded to the imposed load
-  density,       ///< the solid fraction, or the void ratio of a packing between walls, is steady
-  stress,        ///< the stress carried by axes with an imposed length is steady
-  contacts,      ///< no contact has opened or closed for some time
-  duration,      ///< the packing has been steady for long enough
-  rest,          ///< the kinetic energy of the grains that interact with others is small
-  wall_load,     ///< every wall has at some time borne half of its imposed pressure
-  pressure,      ///< every wall bears its imposed pressure
-  energy_ratio,  ///< the ratio of kinetic to elastic energy is small; required only if this ratio ends a
-                 ///< compaction
-  mechanisms,    ///< the structure that carries the load has no mechanisms (motions without stiffness)
-  stability,     ///< the stiffness matrix has no negative eigenvalue
-  liquid,        ///< no liquid bridge changes when the liquid is shared out once more
+  lengths,    ///< all axes have reached their imposed lengths
+  response,   ///< the stress has responded to the imposed load
+  density,    ///< the solid fraction, or the void ratio of a packing between walls, is steady
+  stress,     ///< the stress carried by axes with an imposed length is steady
+  contacts,   ///< no contact has opened or closed for some time
+  duration,   ///< the packing has been steady for long enough
+  rest,       ///< the kinetic energy of the grains that interact with others is small
+  wall_load,  ///< every wall has at some time borne half of its imposed pressure
+  pressure,   ///< every wall bears its imposed pressure
+  /// the ratio of kinetic to elastic energy is small; required only if this ratio ends a compaction
+  energy_ratio,
+  mechanisms,  ///< the structure that carries the load has no mechanisms (motions without stiffness)
+  stability,   ///< the stiffness matrix has no negative eigenvalue
+  liquid,      ///< no liquid bridge changes when the liquid is shared out once more
 };
 inline constexpr int kDemands = static_cast<int>(Demand::liquid) + 1;
 

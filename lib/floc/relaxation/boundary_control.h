@@ -74,8 +74,8 @@ struct BoundaryControl {
   /// each component that moves at a strain rate: the strain rate, shortening positive (1/time); for a shear component
   /// it is the rate of the engineering shear strain gamma.
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
-  double mass =
-      0.0;  ///< inertia M of each component of the lattice vectors, when it is accelerated by a stress (mass)
+  /// inertia M of each component of the lattice vectors, when it is accelerated by a stress (mass)
+  double mass = 0.0;
   /// Largest strain rate of components that follow a stress (1/time).
   double rate_cap = std::numeric_limits<double>::infinity();
   StrainRamp<Dim> ramp;  ///< strain ramp of some axes; for these axes it replaces `target`

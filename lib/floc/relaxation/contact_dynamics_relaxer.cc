@@ -261,9 +261,8 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   for (int k = 0; k < n_steps; ++k) {
     if (progress_.phase == ContactDynamicsProgress::straining && !impose_strain(motion)) break;
     motion.step(at_rest && (!chosen.at_once || chosen.plates));
-    if (!at_rest)
-      progress_.time += motion.last_step();  // steps of the phase `resting` do not count as
-                                             // simulated time
+    // Steps of the phase `resting` do not count as simulated time.
+    if (!at_rest) progress_.time += motion.last_step();
     progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
     if (observer_.callback && k + 1 < n_steps) observer_.callback(motion.packing(), progress_.time);
   }

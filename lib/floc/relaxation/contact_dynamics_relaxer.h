@@ -23,11 +23,11 @@ struct ContactDynamicsProgress {
   int phase = moving;
   std::int64_t n_steps = 0;   ///< number of time steps so far
   std::int64_t n_sweeps = 0;  ///< number of sweeps over all contacts so far
-  std::int64_t n_unfinished =
-      0;                   ///< number of time steps that ended before their impulses were within tolerance
-  double time = 0.0;       ///< simulated time so far (time)
-  double time_step = 0.0;  ///< next time step (time); 0 before the first step
-  double last_step = 0.0;  ///< last time step (time); 0 before the first step
+  /// number of time steps that ended before their impulses were within tolerance
+  std::int64_t n_unfinished = 0;
+  double time = 0.0;             ///< simulated time so far (time)
+  double time_step = 0.0;        ///< next time step (time); 0 before the first step
+  double last_step = 0.0;        ///< last time step (time); 0 before the first step
   double deepest_overlap = 0.0;  ///< deepest overlap so far, divided by the diameter of the smaller grain
   int calm_steps = 0;            ///< number of time steps since the packing last moved or was out of balance
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
@@ -106,8 +106,9 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   Residuals residuals_;
   std::string ending_;
   std::optional<MotionRecord> motion_;
-  double time_unit_;  ///< time unit T = sqrt(m/(P d^(Dim-2))), with the mass m and the diameter d of the
-                      ///< largest grain and the pressure P (time)
+  /// time unit T = sqrt(m/(P d^(Dim-2))), with the mass m and the diameter d of the largest grain and the pressure P
+  /// (time)
+  double time_unit_;
   MotionObserver<Dim> observer_;
 };
 

@@ -39,14 +39,13 @@ struct RelaxationReport {
   /// Decay rate of the force residual (1/time), positive if the residual falls; computed only while the residual is
   /// above its tolerance.
   double decay_rate = 0.0;
-  std::string phase;                        ///< present phase: "moving" or "finishing"
-  double time = 0.0;                        ///< simulated time of this relaxation so far (time)
-  std::int64_t n_steps = 0;                 ///< number of time steps of this relaxation so far
-  std::optional<MotionRecord> motion = {};  ///< record of a packing in motion: the time step that begins in the
-                                            ///< recorded state
-  StepCounts
-      counts;  ///< counts of the time steps of contact dynamics in this relaxation so far; all zero for elastic
-               ///< contacts
+  std::string phase;         ///< present phase: "moving" or "finishing"
+  double time = 0.0;         ///< simulated time of this relaxation so far (time)
+  std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
+  /// record of a packing in motion: the time step that begins in the recorded state
+  std::optional<MotionRecord> motion = {};
+  /// counts of the time steps of contact dynamics in this relaxation so far; all zero for elastic contacts
+  StepCounts counts;
 };
 
 /// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, the packing and progress()

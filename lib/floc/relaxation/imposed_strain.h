@@ -10,12 +10,12 @@ namespace floc {
 /// (its component along the first axis) are proportional to time.
 template <int Dim>
 struct ImposedStrain {
-  Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();  ///< sides of the cell before and after the strain
-                                                            ///< (length)
-  std::array<bool, Dim> is_imposed = {};                    ///< for each axis: whether its length is imposed
-  int sheared_axis = 0;  ///< axis of the sheared lattice vector; 0 if there is no shear
-  double offset_from = 0.0,
-         offset_to = 0.0;  ///< offset of the sheared lattice vector before and after (length)
+  /// sides of the cell before and after the strain (length)
+  Vec<Dim> from = Vec<Dim>::Zero(), to = Vec<Dim>::Zero();
+  std::array<bool, Dim> is_imposed = {};  ///< for each axis: whether its length is imposed
+  int sheared_axis = 0;                   ///< axis of the sheared lattice vector; 0 if there is no shear
+  /// Offset of the sheared lattice vector before and after the strain (length).
+  double offset_from = 0.0, offset_to = 0.0;
   double duration = 0.0;   ///< duration of the strain (time)
 
   /// Returns the largest strain: of the logarithmic strains of the imposed lengths and the shear strain.

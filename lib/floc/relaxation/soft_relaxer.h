@@ -23,8 +23,8 @@ struct SoftProgress {
   double begun_phi = 0.0;    ///< solid fraction at the beginning of the stage `stiff`
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
-  std::string
-      relaxation;  ///< progress of the Relaxer of stage `stiff` or `moving`; empty before its first chunk
+  /// progress of the Relaxer of stage `stiff` or `moving`; empty before its first chunk
+  std::string relaxation;
 };
 
 /// Relaxer of a periodic packing that collapses on soft springs: their stiffness is divided by

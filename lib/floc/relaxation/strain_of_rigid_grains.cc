@@ -113,8 +113,8 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
 /// Gives the contacts the forces of the time step that begins at the present positions and velocities.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::record_motion() {
-  imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);  // exact: without the rounding errors of
-                                                                       // the steps
+  // exact: without the rounding errors of the steps
+  imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);
   ContactDynamicsSettings chosen = settings();
   chosen.longest_step = progress_.time_step;
   chosen.max_sweeps =

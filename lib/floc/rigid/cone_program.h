@@ -22,10 +22,10 @@ template <int Dim>
 struct ConeProgram {
   std::vector<int> first{0};
   std::vector<int> row;
-  std::vector<Vec<Dim>> coefficient;  ///< coefficients of the entries of A: each entry holds the Dim
-                                      ///< coefficients of one block in one row
-  std::vector<int> group;    ///< group (grain) of each row, ascending; the rows of a group are eliminated
-                             ///< together
+  /// coefficients of the entries of A: each entry holds the Dim coefficients of one block in one row
+  std::vector<Vec<Dim>> coefficient;
+  /// group (grain) of each row, ascending; the rows of a group are eliminated together
+  std::vector<int> group;
   Eigen::VectorXd load;      ///< right-hand side b
   Eigen::VectorXd softness;  ///< diagonal of S, >= 0; empty for zeros
   /// Symmetric matrices that are added to S: one for each block, over the rows of its entries. Each is stored by the
@@ -96,8 +96,9 @@ struct ConeSolution {
   Eigen::VectorXd motion;  ///< dual unknown y
   double objective = 0.0;  ///< 1/2 x' Q x + c' x + 1/2 y' S y
   double residual = 0.0;   ///< largest |A x + S y - b|
-  double gap = 0.0;        ///< duality gap x' z, with z the slack of the cones: upper bound of the difference
-                           ///< between the objective and its minimum
+  /// duality gap x' z, with z the slack of the cones: upper bound of the difference between the objective and its
+  /// minimum
+  double gap = 0.0;
   int n_factorizations = 0;
 
   /// Whether the program was solved, or rounding ended the iteration at a residual and a gap below `nearly`.

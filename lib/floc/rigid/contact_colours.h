@@ -11,8 +11,8 @@ namespace floc {
 /// body: it takes all contacts that fit no other colour.
 struct ContactColours {
   std::vector<int> contacts;  ///< contacts in the order of their colours
-  std::vector<int>
-      start;  ///< position in `contacts` of the first contact of each colour, then the number of contacts
+  /// position in `contacts` of the first contact of each colour, then the number of contacts
+  std::vector<int> start;
 
   int n_colours() const { return static_cast<int>(start.size()) - 1; }
 };

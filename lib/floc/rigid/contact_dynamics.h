@@ -28,10 +28,9 @@ struct BoundaryLoad {
 /// Settings of the time steps of contact dynamics.
 struct ContactDynamicsSettings {
   double longest_step;  ///< longest time step (time)
-  double
-      sweep_tolerance;  ///< error of the impulses at which the sweeps of a step end, divided by the mean normal
-                        ///< impulse
-  int max_sweeps;       ///< largest number of sweeps in a step
+  /// error of the impulses at which the sweeps of a step end, divided by the mean normal impulse
+  double sweep_tolerance;
+  int max_sweeps;  ///< largest number of sweeps in a step
   double restitution = 0.0;
   /// Rate of approach below which impacts are inelastic (length/time). Without this limit, grains that fall onto other
   /// grains within a step would never come to rest.
@@ -123,9 +122,9 @@ class ContactDynamics {
   BoundaryLoad<Dim> load_;
   ContactDynamicsSettings settings_;
   double time_step_, last_step_;
-  double grain_mass_;                     ///< mass of all grains
-  std::vector<Vec<Dim>> external_force_;  ///< force on each grain in addition to the forces of its contacts
-                                          ///< (force); empty for none
+  double grain_mass_;  ///< mass of all grains
+  /// force on each grain in addition to the forces of its contacts (force); empty for none
+  std::vector<Vec<Dim>> external_force_;
   ContactPoints<Dim> points_;
   StepCounts counts_;
 };

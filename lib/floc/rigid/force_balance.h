@@ -29,11 +29,11 @@ struct ForceBalanceOptions {
 
 /// Errors of a set of forces in the equations of balance.
 struct BalanceError {
-  double force = 0.0;   ///< largest net force on a grain, divided by the mean normal force
-  double moment = 0.0;  ///< largest net moment on a grain, divided by the mean normal force and the size of the
-                        ///< grain
-  double stress = 0.0;  ///< largest error of a component of the stress, divided by the pressure of mean normal
-                        ///< forces
+  double force = 0.0;  ///< largest net force on a grain, divided by the mean normal force
+  /// largest net moment on a grain, divided by the mean normal force and the size of the grain
+  double moment = 0.0;
+  /// largest error of a component of the stress, divided by the pressure of mean normal forces
+  double stress = 0.0;
 };
 
 /// Contact whose force is unknown. Block k of the cone program is (P, T/mu) of this contact, in units of

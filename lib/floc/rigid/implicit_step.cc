@@ -230,8 +230,8 @@ class StepProgram {
 
   const BodyMotion<Dim>& bodies_;
   const std::vector<StepContact<Dim>>& contacts_;
-  std::vector<int> first_, ends_;  ///< index of the first unknown of each body, and index after its last
-                                   ///< unknown
+  /// index of the first unknown of each body, and index after its last unknown
+  std::vector<int> first_, ends_;
   int first_stretch_ = 0;
   std::vector<Unknown<Dim>> unknowns_;
   std::vector<double> free_;  ///< velocity of each unknown without impulses (length/time)

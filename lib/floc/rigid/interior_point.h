@@ -49,8 +49,8 @@ class InteriorPoint {
 
   SymmetricFactor factor_;
   Eigen::SparseMatrix<double> matrix_;  ///< lower triangle of A G A'
-  std::vector<int> place_;              ///< for each pair of entries of each block: its index in the values of
-                                        ///< matrix_
+  /// for each pair of entries of each block: its index in the values of matrix_
+  std::vector<int> place_;
 };
 
 }  // namespace floc

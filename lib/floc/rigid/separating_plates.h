@@ -43,10 +43,10 @@ class SeparatingPlates {
   /// A pair of bodies.
   struct Pair {
     bool has_wall;
-    int first, last;  ///< index of its first contact in the contacts of the step, and index after its last
-                      ///< contact
-    int begin, end;   ///< range in contacts_: contacts with a wall, or contacts of the second grain with the
-                      ///< plate
+    /// index of its first contact in the contacts of the step, and index after its last contact
+    int first, last;
+    /// range in contacts_: contacts with a wall, or contacts of the second grain with the plate
+    int begin, end;
   };
 
   int add_plate(const StepContact<3>& contact, const Vec<3>& centre);

@@ -15,8 +15,8 @@ struct BodyMotion {
   /// Inverse mass of each body along each axis of space (1/mass); for a wall, only the component along its normal
   /// differs from zero.
   std::vector<Vec<Dim>> inverse_mass;
-  std::vector<Mat<kRotations<Dim>>> inverse_inertia;  ///< inverse inertia tensor of each body in the axes of
-                                                      ///< space (1/(mass length^2))
+  /// inverse inertia tensor of each body in the axes of space (1/(mass length^2))
+  std::vector<Mat<kRotations<Dim>>> inverse_inertia;
   Vec<Dim> stretch = Vec<Dim>::Zero();  ///< rate of stretch L_aa of each axis of the cell (1/time)
   /// Inverse inertia 1/M_a of each rate of stretch; zero if the rate is imposed (1/(mass length^2)).
   Vec<Dim> inverse_stretch_mass = Vec<Dim>::Zero();
@@ -35,16 +35,16 @@ struct BodyMotion {
 /// vector r.
 template <int Dim>
 struct StepContact {
-  int i, j;                               ///< indices of the two bodies
-  Vec<Dim> arm_i;                         ///< arm a_i from the centre of i to the contact point (length)
-  Vec<Dim> arm_j;                         ///< arm a_j from the centre of j to the contact point (length)
-  Vec<Dim> branch = Vec<Dim>::Zero();     ///< branch vector r from the centre of i to the centre of the image
-                                          ///< of j (length)
+  int i, j;        ///< indices of the two bodies
+  Vec<Dim> arm_i;  ///< arm a_i from the centre of i to the contact point (length)
+  Vec<Dim> arm_j;  ///< arm a_j from the centre of j to the contact point (length)
+  /// branch vector r from the centre of i to the centre of the image of j (length)
+  Vec<Dim> branch = Vec<Dim>::Zero();
   Mat<Dim> frame = Mat<Dim>::Identity();  ///< frame F; columns: the unit normal from i to j, then the tangents
   double friction = 0;                    ///< friction coefficient mu
-  double normal_compliance = 0.0;         ///< normal compliance C: 1/(K dt^2) for a spring of stiffness K and
-                                          ///< the time step dt; 0 if rigid (time/mass)
-  double tangential_compliance = 0.0;     ///< tangential compliance C (time/mass)
+  /// normal compliance C: 1/(K dt^2) for a spring of stiffness K and the time step dt; 0 if rigid (time/mass)
+  double normal_compliance = 0.0;
+  double tangential_compliance = 0.0;  ///< tangential compliance C (time/mass)
   /// Bias b (length/time): for a rigid contact with the gap g > 0, g/dt; for springs of stiffness K, K g dt C in the
   /// normal direction and s/dt in the tangential directions, with the elongation s.
   Vec<Dim> bias = Vec<Dim>::Zero();

@@ -252,13 +252,13 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   std::vector<StepContact<Dim>>& contacts_;
   ContactColours colours_;
   AlignedVector<Body> free_;  // bodies without the impulses of contacts, but with the impulses of adhesion
-  Vec<Dim> free_stretch_;     // rate of stretch of the cell without the impulses of contacts, but with those of
-                              // adhesion
+  // rate of stretch of the cell without the impulses of contacts, but with those of adhesion
+  Vec<Dim> free_stretch_;
   AlignedVector<Body> packed_;
   AlignedVector<Contact> records_;
-  std::vector<std::uint8_t> is_idle_;  // for each record: whether it carried no impulse in the last sweep over
-                                       // all contacts
-  Vec<Dim> stretch_;                   // present rate of stretch of the cell
+  // for each record: whether it carried no impulse in the last sweep over all contacts
+  std::vector<std::uint8_t> is_idle_;
+  Vec<Dim> stretch_;  // present rate of stretch of the cell
   std::vector<Chunk> chunks_;
   std::vector<int> first_chunk_;  // index of the first chunk of each colour, then the number of chunks
   int n_threads_ = 1;

@@ -15,8 +15,8 @@ struct ClosestPoints {
   /// Number of vertices of the feature of the first core that contains its closest point: 1 for a vertex, 2 for an
   /// edge, 3 for a face.
   int n_first = 0;
-  int n_second = 0;  ///< number of vertices of the feature of the second core that contains its closest point:
-                     ///< 1, 2 or 3
+  /// number of vertices of the feature of the second core that contains its closest point: 1, 2 or 3
+  int n_second = 0;
 };
 
 /// Computes the closest points of the cores of two shapes (the shapes without their rounding) by the algorithm

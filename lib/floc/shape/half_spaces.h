@@ -10,9 +10,9 @@ namespace floc {
 /// Half-space of the points x with normal . x <= offset.
 template <int Dim>
 struct HalfSpace {
-  Vec<Dim> normal;      ///< normal vector that points out of the half-space, of any length
-  double offset = 0.0;  ///< value of normal . x on the boundary plane; it is > 0, so the origin is inside the
-                        ///< half-space
+  Vec<Dim> normal;  ///< normal vector that points out of the half-space, of any length
+  /// value of normal . x on the boundary plane; it is > 0, so the origin is inside the half-space
+  double offset = 0.0;
 };
 
 /// Returns the vertices of the intersection of half-spaces, computed from the convex hull of the points normal/offset,

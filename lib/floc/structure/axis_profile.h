@@ -12,8 +12,8 @@ namespace floc {
 struct ProfileSlice {
   /// Distances of the two planes of the slice from the origin or, between walls, from the lower wall (length).
   double low = 0.0, high = 0.0;
-  double solid_fraction = 0.0;  ///< solid fraction from exact volumes; the volume of an overlap counts once for
-                                ///< each of its two grains
+  /// solid fraction from exact volumes; the volume of an overlap counts once for each of its two grains
+  double solid_fraction = 0.0;
   int n_grains = 0;
   /// Stress along each axis (force/length^(d-1)), compression positive: sum over the contacts of the share of their
   /// stress that belongs to the part of their branch vector in the slice, per volume of the slice.

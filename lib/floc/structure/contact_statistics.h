@@ -41,8 +41,8 @@ struct ForceShape {
   double below_mean = 0.0;      ///< share of the forces below their mean
   std::optional<double> alpha;  ///< maximum likelihood estimate of alpha in the joined form
   std::optional<double> alpha_error;
-  std::optional<double> beta;  ///< estimate of the decay above the mean without the joined form: 1/(<x> - 1),
-                               ///< with the mean <x> over the forces x > 1
+  /// estimate of the decay above the mean without the joined form: 1/(<x> - 1), with the mean <x> over the forces x > 1
+  std::optional<double> beta;
   std::optional<double> beta_error;
 };
 

@@ -11,10 +11,10 @@ namespace floc {
 /// axes with isotropic directions has an S of about 1/sqrt(n).
 template <int Dim>
 struct AxesOrder {
-  int n_grains = 0;                       ///< number of elongated grains
-  double order = 0.0;                     ///< order S of the axes, from 0 to 1
-  Vec<Dim> direction = Vec<Dim>::Zero();  ///< mean direction of the axes: a unit vector, whose sign is
-                                          ///< arbitrary
+  int n_grains = 0;    ///< number of elongated grains
+  double order = 0.0;  ///< order S of the axes, from 0 to 1
+  /// mean direction of the axes: a unit vector, whose sign is arbitrary
+  Vec<Dim> direction = Vec<Dim>::Zero();
 };
 
 /// Returns the order of the long axes of the elongated grains, whose largest extent is at least 5 % larger than the

@@ -33,10 +33,10 @@ struct ContactCheck {
   /// Largest difference of a normal force from the contact law, divided by the mean absolute value of the normal
   /// forces.
   double largest_difference = 0.0;
-  std::string most_different;  ///< names of the grains of the contact with the largest difference from the
-                               ///< contact law
-  int n_missing = 0;           ///< number of pairs that touch but are missing in the contact list
-  std::string missing;         ///< text with the names of the grains and the gap of the first missing pair
+  /// names of the grains of the contact with the largest difference from the contact law
+  std::string most_different;
+  int n_missing = 0;    ///< number of pairs that touch but are missing in the contact list
+  std::string missing;  ///< text with the names of the grains and the gap of the first missing pair
 };
 
 /// Checks the contact forces of a packing against its contact law, and its contacts against the positions of the

@@ -256,8 +256,8 @@ ContactDynamics<Dim> step_from(const State<Dim>& state) {
 /// Checks that the recorded forces are those of the time step that begins at the state.
 template <int Dim>
 Criterion check_step(const State<Dim>& state, double error) {
-  constexpr double kRounding = 1e-6;  // rounding error of the forces in the file, divided by the mean normal
-                                      // force
+  // rounding error of the forces in the file, divided by the mean normal force
+  constexpr double kRounding = 1e-6;
   const MotionRecord& motion = *state.motion;
   const double limit = std::max(motion.sweep_tolerance, motion.residual) + kRounding;
   const bool holds = error <= limit && std::abs(error - motion.residual) <= kRounding + 1e-2 * motion.residual;

@@ -52,8 +52,8 @@ class StiffnessComparison {
     /// Smallest and largest ratio of the given stiffness to the stiffness of the law over all contacts; infinite if the
     /// stiffness of the law is 0.
     double least = 0.0, largest = 0.0;
-    double worst = 0.0;  ///< largest relative difference; the next members belong to the contact with this
-                         ///< difference
+    /// largest relative difference; the next members belong to the contact with this difference
+    double worst = 0.0;
     double found = 0.0, by_law = 0.0;
     std::string names;
   };

@@ -34,7 +34,7 @@ using ContactHistory = Eigen::Matrix<double, HistoryLayout<Dim>::kSize, 1>;
 struct HistoryQuantity {
   History declared;
   int begin;  ///< index of the first number of the quantity in a ContactHistory
-  int size;   ///< number of values of the quantity
+  int size;   ///< number of values of this quantity
 };
 
 /// Returns the quantities that a contact law stores per contact, in the order of HistoryLayout.

@@ -288,7 +288,9 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const Respo
     memory.unknown = problem.unknowns.unknown;
     memory.length = problem.unknowns.length;
     answer = solve_by_factor(problem, *memory.factor);
-    if (!problem.positive) memory.factor.reset();  // an indefinite matrix cannot be a preconditioner
+    if (!problem.positive)
+      memory.factor.reset();  // the factor of an indefinite matrix cannot be a
+                              // preconditioner
   }
   memory.fluctuation = answer->fluctuation;
   return std::move(*answer);

@@ -37,7 +37,8 @@ constexpr double kIsotropic = 1e-4;
 /// Bound on the relative rounding error of the cell's volume, and of the stresses that prestress adds to the moduli.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Returns the largest absolute value of an eigenvalue of the moduli C that cannot be distinguished from zero.
+/// Returns the largest absolute value that an eigenvalue of the moduli C may have if it cannot be distinguished from
+/// zero.
 /// @param scale  Voigt stiffness, the stiffness of affine motion (stress)
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();
@@ -204,8 +205,8 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
 
 namespace {
 
-/// Sets B to the middle between B_reuss and B_voigt, G to the middle between 0 and G_voigt, and their errors to half
-/// the distance between these bounds. If the bounds are not guaranteed, sets m.failure instead.
+/// Sets B to the mean of B_reuss and B_voigt, G to the mean of 0 and G_voigt, and their errors to half the distance
+/// between these bounds. If the bounds are not guaranteed, sets m.failure instead.
 void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   m.method = ModuliMethod::bounds;

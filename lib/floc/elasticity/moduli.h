@@ -116,7 +116,7 @@ struct Moduli {
   /// Response, without prestress, of the network from which the moduli were computed. Mechanisms, force increments and
   /// the backbone are computed from it.
   ElasticResponse response;
-  /// Method that was used: the one in the options, or ModuliMethod::factor if that one failed. Only
+  /// Method that was used: the one in the options, or ModuliMethod::factor if that method failed. Only
   /// ModuliMethod::factor counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With
   /// ModuliMethod::bounds, the error is half the distance between the bounds; with other methods, it is an estimate.
   ModuliMethod method = ModuliMethod::factor;

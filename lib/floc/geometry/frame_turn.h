@@ -34,7 +34,7 @@ class FrameTurn {
     mean_normal_ = n_ - lean_ * across;
     const T half_angle = T(0.25) * time_step * spins.dot(mean_normal_);
     const T squared = half_angle * half_angle;
-    const T scale = T(1) - squared * (T(1) - squared);  // 1/(1 + squared)
+    const T scale = T(1) - squared * (T(1) - squared);  // approximates 1/(1 + squared)
     sin_ = T(2) * half_angle * scale;
     cos_ = (T(1) - squared) * scale;
   }

@@ -17,7 +17,7 @@ std::vector<Mat<Dim>> node_stress(const Lattice<Dim>& lattice, const LatticeNetw
 
 /// Exponential tail exp(-beta x) of the distribution of a number x above a threshold, fitted by maximum likelihood.
 struct StressTail {
-  double from = 1.0;                ///< threshold of x
+  double from = 1.0;                ///< threshold of x above which the tail is fitted
   int n = 0;                        ///< number of values of x above the threshold
   std::optional<double> beta = {};  ///< decay rate beta; absent for fewer than 10 values
   /// Standard error beta/sqrt(n) of beta. It assumes independent values; the stresses of neighbouring nodes are in fact

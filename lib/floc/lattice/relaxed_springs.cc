@@ -192,7 +192,7 @@ class Springs final : public RelaxedSprings<Dim> {
     return out;
   }
 
-  /// Finds the active springs among the one-sided ones: those in compression.
+  /// Determines which one-sided springs are active, that is, in compression.
   /// @return number of springs that have opened or closed since the last call
   int update_active() {
     int n_changed = 0;
@@ -211,8 +211,8 @@ class Springs final : public RelaxedSprings<Dim> {
                                           [&](int r) { return !active_[r]; }));
   }
 
-  /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. The energy has
-  /// two parts: that of the imposed strain, if the nodes follow it affinely, and that which the nodes would then
+  /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. This energy is
+  /// the energy of the imposed strain, if the nodes follow it affinely, plus the energy that the nodes would then
   /// release by relaxation.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
@@ -309,8 +309,10 @@ class Springs final : public RelaxedSprings<Dim> {
   bool search_along(const Eigen::VectorXd& direction, const Eigen::VectorXd& down) {
     const double slope = -down.dot(direction);
     if (slope >= 0.0) return true;
-    double square = 0.0,
-           // slope of the energy of the two-sided springs after a step of t * direction: linear + t square
+    double
+        square = 0.0,
+        // The slope of the energy of the two-sided springs after a step of t times the direction is linear + t *
+        // square.
         linear = slope;
     // for each one-sided spring: overlap, change of the overlap per unit step along the direction, stiffness
     std::vector<std::array<double, 3>> one_sided;

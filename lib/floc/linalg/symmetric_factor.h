@@ -49,9 +49,9 @@ class SymmetricFactor {
   [[nodiscard]] bool factorize_indefinite(double shift = 0.0);
 
   /// Returns the number of eigenvalues of A below `bound`. It is the number of negative entries of the diagonal matrix
-  /// S in A - bound * 1 = L S L^T (Sylvester's law of inertia). This factorization replaces the last one. Rounding
-  /// shifts the eigenvalues by a few rounding units; the distance of `bound` from any eigenvalue that matters should be
-  /// larger.
+  /// S in A - bound * 1 = L S L^T (Sylvester's law of inertia). This factorization replaces the last factorization.
+  /// Rounding shifts the eigenvalues by a few rounding units; the distance of `bound` from any eigenvalue that matters
+  /// should be larger.
   int count_eigenvalues_below(double bound);
 
   /// Solves A X = B by the last factor, with iterative refinement. If the factor is that of A + shift * 1, this is the

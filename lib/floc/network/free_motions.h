@@ -9,7 +9,7 @@ namespace floc {
 
 /// Kind of a free motion, a motion that needs no energy.
 enum class FreeMotionKind {
-  rattler,      ///< motion of a grain without contact
+  rattler,      ///< any motion of a grain without contact
   translation,  ///< translation of a connected part of the network as a whole
   /// rotation, as a whole, of a connected part that does not wind around the cell in the plane of the rotation
   rotation,

@@ -32,7 +32,7 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& contact);
 /// components of the motion (kMotionRows), the columns are the unknowns.
 template <int Dim>
 struct GrainMotions {
-  /// columns: unknowns of i; if i = j, those of j are added
+  /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
   Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_i;
   Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_j;  ///< columns: unknowns of j; zero if i = j
 };

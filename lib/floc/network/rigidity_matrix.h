@@ -29,7 +29,7 @@ Mat<Dim> unit_strain(int column);
 /// balances.
 template <int Dim>
 struct ContactRows {
-  /// columns for the unknowns of i; if i = j, those of j are added
+  /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_j;  ///< columns for the unknowns of j; zero if i = j
   /// columns for the strains, in the order of StrainSet::full

@@ -9,7 +9,7 @@ namespace floc {
 
 /// One interaction of a packing: two surfaces that touch, by the criterion of the contact law, or that attract each
 /// other across a gap (a distant attraction). The normal force is positive in compression. The shear force and the
-/// rolling moment are those on grain i.
+/// rolling moment act on grain i.
 template <int Dim>
 struct Contact {
   int i = 0;  ///< index of the first grain

@@ -9,7 +9,7 @@ namespace floc {
 /// of grains and contacts are copied; the copies of an equilibrium therefore form an equilibrium with the same stress.
 /// Identifiers of grains are dropped, because the copies of a grain would share its identifier. The result still has
 /// the period of the original packing: it can serve as the initial state of a larger packing, but does not have the
-/// statistics of one.
+/// statistics of a larger packing.
 /// @param copies  number of copies along each lattice vector, >= 1
 template <int Dim>
 Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies);

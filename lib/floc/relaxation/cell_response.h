@@ -15,7 +15,7 @@ struct CellResponse {
   /// Cap on the strain rate |L'/L| of the cell, in 1/T0 (RelaxationOptions::strain_rate_cap); at most one of
   /// inertial_number_cap and this cap is set.
   std::optional<double> strain_rate_cap = {};
-  /// RelaxationOptions::softening during that stage.
+  /// Value that replaces RelaxationOptions::softening during this stage.
   std::optional<double> softening = {};
   /// Rate at which rigid grains are strained (ContactDynamicsOptions::inertial_number).
   std::optional<double> inertial_number = {};

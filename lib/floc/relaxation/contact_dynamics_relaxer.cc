@@ -134,7 +134,7 @@ Vec<Dim> imposed_stress(const LoadTarget<Dim>& load) {
     if (!(load.stress[a] > 0.0))
       throw InputError("load",
                        "rigid grains need a positive stress on every axis without an imposed length, because "
-                       "it sets their forces");
+                       "it sets the scale of their forces");
     sum += load.stress[a], ++n;
   }
   if (n == 0)
@@ -343,7 +343,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double reached_gap = solves_at_once() ? std::min(tolerance, kGapAtOnce) : tolerance;
   if (const double gap = largest_gap(); gap > reached_gap) {
     progress_.obstacle = fmt::format(
-        "a contact that carries a force has a gap of {:.2g} of the smaller diameter, or two grains overlap by "
+        "a contact that carries a force has a gap of {:.2g} smaller diameters, or two grains overlap by "
         "this much, but the tolerance is {:.2g}",
         gap, reached_gap);
     // Errors of the impulses move the grains by distances proportional to the square of the time step.

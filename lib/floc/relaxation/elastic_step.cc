@@ -29,8 +29,8 @@ bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   return !mobilised(law, beyond, 0.0).any() && !to.is_mobilised();
 }
 
-/// Whether the history variables of the law of the normal force are the same in two states of a contact, so that this
-/// law has dissipated no energy between them.
+/// Whether the history variables of the law of the normal force are equal in two states of a contact. The law has then
+/// dissipated no energy between the two states.
 template <int Dim>
 bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
   constexpr int n = HistoryLayout<Dim>::kNormalRoom;

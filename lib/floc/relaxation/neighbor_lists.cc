@@ -90,7 +90,7 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
   // A skin twice as wide as the distance by which bodies have moved is wide enough for lists that are used for as many
-  // steps as the present ones.
+  // steps as the present lists.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }

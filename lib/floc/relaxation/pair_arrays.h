@@ -29,7 +29,7 @@ inline double lagging_damping(double coefficient, double effective_mass, double 
 
 /// Neighbouring pairs of bodies in the form that the force loop reads, with one array per component: pairs of grains
 /// with indices i <= j, or pairs of a grain i and a wall j. Grains form blocks of kGrainBlock, and a pair belongs to
-/// the block of its first grain. The pairs are sorted, so that those of a block are contiguous. The pairs of each group
+/// the block of its first grain. The pairs are sorted, and the pairs of a block are contiguous. The pairs of each group
 /// of blocks are padded to whole vector registers with pairs that do not interact: a grain and an image of itself far
 /// away, or a grain and a wall, whose force is not summed. If all grains are equal, numbers that follow from their
 /// sizes are stored once for all pairs.

@@ -10,7 +10,7 @@ namespace floc {
 /// solving them does not depend on their order. Only the last of kMostColours colours may contain contacts that share a
 /// body: it takes all contacts that fit no other colour.
 struct ContactColours {
-  std::vector<int> contacts;  ///< contacts in the order of their colours
+  std::vector<int> contacts;  ///< indices of the contacts, in the order of their colours
   /// position in `contacts` of the first contact of each colour, then the number of contacts
   std::vector<int> start;
 

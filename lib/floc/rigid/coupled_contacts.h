@@ -109,7 +109,7 @@ struct CoupledContacts {
     apply(c, change, bodies, gain);
   }
 
-  /// Returns contact_error() with the response of the record.
+  /// Returns contact_error() of a contact, with the response in its record.
   static double error(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     return contact_error<Dim>(
         {c.response.response(), velocity_without_impulse(c, bodies, stretch), c.response.friction()},

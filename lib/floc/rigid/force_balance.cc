@@ -173,8 +173,8 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
   if (!axis_stress && std::ranges::count(open_axis, true) > 0)
-    faults.emplace_back("open_axis: expected a stress on the other axes beside it");
-  if (stress && axis_stress) faults.emplace_back("axis_stress: expected no stress beside it");
+    faults.emplace_back("open_axis: expected axis_stress, the stress on the other axes, to be given, too");
+  if (stress && axis_stress) faults.emplace_back("axis_stress: expected that stress is not given, too");
   if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
   return faults;
 }

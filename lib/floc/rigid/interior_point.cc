@@ -179,8 +179,8 @@ struct InteriorPoint<Dim>::Iteration {
   const Point<Dim>& at;
   EmbeddingResiduals<Dim> residual;
   std::vector<cone::Scaling<Dim>> scaling;
-  Blocks<Dim> scaled;                 // lambda = W z
-  std::vector<Mat<Dim>> flexibility;  // G = (Q + W^-2)^-1
+  Blocks<Dim> scaled;                 // scaled point lambda = W z
+  std::vector<Mat<Dim>> flexibility;  // blocks G = (Q + W^-2)^-1
   bool factorized = false;
   Blocks<Dim> constant_x;  // part of a direction in x that is proportional to d tau
   Eigen::VectorXd constant_y;

@@ -48,7 +48,7 @@ struct KnownFaces {
   std::vector<Face> face;
   std::vector<double> multiplier;  ///< multiplier l of each block on the surface
   std::vector<Mat<Dim>> flexibility;
-  std::vector<Vec<Dim>> shift;  ///< change of x at constant y
+  std::vector<Vec<Dim>> shift;  ///< change of x if y does not change
   double error = 0.0;           ///< largest violation of the equations before the last step
 
   KnownFaces(const ConeProgram<Dim>& of, const ConeSolution<Dim>& start)

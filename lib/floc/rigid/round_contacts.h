@@ -41,7 +41,7 @@ struct RoundContacts {
     Vec<Dim> normal;
     double arm_i, arm_j;                        // a_i = arm_i n, a_j = -arm_j n
     double inverse_normal, inverse_tangential;  // 1/A_n, 1/A_t
-    double keep_normal, keep_tangential;        // 1 - C_n/A_n, 1 - C_t/A_t
+    double keep_normal, keep_tangential;        // factors 1 - C_n/A_n and 1 - C_t/A_t of the present impulse
     double bias_normal;                         // b_n/A_n
     Shear<Dim> bias_tangential;                 // b_t/A_t
     double friction;
@@ -116,7 +116,7 @@ struct RoundContacts {
     apply(c, change, bodies, gain);
   }
 
-  /// Returns contact_error() with the response of the record.
+  /// Returns contact_error() of a contact, with the response in its record.
   static double error(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     const Impulse free = unlimited(c, bodies, stretch);
     const Shear<Dim> tangential = limited(free.tangential, c.friction * std::max(c.impulse.normal, 0.0));

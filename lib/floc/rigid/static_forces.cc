@@ -133,7 +133,7 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
   if (solution.status != ConeStatus::kInfeasible)
     throw NoResult(
         fmt::format("rounding ended the search for static forces at a residual of {:.1e} of the mean force "
-                    "and a gap of {:.1e}, after {} factorizations; there may be no answer",
+                    "and a duality gap of {:.1e}, after {} factorizations; there may be no solution",
                     solution.residual, solution.gap, solution.n_factorizations));
   // The proof that no forces balance the load is a motion on which the load does work and which no contact resists.
   int worst = -1;

@@ -39,8 +39,9 @@ struct SeparatingAxis {
 /// Margins by which the separation along one kind of axis has to exceed the separation along a preferred kind, in the
 /// unit of length of the first shape.
 struct AxisMargins {
-  /// Margin by which the separation of a face of the second shape has to exceed that of the faces of the first shape,
-  /// and that of another face has to exceed that of the face of the previous step.
+  /// Margin for faces. A face of the second shape defines the axis only if its separation exceeds the separations of
+  /// all faces of the first shape by more than this margin. A face replaces the face of the previous step only if its
+  /// separation is larger by more than this margin.
   double faces;
   double edges;  ///< margin by which the separation of an edge pair has to exceed that of all faces
 };

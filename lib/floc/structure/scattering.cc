@@ -114,7 +114,7 @@ void ScatteringAverage::add_vector(double k, double intensity, std::int64_t weig
 
 void ScatteringAverage::add(const Cell<2>& cell, const CoverageMap& field) {
   const std::vector<std::complex<double>> hat = transform(field);
-  const Mat<2> reciprocal = kTwoPi * cell.matrix.inverse();  // k = reciprocal * (n1, n2)
+  const Mat<2> reciprocal = kTwoPi * cell.matrix.inverse();  // wave vectors are k = reciprocal * (n1, n2)
   const double area = cell.volume();
   const double per_cell = area / (static_cast<double>(field.size[0]) * field.size[1]);
   const int n_columns = field.size[1] / 2 + 1;

@@ -45,7 +45,7 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
     if (!container.compute_cell(cell, loop)) continue;
     const int i = loop.pid();
     volume[i] = cell.volume() * std::pow(turned.unit, 3);
-    cell.vertices(vertices);  // relative to the centre of the grain
+    cell.vertices(vertices);  // these are relative to the centre of the grain
     for (std::size_t v = 0; v + 2 < vertices.size(); v += 3) {
       const Vec<3> from = turned.here({vertices[v], vertices[v + 1], vertices[v + 2]});
       corners.push_back({packing.cell.wrapped(g.position[i] + from), from.norm() - g.radius[i]});

@@ -150,10 +150,10 @@ Criterion check_cone(const Packing<Dim>& packing) {
     const double pull = -c.elastic_force / mean;
     result.value = std::max({*result.value, beyond, pull});
     if (!(pull <= result.limit))
-      violations.add(pull, fmt::format("{} pull with the force {:.3g} beyond their adhesion",
+      violations.add(pull, fmt::format("{} have a tensile force that exceeds their adhesion by {:.3g}",
                                        pair_name(packing, c), -c.elastic_force));
     else if (!(beyond <= result.limit))
-      violations.add(beyond, fmt::format("{} with the tangential force {:.3g} at a limit of {:.3g}",
+      violations.add(beyond, fmt::format("{} have the tangential force {:.3g}, but its limit is {:.3g}",
                                          pair_name(packing, c), c.shear_force.norm(), mu * c.elastic_force));
   }
   result.where = violations.worst_first();
@@ -214,7 +214,7 @@ Criterion check_power(const State<Dim>& state, const Packing<Dim>& recomputed) {
   result.holds = *result.value < result.limit;
   if (!result.holds)
     result.where = fmt::format(
-        "the contact forces feed the power {:.3g} into the motion of the grains, but rigid "
+        "the contact forces do work on the moving grains at the power {:.3g}, but rigid "
         "contacts only dissipate energy",
         power);
   return result;

@@ -83,7 +83,8 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
   for (int a = 0; a < kRotations<Dim>; ++a) {
     motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kTinyMotion);
     for (int b = 0; b < kRotations<Dim>; ++b)
-      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // rotation of i relative to j
+      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // the minus sign gives the rotation of
+                                                                         // i relative to j
   }
   if constexpr (Dim == 3) {
     motion.twist = T(kBeyondCap * surface.twist + kTinyMotion);

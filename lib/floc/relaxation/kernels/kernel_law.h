@@ -44,7 +44,7 @@ inline constexpr bool kHasSpecialKernels<HertzRepulsion> = true;
 /// Adhesion whose force depends only on the gap, or no adhesion. In contact the force is -F0, with F0 the pull-off
 /// force. With a tail of range D0, the attraction falls linearly to zero as the gap grows from 0 to D0.
 struct DryAttraction {
-  double in_contact = 0.0;  ///< F0, pull-off force (force)
+  double in_contact = 0.0;  ///< pull-off force F0 (force)
   double slope = 0.0;       ///< F0/D0, slope of the tail, with D0 its range (force/length); 0 without a tail
   double at_touch = 0.0;    ///< attraction at a gap of zero: F0 with a tail, 0 without a tail (force)
 

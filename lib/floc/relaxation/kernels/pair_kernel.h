@@ -332,7 +332,8 @@ struct PairKernel {
     Records<Isa>::store_rows(to, row);
   }
 
-  /// Rotates the tangential vectors of the history from the old tangent plane of the contact to the present one.
+  /// Rotates the tangential vectors of the history from the old tangent plane of the contact to the present tangent
+  /// plane.
   template <class History, int... k>
   static void turn(const Turn& turn, History& history, std::integer_sequence<int, k...>) {
     ((turn_number<k>(turn, history)), ...);

@@ -87,7 +87,7 @@ struct ContactLaw {
   /// Whether the coefficient that damping_coefficient() returns has to be multiplied by the square root of the normal
   /// stiffness.
   static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
-  /// Space dimension (2 or 3) for which the law is made; 0 if it is valid in both.
+  /// Space dimension (2 or 3) for which the law is made; 0 if the law is valid in both.
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 

@@ -57,8 +57,8 @@ struct ElasticResponse {
   /// per axis, one column per strain. Empty without walls.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
-  /// number of independent combinations of common displacements of the two walls of an axis that no stiffness resists
-  /// when the grains move along
+  /// number of independent motions of pairs of opposite walls that no stiffness resists, if the two walls of each axis
+  /// move together and the grains relax
   int n_free_shifts = 0;
   /// number of negative eigenvalues of the stiffness of grains, wall shifts and dead ends
   int n_negative = 0;
@@ -66,8 +66,8 @@ struct ElasticResponse {
   int n_negative_shifts = 0;
   /// number of zero eigenvalues of the stiffness matrix K, except the free motions in `free`
   int n_mechanisms = 0;
-  /// relative backward error of the solution: largest net force on a grain divided by the sum of the magnitudes of the
-  /// forces on it
+  /// relative backward error of the solution: largest net force on a grain divided by the size of the forces that add
+  /// up to it
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix K; infinite if there are mechanisms
   double condition = 1.0;

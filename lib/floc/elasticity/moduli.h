@@ -104,8 +104,8 @@ struct Moduli {
   /// number of mobilised contacts (whose force or moment is at its limit); C treats them as elastic
   int n_mobilised = 0;
   double pressure = 0.0;  ///< pressure: mean of the diagonal of load_stress() (force/length^(Dim-1))
-  /// relative backward error of the solution: largest net force on a grain divided by the sum of the magnitudes of the
-  /// forces on it
+  /// relative backward error of the solution: largest net force on a grain divided by the size of the forces that add
+  /// up to it
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix; infinite if there are mechanisms
   double condition = 1.0;

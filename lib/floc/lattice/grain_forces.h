@@ -31,7 +31,7 @@ std::vector<GrainForce<Dim>> grain_forces(const CementedSample<Dim>& sample, con
                                           const LatticeSolution<Dim>& solution);
 
 /// Returns a packing of the grains of a cemented sample, with contacts that carry the given forces. Every command that
-/// takes a contact network can be used on it.
+/// takes a contact network can be applied to this packing.
 /// @param packing  packing from which the sample was made; the masses of the grains are taken from it
 template <int Dim>
 Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& packing,

@@ -21,8 +21,8 @@ struct BoundaryColumns {
   /// Displacement of j relative to i if a boundary unknown is 1: Dim rows, one column per boundary unknown.
   Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMaxColumns> displacement;
   /// Change of the load on each boundary unknown (rows) if j is displaced by 1 relative to i along an axis (columns)
-  /// while the force of the contact stays constant. It is zero for a displacement of a wall. For a strain it is a
-  /// component of the force, because the load on a strain is proportional to the vector from i to j.
+  /// and the force of the contact is constant. It is zero for a displacement of a wall. For a strain it is a component
+  /// of the force, because the load on a strain is proportional to the vector from i to j.
   Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMaxColumns, Dim> follow;
 };
 

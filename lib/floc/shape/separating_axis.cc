@@ -33,9 +33,9 @@ class FaceSearch {
     return n.dot(point) - one_.offsets[face];
   }
 
-  /// Finds the face of largest separation.
-  /// @param begin  index of the face with which the search begins; -1: the face above which the centre of the other
-  /// shape is highest
+  /// Finds the face with the largest separation.
+  /// @param begin  index of the face with which the search begins; if -1, it begins with the face above which the
+  /// centre of the other shape is highest
   FaceAxis best(int begin, double margin, double limit) {
     FaceAxis found;
     if (one_.n_faces() == 0) {

@@ -64,8 +64,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Moves the clusters as rigid bodies through the time in which they only drift towards each other. This replaces the
-/// time steps of that time, which may be most of an aggregation.
+/// Moves the clusters as rigid bodies until they are about to meet. This replaces many time steps in which the clusters
+/// only drift towards each other, and which may be most of the steps of an aggregation.
 /// @return time that was skipped; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Returns the component of a stress tensor whose work is done on one of the strains of the cell.
+/// Returns the component of a stress tensor that does work on one of the strains of the cell.
 /// @param column  number of this strain in the order of StrainSet
 template <int Dim>
 double conjugate(const Mat<Dim>& tensor, int column) {

@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Share of the elastic energy of all touching contacts that the StepResponse::n_holding contacts with the largest
-/// energies hold.
+/// Share of the elastic energy of all touching contacts that is held by the StepResponse::n_holding contacts with the
+/// largest energies.
 constexpr double kHeldShare = 0.95;
 /// Largest work of a unit stress that counts as zero, on a strain that no stiffness resists. The strain is an
 /// eigenvector that is accurate to rounding.

@@ -23,6 +23,7 @@ constexpr double kLastShift = 1e6;
 /// this relative error. The error of an eigenvector is the square root of this value, divided by the relative distance
 /// of its eigenvalue to the next eigenvalue.
 constexpr double kConverged = 1e-11;
+/// Limit on the number of restarts of the Lanczos iteration.
 constexpr int kMaxRestarts = 300;
 /// Distance of `bound` from every eigenvalue of A above which rounding does not change the inertia of A - bound * 1.
 constexpr double kClear = 1e-13;

@@ -382,7 +382,7 @@ class FreeMotionFinder {
   // for each grain, index of the first dead end that hangs on it; -1 if there is none
   std::vector<int> first_held_;
   std::vector<int> alone_;
-  std::vector<DeadEnd> dead_ends_;  // in the order in which they were removed, tips first
+  std::vector<DeadEnd> dead_ends_;  // in the order of their removal, from the tips
   std::vector<CoreSpin> spins_;
   std::vector<Eigen::Triplet<double>> entries_;
   FreeMotions free_;

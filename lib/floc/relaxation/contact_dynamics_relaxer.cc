@@ -461,7 +461,7 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   else
     report.blocking = fmt::format(
         "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
-        "unit T, and the largest strain rate of the cell {:.2g} per T",
+        "unit T, and the largest strain rate of the cell is {:.2g} per T",
         rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains),
         packing_.cell.rate().diagonal().cwiseAbs().maxCoeff() * time_unit_);
   return report;

@@ -91,9 +91,9 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
   }
 }
 
-/// Estimate of the computing time of the motion from one equilibrium to the next: number of time steps, and computing
-/// time per step and contact on one core (seconds; docs/performance.md, "Steps").
+/// Estimate of the number of time steps of the motion from one equilibrium to the next.
 constexpr double kSettlingSteps = 5000.0;
+/// Computing time per time step and contact on one core, in seconds (docs/performance.md, "Steps").
 constexpr double kSecondsPerContact = 8e-8;
 
 /// Returns a fingerprint of the set of pairs of grains that touch (FNV-1a hash).

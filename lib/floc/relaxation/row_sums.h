@@ -57,11 +57,10 @@ class RowSums {
   void plan_crossings(const PairArrays<Dim>& pairs);
 
   int row_size_ = 0;  ///< number of doubles in the row (force and moments) of a pair
-  // The following members are places in the array rows_, counted in doubles.
-  /// Place of a row of zeros, which replaces the missing rows of grains with few pairs.
+  /// Index in rows_ of the first number of a row of zeros, which replaces the missing rows of grains with few pairs.
   int zero_row_ = 0;
   int first_row_with_walls_ = 0;
-  /// Place of the row (force and moments) of the first pair of each group of blocks of grains.
+  /// Index in rows_ of the row (force and moments) of the first pair of each group of blocks of grains.
   std::vector<int> first_row_;
   AlignedVector<double> rows_;
   std::vector<BlockSumsPlan> plans_;

@@ -15,8 +15,9 @@ namespace {
 /// Weight of the squared relative displacement of two grains perpendicular to the normal of their contact, divided by
 /// the weight of the displacement along the normal.
 constexpr double kAcross = 1e-4;
-/// Relative accuracy of the displacements of the grains, and largest number of iterations that compute them.
+/// Relative accuracy of the computed displacements of the grains.
 constexpr double kGapAccuracy = 1e-4;
+/// Largest number of iterations that compute these displacements.
 constexpr int kMostIterations = 5000;
 
 /// Multiplies the numbers in the histories of all contacts by a factor that depends on the unit of the number.

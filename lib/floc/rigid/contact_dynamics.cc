@@ -17,9 +17,10 @@
 namespace floc {
 namespace {
 
-/// Largest displacement of a grain in a time step, divided by its diameter: in general, and for grains with corners
-/// that carry a force, because their closest features may change within a step.
+/// Largest displacement of a grain in a time step, divided by its diameter.
 constexpr double kLongestMove = 2e-2;
+/// Largest displacement for grains with corners that carry a force, because their closest features may change within a
+/// step.
 constexpr double kCarryingMove = 5e-3;
 /// Deepest overlap that a step may cause, divided by the diameter of the smaller grain.
 constexpr double kDeepest = 1e-2;

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Largest number of steps of an iteration that converges by itself.
+/// Limit on the number of steps of an iteration, which normally converges much earlier.
 constexpr int kMostSteps = 100;
 
 /// Returns the impulse that makes the relative velocity zero.

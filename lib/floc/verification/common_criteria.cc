@@ -248,8 +248,8 @@ void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recompute
           [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
 }
 
-/// Compares the recorded forces on walls with the contact forces on these walls, and the recorded rates at which the
-/// sides of a box change with the velocities of its walls.
+/// Compares the recorded forces on walls with the contact forces on these walls. Also compares the recorded rates of
+/// the sides of a box with the velocities of its walls.
 template <int Dim>
 void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
   const std::vector<double> found = wall_forces(recomputed);

@@ -124,7 +124,7 @@ Criterion check_law(const Packing<Dim>& packing) {
   Violations violations;
   const double mean = mean_force(packing);
   for (const Contact<Dim>& c : packing.contacts) {
-    // Surfaces that do not press on each other may be apart, without adhesion.
+    // Without adhesion, two surfaces that do not press on each other may have a gap between them.
     const double adhesion = pull_off_force(packing, c);
     double error = std::abs(c.elastic_force - c.normal_force - adhesion);
     if (c.elastic_force == 0.0) error = std::min(error, std::abs(c.normal_force));

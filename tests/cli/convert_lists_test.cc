@@ -193,11 +193,12 @@ TEST_F(ConvertLists, WithStiffnessesOfAnotherLawAreSaidToHaveThemByConvertModuli
   struct {
     double kn, kt;
     const char* words;
-  } const wrong[] = {{10, 10, "kn of 3 contacts is 10 times the value of the contact law (grains 0-0: "},
-                     {1, 10, "kt of 3 contacts is 10 times the value of the contact law"},
-                     {2.0 / 3.0, 1,
-                      "the value is N/delta (normal force N over overlap delta), but the stiffness of the law "
-                      "is 1.5 N/delta"}};
+  } const wrong[] = {
+      {10, 10, "kn of 3 contacts is 10 times the value of the contact law (grains 0-0: "},
+      {1, 10, "kt of 3 contacts is 10 times the value of the contact law"},
+      {2.0 / 3.0, 1,
+       "the value is N/delta (normal force N divided by overlap delta), but the stiffness of the law "
+       "is 1.5 N/delta"}};
   for (const auto& [kn_factor, kt_factor, words] : wrong) {
     std::filesystem::remove(scratch_.file("s.h5"));
     const Outcome strict = convert_bead(kn_factor, kt_factor, {"--strict"});

@@ -108,7 +108,7 @@ TEST_F(ForcesCommand, EndWithThreeWhereNoForcesBalanceTheLoad) {
   const Outcome o = forces("frictionless/state-0001.h5 --stress 1,1,5");
   EXPECT_EQ(o.code, 3);
   EXPECT_THAT(o.err,
-              HasSubstr("no set of forces in its contacts balances the load: this is no equilibrium of rigid "
+              HasSubstr("no set of contact forces balances the load: this is not an equilibrium of rigid "
                         "grains; the load moves grain "));
 }
 

@@ -153,11 +153,11 @@ TEST_F(ForeignPacking, ThatIsNoEquilibriumIsSaidToBeAndRefusedUnlessForced) {
   EXPECT_EQ(converted.code, 0);
   // One contact of force 0.2 pushes both grains; P = 0.2 * 0.9 / 16 / 2 and F1 = P a give 0.2/F1 = 35.6.
   EXPECT_THAT(converted.err, HasSubstr("warning: this state is not in equilibrium: net force of grain 1 in "
-                                       "units of the force scale F1 is 35.6, limit 0.001"));
+                                       "units of the force scale F1 is 35.6, but the limit is 0.001"));
   const Outcome refused = floc_arguments({"moduli", state, "--format", "csv"});
   EXPECT_EQ(refused.code, 5);
   EXPECT_THAT(refused.err, AllOf(HasSubstr("s.h5: this state is not in equilibrium: net force of grain 1 in "
-                                           "units of the force scale F1 is 35.6, limit 0.001"),
+                                           "units of the force scale F1 is 35.6, but the limit is 0.001"),
                                  HasSubstr("--force")));
   EXPECT_EQ(std::count(refused.out.begin(), refused.out.end(), '\n'), 1);
   const Outcome forced = floc_arguments({"moduli", state, "--force", "--format", "csv"});

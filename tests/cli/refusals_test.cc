@@ -330,7 +330,7 @@ const Refusal kOfCommands[] = {
     {"chain_that_bites_its_tail",
      {},
      {"chain --n 9 --R 0.5 --kn 1 --kt 1 --kr 1 --bend 45"},
-     "chain: the last disk lies on the first, so that no line passes through their centres"},
+     "chain: the last disk lies on the first, so their centres do not define the chord of the chain"},
     {"run_into_a_file", {{"f", "x"}}, {"run " + kDemo + " -o f"}, "f: this is a file: expected a directory"},
     {"run_into_another",
      {{"d/x", ""}},

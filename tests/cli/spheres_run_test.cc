@@ -119,7 +119,7 @@ TEST(SpheresState, IsReadWithAWarningOfDeepOverlapsAndRefusedWhereTheirMeanIsDee
   write_state(scratch.file("deeper.h5"), state);
   const Outcome refused = run_floc("info deeper.h5", scratch.path());
   EXPECT_EQ(refused.code, 4);
-  EXPECT_THAT(refused.err, testing::HasSubstr("contacts overlap by 0.17 of a radius in the mean"));
+  EXPECT_THAT(refused.err, testing::HasSubstr("the mean overlap of the contacts is 0.17 of a radius"));
 }
 
 struct BadBeads {

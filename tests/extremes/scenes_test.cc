@@ -247,7 +247,7 @@ const Refusal kRefusals[] = {
     {"gas_faster_than_the_walls_hold",
      {"assembly.kinetic_pressure=300"},
      3,
-     "run away: no grain touches them",
+     "and no grain touches them",
      box_scene(3)},
     {"walls_lighter_than_steps_can_follow",
      {"box.mass=0.01"},
@@ -257,8 +257,8 @@ const Refusal kRefusals[] = {
     {"box_too_small_for_two_spheres",
      {"grains.count=2"},
      4,
-     "assembly: solid_fraction is too large: the grains start at smaller sizes, and overlap when they have "
-     "grown to",
+     "assembly: solid_fraction is too large: the grains grow from smaller sizes, and cannot be kept from "
+     "overlapping when they have grown to",
      box_scene(3)},
 };
 INSTANTIATE_TEST_SUITE_P(AtTheEnds, Refused, ::testing::ValuesIn(kRefusals),

@@ -12,15 +12,15 @@
 namespace floc {
 namespace {
 
-/// Smallest number of time steps in which the fastest grain may cross the range of the adhesion. In fewer steps, it
-/// could pass another grain without being attracted.
+/// Smallest number of time steps in which the fastest grain may cross the range of the adhesion. With fewer steps, the
+/// grain could pass another grain without being attracted.
 constexpr double kStepsAcrossTail = 3.0;
 /// Distance between the surfaces of two clusters, beyond the range of the contact law, at which their free flight ends
-/// (in largest diameters). From there on, they are moved in time steps again.
+/// (in largest diameters). Time steps then move the clusters again.
 constexpr double kFlightClearance = 1e-3;
 
-/// Returns the time step that the options give, shortened if the fastest grain would otherwise jump over the range of
-/// the adhesion (time).
+/// Returns the time step that the options give, shortened if the fastest grain would otherwise pass through the range
+/// of the adhesion in too few steps (time).
 template <int Dim>
 double step_across_tail(const RelaxationOptions& options, const Packing<Dim>& packing) {
   const double step = time_step_of(packing, options.time_step);
@@ -64,8 +64,8 @@ bool Aggregation<Dim>::advance() {
   return n_clusters_ == 1;
 }
 
-/// Moves the clusters as rigid bodies through the time in which they only drift towards each other. It replaces the
-/// time steps of this time, which may be most of an aggregation.
+/// Moves the clusters as rigid bodies until they are about to meet. This replaces many time steps in which the clusters
+/// only drift towards each other, and which may be most of the steps of an aggregation.
 /// @return time that was skipped; 0 if the grains of a cluster still move relative to each other
 template <int Dim>
 double Aggregation<Dim>::fly() {

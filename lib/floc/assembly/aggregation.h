@@ -24,8 +24,8 @@ class Aggregation {
   /// @param skin  first guess of the skin of the Verlet lists of neighbours (length); 0 if there is no guess
   Aggregation(const RelaxationOptions& options, Packing<Dim> packing, double skin);
 
-  /// Advances by one chunk of time steps. If clusters only drift before they meet, this time is skipped first (see
-  /// ClusterFlight).
+  /// Advances by one chunk of time steps. If the clusters only drift until they meet, the time of the drift is skipped
+  /// first (see ClusterFlight).
   /// @return true when all grains form one cluster
   bool advance();
   /// Sets the observer, a function that is called while the packing moves.

@@ -37,11 +37,12 @@ enum class GasKind {
 /// Options of the assembly of a packing (docs/physics.md, "Assembly and loading").
 struct AssemblyOptions {
   enum class Protocol {
-    /// Starts from a gas at rest and compresses it under controlled stress from the beginning (an assembly of type 1;
-    /// also for grains without cohesion).
+    /// Starts from a gas at rest and compresses it under controlled stress from the beginning (assembly of type 1; also
+    /// for grains without cohesion).
     direct,
     /// Starts from a moving gas in a fixed cell. Its grains collide and stick together until they form one cluster,
-    /// which is then brought to equilibrium at zero pressure and at the first pressure (an assembly of type 2).
+    /// which is then brought to equilibrium, first at zero pressure and then at the first pressure (assembly of type
+    /// 2).
     aggregation,
     /// starts from a saved packing, or from copies of it side by side, and brings it to the first pressure
     state,
@@ -49,7 +50,7 @@ struct AssemblyOptions {
   Protocol protocol = Protocol::direct;
   GasKind gas = GasKind::equilibrated;
   double solid_fraction = 0.0;  ///< solid fraction at the start, of the gas or of the saved packing
-  /// Root mean square speed of the grains at the start, in units of V*. Zero leaves the grains at rest. V* = sqrt(F0
+  /// Root mean square speed of the grains at the start, in units of V*; zero if the grains are at rest. V* = sqrt(F0
   /// D0/m), with the pull-off force F0, the range D0 of the adhesion and the mass m of the largest grain. If no
   /// adhesion acts across a gap, V* = sqrt(P a^Dim/m), with the first pressure P and the largest diameter a.
   double agitation = 0.0;
@@ -58,11 +59,11 @@ struct AssemblyOptions {
   /// Friction coefficient during the assembly; absent if it is that of the contact law.
   std::optional<double> friction;
   CellResponse cell;  ///< mass of the cell and caps on its strain rate during the assembly
-  /// vibration of the saved packing, or of the packing made from a gas; absent for none
+  /// vibration of the saved packing, or of the packing made from a gas; absent if there is none
   std::optional<Vibration> vibration;
   SavedStart saved;  ///< saved packing from which the protocol `state` starts
   /// Box with walls around the grains; absent if the cell is periodic. If `solid_fraction` is zero, the sides of the
-  /// box are lengths; otherwise they give only its proportions.
+  /// box are lengths; otherwise they only give the proportions of the box.
   std::optional<BoxOptions> box;
 };
 

@@ -12,7 +12,8 @@ enum class BoxSide {
   fixed,     ///< two walls that do not move
   periodic,  ///< no walls: a periodic boundary; the length of the box along this axis is constant
   floor,     ///< a wall that does not move at the lower end, and free space above the grains
-  lid,  ///< a wall that does not move at the lower end, and one that moves under the imposed pressure above
+  /// a wall that does not move at the lower end, and a wall that moves under the imposed pressure at the upper end
+  lid,
 };
 
 /// Box with walls in which grains are packed. It replaces the periodic cell.
@@ -29,14 +30,14 @@ struct BoxOptions {
   double kinetic_pressure = 0.0;
 };
 
-/// Returns the contact law between grains and walls: that between two grains, with the friction coefficient and the
-/// pull-off force of the walls. Walls without friction do not resist rolling or twisting either. There are no liquid
+/// Returns the contact law between grains and walls: the law between two grains, but with the friction coefficient and
+/// the pull-off force of the walls. Walls without friction do not resist rolling or twisting. There are no liquid
 /// bridges to walls.
 /// @param grains  contact law between two grains
 /// @pre the contact law between two grains has friction if the walls have friction
 Law wall_law(const Law& grains, const BoxOptions& box);
 
-/// Returns whether one or both faces across an axis are walls that move under the imposed pressure.
+/// Returns whether a face across an axis is a wall that moves under the imposed pressure.
 inline bool moves(BoxSide side) {
   return side == BoxSide::walls || side == BoxSide::lid;
 }
@@ -44,7 +45,7 @@ inline bool moves(BoxSide side) {
 /// @param dimension  number of axes
 bool any_wall_moves(const BoxOptions& box, int dimension);
 
-/// Returns walls at rest around a packing. Opposite walls are as far apart as the cell of the packing is long.
+/// Returns walls at rest around a packing. The distance between opposite walls is the side of the cell of the packing.
 /// @param lowest  for each axis, the coordinate of the wall with the smaller coordinate (length)
 template <int Dim>
 std::vector<Wall<Dim>> walls_around(const Packing<Dim>& packing, const BoxOptions& box, const Vec<Dim>& lowest);

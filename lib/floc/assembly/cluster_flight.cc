@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Distance up to which pairs of grains of different clusters are searched, beyond the distance at which the flight
-/// ends (in largest diameters). The surfaces of all other pairs are farther apart.
+/// Distance up to which pairs of grains of different clusters are searched, in addition to the distance at which the
+/// flight ends (in largest diameters). The surfaces of all other pairs are farther apart.
 constexpr double kSearchDistance = 0.1;
 /// Largest number of intervals into which one call of fly() divides the flight. An interval ends before the earliest
 /// time at which two clusters could meet.
@@ -22,14 +22,14 @@ constexpr int kMaxFlights = 1000;
 /// Largest angle by which a tumbling cluster may turn in one step of the time integration (radians).
 constexpr double kTumblingStep = 0.02;
 
-/// Neighbour of a grain: the index of the other grain, and the periodic image of it that touches or attracts the grain.
+/// Neighbour of a grain: the index of another grain, and its periodic image that touches or attracts the first grain.
 template <int Dim>
 struct Neighbor {
   int grain;
   Vec<Dim, int> image;
 };
 
-/// Returns the moment of inertia of a mass 1 at a point.
+/// Returns the moment of inertia of a point of mass 1.
 /// @param arm  vector from the centre of rotation to the point
 Mat<1> point_inertia(const Vec<2>& arm) {
   return Mat<1>(arm.squaredNorm());
@@ -46,7 +46,7 @@ RotationVector<3> spin_of(const Mat<3>& inertia, const RotationVector<3>& angula
 }
 
 /// Returns an upper bound on the spin of a freely rotating body. In 3D the spin changes while the body tumbles, but its
-/// rotational energy does not.
+/// rotational energy is constant.
 /// @param spin  present spin of the body
 double fastest_spin(const Mat<1>&, const RotationVector<2>& spin) {
   return std::abs(spin[0]);
@@ -77,10 +77,10 @@ struct Attitude<3> {
   RotationVector<3> spin;
 
   /// Integrates Euler's equations for the rotation of a rigid body over `time`, by the Runge-Kutta method of fourth
-  /// order. The angular momentum is constant, and the moment of inertia turns with the body.
+  /// order. The angular momentum is constant, and the tensor of inertia rotates with the body.
   void advance(const Mat<3>& inertia, const RotationVector<3>& spin_at_start, double time, double /*flown*/) {
-    if (spin_at_start.isZero(0.0))
-      return;  // clusters that touch their own periodic image also have spin 0, and no moment of inertia
+    // Clusters that touch their own periodic image have a spin of 0, and no moment of inertia is defined for them.
+    if (spin_at_start.isZero(0.0)) return;
     const Vec<3> angular_momentum = inertia * spin_at_start;
     const Mat<3> inverse = inertia.inverse();
     const auto spin_at = [&](const Eigen::Quaterniond& q) {
@@ -107,9 +107,9 @@ struct Attitude<3> {
   void turn(Eigen::Quaterniond& orientation) const { orientation = rotation * orientation; }
 };
 
-/// Turns the tangential vectors that every contact stores, such as the elongations of its springs, with the cluster of
-/// the contact. Contact normals are not turned, because they are computed anew before they are used.
-/// @param turned  function that turns a vector with the cluster of a grain
+/// Rotates the tangential vectors that every contact stores, such as the elongations of its springs, with the cluster
+/// of the contact. Contact normals are not rotated, because they are computed anew before they are used.
+/// @param turned  function that rotates a vector with the cluster of a grain
 template <class Turned>
 void turn_history(Packing<3>& packing, const Turned& turned) {
   for (const HistoryQuantity& q : history_quantities(packing.law, 3)) {
@@ -127,8 +127,8 @@ ClusterFlight<Dim>::ClusterFlight(const Packing<Dim>& packing) {
   find_motions(packing);
 }
 
-/// Finds the clusters by a search along contacts, from the first grain of each cluster. Also finds positions of the
-/// grains such that no periodic boundary separates the grains of a cluster.
+/// Finds the clusters by a search along contacts, which starts from the first grain of each cluster. Also finds
+/// positions of the grains that are connected without crossing a periodic boundary within each cluster.
 template <int Dim>
 void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -148,7 +148,7 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
     std::vector<int> reached{first};
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const int i = reached[next];
-      // The grain is placed at the periodic image at which the search reached it first. The grains of a cluster then
+      // The grain is placed at the periodic image at which the search first reached it. The grains of a cluster then
       // form one connected body, even if a face of the cell cuts the cluster.
       place_[i] = packing.grains.position[i] + packing.cell.shift(image[i]);
       for (const Neighbor<Dim>& neighbor : neighbors[i]) {
@@ -159,8 +159,8 @@ void ClusterFlight<Dim>::unwrap(const Packing<Dim>& packing) {
           image[j] = there;
           reached.push_back(j);
         } else if (image[j] != there) {
-          // Contacts connect the cluster to its own periodic image. It then has neither a centre nor a moment of
-          // inertia.
+          // Contacts connect the cluster to its own periodic image. The cluster then has neither a centre nor a moment
+          // of inertia.
           cluster.winds = true;
         }
       }
@@ -206,9 +206,9 @@ void ClusterFlight<Dim>::find_motions(const Packing<Dim>& packing) {
   inner_energy_ = 0.5 * twice_energy / g.size();
 }
 
-/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). Two
-/// surfaces approach no faster than the relative speed of the centres of their clusters plus, for each of the two
-/// clusters, its largest spin times the distance of its farthest grain from its centre.
+/// Returns a lower bound on the time until the surfaces of two clusters are within the distance `nearest` (length). The
+/// rate at which two surfaces approach is at most the relative speed of the centres of their clusters, plus, for each
+/// cluster, the product of its largest spin and the distance of its farthest grain from its centre.
 template <int Dim>
 double ClusterFlight<Dim>::time_to_meet(const Packing<Dim>& packing, double nearest) const {
   const std::vector<double>& radius = packing.grains.radius;
@@ -255,7 +255,7 @@ double ClusterFlight<Dim>::fly(Packing<Dim>& packing, double nearest, double lon
     const Attitude<Dim>& now = attitude[cluster_of_[i]];
     g.velocity[i] = cluster.velocity + now.turned(Vec<Dim>(g.velocity[i] - cluster.velocity));
     if constexpr (Dim == 3) {
-      // Change of the spin relative to the cluster; it is zero unless the cluster tumbles.
+      // Change of the spin relative to the axes of the cluster; it is zero unless the cluster tumbles.
       const RotationVector<Dim> change = now.spin - now.turned(cluster.spin);
       g.velocity[i] += cross<double>(change, now.turned(Vec<Dim>(place_[i] - cluster.centre)));
       g.angular_velocity[i] = now.turned(g.angular_velocity[i]) + change;

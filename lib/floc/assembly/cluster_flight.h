@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Free flight of clusters: of sets of grains that touch or attract each other. Until two clusters meet, no force acts
-/// between them, and each moves as a rigid body (in 3D it tumbles). Once the motion inside each cluster has died out,
-/// the time until the next meeting can therefore be skipped.
+/// Free flight of clusters, which are sets of grains that touch or attract each other. Until two clusters meet, no
+/// force acts between them, and each cluster moves as a rigid body (in 3D it tumbles). Once the motion inside each
+/// cluster has died out, the time until the next meeting can therefore be skipped.
 template <int Dim>
 class ClusterFlight {
  public:
@@ -15,8 +15,7 @@ class ClusterFlight {
   /// image gets no spin.
   explicit ClusterFlight(const Packing<Dim>& packing);
 
-  /// Returns the mean kinetic energy of a grain in its motion relative to its cluster, which moves as a rigid body
-  /// (energy).
+  /// Returns the mean kinetic energy of a grain due to its motion relative to the rigid motion of its cluster (energy).
   double inner_energy() const { return inner_energy_; }
 
   /// Moves all clusters as rigid bodies until the surfaces of two clusters are within the distance `nearest` of each
@@ -45,8 +44,8 @@ class ClusterFlight {
   double time_to_meet(const Packing<Dim>& packing, double nearest) const;
 
   std::vector<int> cluster_of_;  ///< for each grain, the index of its cluster
-  /// Position of each grain such that the grains of a cluster are connected directly, not across a periodic boundary
-  /// (length). It may lie outside of the cell.
+  /// Position of each grain, such that the grains of a cluster are connected directly and not across a periodic
+  /// boundary (length). It may lie outside of the cell.
   std::vector<Vec<Dim>> place_;
   std::vector<Cluster> clusters_;
   double inner_energy_ = 0.0;

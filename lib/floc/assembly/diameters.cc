@@ -8,18 +8,18 @@
 namespace floc {
 namespace {
 
-/// Returns the diameter d at which (d^s - min^s)/(max^s - min^s) = share, with s = 1 - exponent. The formula starts
-/// from min or from max, so that no power overflows.
+/// Returns the diameter d at which (d^s - min^s)/(max^s - min^s) = share, with s = 1 - exponent. To avoid overflow of
+/// powers, the formula is expressed relative to min or max.
 double power_law_quantile(const DiameterDistribution& d, double share) {
   const double s = 1.0 - d.exponent, range = std::log(d.max / d.min);
-  // If s is this small, d^s is a linear function of ln d up to rounding errors.
+  // If s is this small, d^s is linear in ln d up to rounding errors.
   if (std::abs(s * range) < 1e-9) return d.min * std::exp(share * range);
   if (s > 0.0) return d.max * std::exp(std::log1p((1.0 - share) * std::expm1(-s * range)) / s);
   return d.min * std::exp(std::log1p(share * std::expm1(s * range)) / s);
 }
 
-/// Returns the probability that a standard normal variable lies between x and y, x <= y. If both are positive, it is
-/// computed from the mirrored interval, because a difference of two numbers close to 1 would lose digits.
+/// Returns the probability that a standard normal variable lies between x and y, x <= y. If both are positive, the
+/// mirrored interval is used, because the difference of two numbers close to 1 would lose digits.
 double normal_share(double x, double y) {
   if (x > 0.0) return normal_share(-y, -x);
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); };
@@ -48,8 +48,8 @@ double lognormal_quantile(const DiameterDistribution& d, double share) {
          std::exp(d.sigma * normal_quantile(in_deviations(d, d.min), in_deviations(d, d.max), share));
 }
 
-/// Returns the share of the volume of grains between min and a diameter, if the number of grains goes as d^-exponent:
-/// (d^s - min^s)/(max^s - min^s), with s = Dim + 1 - exponent. No power overflows.
+/// Returns the share of the volume of grains between min and a diameter, if the number of grains is proportional to
+/// d^-exponent: (d^s - min^s)/(max^s - min^s), with s = Dim + 1 - exponent. No power overflows.
 double power_law_volume_share(const DiameterDistribution& d, int dimension, double diameter) {
   const double s = dimension + 1.0 - d.exponent, range = std::log(d.max / d.min);
   if (std::abs(s * range) < 1e-9) return std::log(diameter / d.min) / range;
@@ -59,8 +59,8 @@ double power_law_volume_share(const DiameterDistribution& d, int dimension, doub
   return s > 0.0 ? 1.0 - part : part;
 }
 
-/// Returns the share of the volume of grains between min and a diameter. Where the numbers of grains are lognormal, so
-/// are the volumes, with the same sigma; the logarithm of their median is larger by Dim sigma^2 [HC1929].
+/// Returns the share of the volume of grains between min and a diameter. If the numbers of grains are lognormal, the
+/// volumes are lognormal with the same sigma, and the logarithm of their median is larger by Dim sigma^2 [HC1929].
 double lognormal_volume_share(const DiameterDistribution& d, int dimension, double diameter) {
   const double shift = dimension * d.sigma;
   const auto share_below = [&](double x) {
@@ -119,7 +119,7 @@ std::optional<double> volume_share_below(const DiameterDistribution& d, int dime
   if (!is_continuous || !(d.min < d.max)) return std::nullopt;
   if (diameter <= d.min) return 0.0;
   if (diameter >= d.max) return 1.0;
-  // The density of a uniform distribution is the power law with its default exponent, 0.
+  // A uniform distribution is a power law with the default exponent, 0.
   const double share = d.kind == Kind::sieve       ? passing_at(d.curve, diameter)
                        : d.kind == Kind::lognormal ? lognormal_volume_share(d, dimension, diameter)
                                                    : power_law_volume_share(d, dimension, diameter);

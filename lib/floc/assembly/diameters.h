@@ -8,8 +8,8 @@
 
 namespace floc {
 
-/// Distribution of the diameters of grains (length). Apart from sieve curves, it gives the number of grains of each
-/// diameter, not their volume.
+/// Distribution of the diameters of grains (length). It gives the number of grains of each diameter, not their volume;
+/// only sieve curves give masses.
 struct DiameterDistribution {
   enum class Kind {
     uniform,     ///< probability density P(d) of the diameter d is constant from min to max
@@ -21,16 +21,16 @@ struct DiameterDistribution {
     lognormal,
     sieve,  ///< the fraction of the mass below each of some sizes is given
   };
-  /// Fractions of the number of grains whose quantiles are the diameters of N grains.
+  /// Fractions of the number of grains at which the quantiles are taken as the diameters of N grains i = 0 ... N - 1.
   enum class Quantiles {
     ends,    ///< i/(N - 1): there is one grain of the smallest and one of the largest diameter
     middle,  ///< (i + 1/2)/N: each grain stands for an equal share of the number of grains
   };
   Kind kind = Kind::uniform;
   Quantiles quantiles = Quantiles::ends;
-  double min = 0.0;  ///< smallest diameter: the smaller of two if bidisperse, that of all grains if constant
+  double min = 0.0;  ///< smallest diameter; the smaller of two if bidisperse, the only diameter if constant
   double max = 0.0;  ///< largest diameter: the larger of two if bidisperse
-  /// number of grains with the larger diameter over the number of all grains (bidisperse)
+  /// number of grains with the larger diameter divided by the number of all grains (bidisperse)
   double share_of_large = 0.5;
   std::vector<double> values;  ///< diameter of each grain (list)
   double exponent = 0.0;       ///< exponent of the power law (power_law)
@@ -38,7 +38,7 @@ struct DiameterDistribution {
   /// standard deviation of ln d before the distribution is cut off at min and max (lognormal)
   double sigma = 0.0;
   SieveCurve curve;   ///< mass fractions below sizes from min to max (sieve)
-  int dimension = 3;  ///< dimension of the grains, 2 or 3; numbers follow from masses by it (sieve)
+  int dimension = 3;  ///< dimension of the grains, 2 or 3, by which numbers follow from masses (sieve)
 };
 
 /// Exponent of the power law P(d) ~ d^-3 for the number of spheres of diameter d. Equal intervals of diameter between
@@ -55,19 +55,19 @@ inline constexpr double kUniformByArea = 2.0;
 double diameter_quantile(const DiameterDistribution& distribution, double share);
 
 /// Returns n diameters that represent a distribution without random scatter (length): its quantiles at equally spaced
-/// fractions of the grains, see DiameterDistribution::Quantiles. With the ends included, the largest diameter is exactly
-/// max. A list of diameters is returned unchanged.
+/// fractions of the grains, see DiameterDistribution::Quantiles. With the ends included, the largest diameter is
+/// exactly max. A list of diameters is returned unchanged.
 std::vector<double> equally_spaced_diameters(const DiameterDistribution& distribution, int n);
 
-/// Returns the smallest and the largest of equally_spaced_diameters() (length), min and max for n < 1.
+/// Returns the smallest and the largest of equally_spaced_diameters() (length); min and max if n < 1.
 std::pair<double, double> smallest_and_largest(const DiameterDistribution& distribution, int n);
 
-/// Returns the fraction of a complete lognormal distribution that lies between min and max, where it is cut off.
+/// Returns the fraction of a complete lognormal distribution that lies between its cut-offs min and max.
 double share_within_bounds(const DiameterDistribution& lognormal);
 
-/// Returns the fraction of the volume (area in 2D) of all grains that a continuous distribution gives to the grains
+/// Returns the fraction of the volume (area in 2D) of all grains that a continuous distribution assigns to the grains
 /// below a diameter. The result is std::nullopt for distributions of single diameters (constant, bidisperse, list), and
-/// for lognormal distributions so wide that it cannot be computed.
+/// for lognormal distributions that are too wide for the computation.
 /// @param dimension  2 for disks, 3 for spheres
 std::optional<double> volume_share_below(const DiameterDistribution& distribution, int dimension,
                                          double diameter);

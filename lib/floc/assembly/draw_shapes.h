@@ -12,7 +12,7 @@ namespace floc {
 template <int Dim>
 struct DrawnShapes {
   std::vector<Shape<Dim>> shapes;    ///< at least one shape; each has the diameter 1
-  std::vector<std::string> remarks;  ///< remarks in words about the content of the file of the shapes
+  std::vector<std::string> remarks;  ///< remarks about the content of the file of the shapes
 };
 
 /// Draws or reads the shapes of the grains of a scene.

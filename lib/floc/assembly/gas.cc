@@ -13,12 +13,12 @@
 namespace floc {
 namespace {
 
-/// Largest solid fraction at which grains are placed at random with their final diameters. At higher ones, finding free
-/// places would take too long, so grains are placed smaller and grow afterwards.
+/// Largest solid fraction at which grains are placed at random with their final diameters. At higher solid fractions,
+/// finding free places would take too long; grains are then placed with smaller diameters and grow afterwards.
 template <int Dim>
 constexpr double kRandomPlacingLimit = Dim == 2 ? 0.4 : 0.3;
 /// Number of Monte Carlo moves of each grain after all grains have their final diameters. In these moves a grain
-/// travels several mean free paths, so that its first position has no effect on the gas.
+/// travels several mean free paths, and its first position has no effect on the gas.
 constexpr int kShuffleSweeps = 200;
 /// number of Monte Carlo sweeps after which growing the grains counts as failed
 constexpr int kMaxSweeps = 20000;
@@ -67,13 +67,13 @@ class HardGrains {
 
   const Room<Dim>& room() const { return room_; }
 
-  /// Returns whether grain i would overlap no other placed grain if its centre were at x and all diameters were
-  /// multiplied by `scale`.
+  /// Returns whether grain i would overlap no other placed grain with its centre at x and all diameters multiplied by
+  /// `scale`.
   bool free_at(int i, const Vec<Dim>& x, double scale) const { return clearance(i, x, scale) >= 1.0; }
 
-  /// Returns how far grain i would be from the nearest other grain if its centre were at x and all diameters were
-  /// multiplied by `scale` <= 1: the distance between the centres over the sum of the radii. A result above 1 may be
-  /// inexact and means only that no grains overlap.
+  /// Returns the distance of grain i from the nearest other grain, with the centre of i at x and all diameters
+  /// multiplied by `scale` <= 1. It is the distance between the centres divided by the sum of the radii. A result above
+  /// 1 may be inexact and only means that no grains overlap.
   double clearance(int i, const Vec<Dim>& x, double scale) const {
     double least = 2.0;
     visit_near(i, x, [&](int j, const Vec<Dim>& r) {
@@ -82,7 +82,7 @@ class HardGrains {
     return least;
   }
 
-  /// Calls visit(j, r) for every grain j that grain i might touch if its centre were at x, and for some grains farther
+  /// Calls visit(j, r) for every grain j that grain i might touch with its centre at x, and for some grains farther
   /// away. The vector r leads from x to the centre of grain j.
   template <typename Visit>
   void visit_near(int i, const Vec<Dim>& x, Visit&& visit) const {
@@ -132,7 +132,7 @@ class HardGrains {
   };
 
   void divide(Grid& grid) const {
-    // If there were many more bins than grains, the empty bins would use memory without saving time.
+    // If there were many more bins than grains, empty bins would use memory without saving time.
     const double most_bins = 2.0 * std::pow(static_cast<double>(grid.n_grains), 1.0 / Dim) + 1.0;
     std::size_t n_bins = 1;
     for (int a = 0; a < Dim; ++a) {
@@ -179,7 +179,8 @@ Vec<Dim> random_point(const Room<Dim>& room, double diameter, RandomStream& rand
   return x;
 }
 
-/// Places the grains one by one at random without overlap, the largest first. All diameters are multiplied by `scale`.
+/// Places the grains one by one at random without overlap, in descending order of diameter. All diameters are
+/// multiplied by `scale`.
 template <int Dim>
 void place_at_random(HardGrains<Dim>& grains, const std::vector<double>& diameter, double scale,
                      RandomStream& random) {
@@ -229,7 +230,7 @@ void shuffle(HardGrains<Dim>& grains, const std::vector<double>& diameter, doubl
     }
     if (!inside) continue;
     const double clearance = grains.clearance(i, x, scale);
-    // A grain that overlaps another one after all grains have grown may also move to a place where it overlaps less.
+    // A grain that overlaps another grain after all grains have grown may also move to a place where it overlaps less.
     if (clearance >= 1.0 || clearance > grains.clearance(i, grains.position()[i], scale)) grains.move(i, x);
   }
 }
@@ -253,9 +254,9 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 
 namespace {
 
-/// Grows the grains to their final diameters while Monte Carlo moves shuffle them, then shuffles them until their first
-/// positions have no effect.
-/// @param scale  factor by which all diameters are multiplied at first
+/// Grows the grains to their final diameters while Monte Carlo moves shuffle them, and then shuffles them until their
+/// first positions have no effect.
+/// @param scale  initial factor by which all diameters are multiplied
 template <int Dim>
 void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, double scale,
                  RandomStream& random) {
@@ -264,8 +265,8 @@ void equilibrate(HardGrains<Dim>& hard, const std::vector<double>& diameter, dou
   for (int sweep = 0, at_size = 0; at_size < kShuffleSweeps; ++sweep) {
     if (sweep > kMaxSweeps)
       throw InputError("assembly",
-                       fmt::format("solid_fraction is too large: the grains start at smaller sizes, and "
-                                   "overlap when they have grown "
+                       fmt::format("solid_fraction is too large: the grains grow from smaller sizes, and "
+                                   "cannot be kept from overlapping when they have grown "
                                    "to {:.3f} of their diameters; expected a smaller solid_fraction",
                                    scale));
     shuffle(hard, diameter, scale, (sweep % 2 ? 0.5 : 0.1) * mean_diameter, random);
@@ -319,8 +320,8 @@ void part(HardGrains<Dim>& hard, const std::vector<double>& diameter) {
 }
 
 /// Returns random positions, without overlap, of hard grains with the given diameters in a region.
-/// @param solid_fraction  volume of the grains over the volume of that part of the region in which their centres may
-/// lie
+/// @param solid_fraction  volume of the grains divided by the volume of the part of the region in which their centres
+/// may lie
 template <int Dim>
 std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector<double>& diameter,
                                         GasKind kind, double solid_fraction, RandomStream& random) {
@@ -334,7 +335,7 @@ std::vector<Vec<Dim>> place_hard_grains(const Room<Dim>& room, const std::vector
   return hard.position();
 }
 
-/// Returns a packing of grains with the given diameters, at rest, with their masses but not yet with positions.
+/// Returns a packing of grains with the given diameters and their masses, at rest and without positions.
 template <int Dim>
 Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::vector<double>& diameter) {
   Packing<Dim> gas;
@@ -350,7 +351,7 @@ Packing<Dim> grains_of(const GrainOptions& options, const Law& law, const std::v
 }
 
 /// Gives the grains velocities of equal magnitude in random directions, subtracts the mean velocity, and scales all
-/// velocities such that mass density times mean squared speed equals `kinetic_pressure`.
+/// velocities. The mass density times the mean squared speed then equals `kinetic_pressure`.
 template <int Dim>
 void send_off(Packing<Dim>& packing, double kinetic_pressure, RandomStream& random) {
   Grains<Dim>& g = packing.grains;
@@ -423,7 +424,7 @@ void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random) {
   double mass = 0.0;
   for (int i = 0; i < g.size(); ++i) {
     // In Maxwell's distribution, all grains have the same mean kinetic energy. Each mass is divided by the largest
-    // mass, so that the result does not depend on the unit of mass.
+    // mass, which makes the result independent of the unit of mass.
     for (int a = 0; a < Dim; ++a) g.velocity[i][a] = random.normal() / std::sqrt(g.mass[i] / heaviest);
     momentum += g.mass[i] * g.velocity[i];
     mass += g.mass[i];

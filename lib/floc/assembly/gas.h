@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Largest solid fraction of a gas of disks, and of a gas of spheres. At a higher solid fraction, grains cannot be
+/// Largest solid fraction of a gas of disks, and of a gas of spheres. At higher solid fractions, grains cannot be
 /// placed at random without overlap.
 inline constexpr double kDensestGasOfDisks = 0.6;
 inline constexpr double kDensestGasOfSpheres = 0.49;
@@ -20,8 +20,8 @@ std::vector<double> draw_diameters(const GrainOptions& options, RandomStream& ra
 ///    smaller diameters and then grow to their final diameters.
 /// 2. In a gas of kind `equilibrated`, the grains grow while they make random Monte Carlo moves as hard spheres. The
 ///    moves continue until the positions of the grains have no correlation with their first positions.
-/// 3. In a gas of kind `sequential_addition`, the grains grow at once. Grains that then overlap are pushed apart to
-///    1.001 times the sum of their radii.
+/// 3. In a gas of kind `sequential_addition`, the grains grow in one step. Pairs of grains that then overlap are pushed
+///    apart to a distance of 1.001 times the sum of their radii.
 ///
 /// @throws InputError if the solid fraction is so high that the grains cannot grow to their final diameters without
 /// overlap
@@ -30,9 +30,9 @@ Packing<Dim> make_gas(const GrainOptions& options, const Law& law, double solid_
                       GasKind kind = GasKind::equilibrated);
 
 /// Makes a gas in a box with walls, by the method of make_gas(). The centres of grains are at least their radius away
-/// from the walls. The grains move: their velocities have equal magnitudes and random directions; then the mean
-/// velocity is subtracted, so that the total momentum is zero and the speeds differ slightly; finally all velocities
-/// are scaled such that mass density times mean squared speed equals the kinetic pressure of the box.
+/// from the walls. The grains move: they get velocities of equal magnitudes and random directions, from which the mean
+/// velocity is subtracted. The total momentum is then zero, and the speeds differ slightly. Finally all velocities are
+/// scaled to make the mass density times the mean squared speed equal to the kinetic pressure of the box.
 /// @param solid_fraction  solid fraction of the gas in the box; if it is 0, `box.sides` are lengths
 /// @throws InputError if the box is too small for the largest grain, or if the grains cannot be placed without overlap
 template <int Dim>
@@ -40,7 +40,7 @@ Packing<Dim> make_boxed_gas(const GrainOptions& options, const Law& law, const B
                             double solid_fraction, RandomStream& random, GasKind kind = GasKind::equilibrated);
 
 /// Gives the grains random velocities (Maxwell distribution) with zero total momentum and the root mean square speed
-/// `rms_speed` (length/time). Their spins stay as they are.
+/// `rms_speed` (length/time). Their spins are not changed.
 template <int Dim>
 void agitate(Packing<Dim>& packing, double rms_speed, RandomStream& random);
 

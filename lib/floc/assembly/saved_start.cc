@@ -14,8 +14,8 @@ namespace floc {
 
 namespace {
 
-/// Returns a mask for the history of a contact (the numbers that its springs and liquid bridge remember): 1 for each
-/// number that both laws have, 0 for the other numbers.
+/// Returns a mask for the history variables of a contact: 1 for each variable that both laws have, 0 for all other
+/// variables.
 template <int Dim>
 ContactHistory<Dim> common_history(const Law& before, const Law& after) {
   ContactHistory<Dim> common = ContactHistory<Dim>::Zero();

@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Stresses that a saved packing bears and that a run keeps at its start.
+/// Stresses of a saved packing that a run imposes at its start.
 struct KeptStress {
   std::vector<double> stress;  ///< stress on each axis, imposed or carried (force/length^(Dim-1))
   int axis = 0;                ///< axis along which the packing was driven, counted from 0
@@ -18,14 +18,14 @@ struct KeptStress {
 
 /// Saved packing from which a run starts. It replaces the gas from which other runs start.
 struct SavedStart {
-  /// Function that reads the packing from its file. It is called only when the run begins, so that memory holds a large
-  /// packing only once.
+  /// Function that reads the packing from its file. It is called only when the run begins, to hold a large packing in
+  /// memory only once.
   std::function<std::variant<Packing<2>, Packing<3>>()> read;
   /// SHA-256 checksum of the file of the packing. The first state of the run records it as the checksum of its parent.
   std::string sha256;
   /// number of copies of the packing that are joined side by side along each axis
   Vec<3, int> copies = Vec<3, int>::Ones();
-  /// Stresses that the packing keeps at first; absent if one pressure acts on all axes.
+  /// Stresses of the saved packing that are imposed at first; absent if one pressure acts on all axes.
   std::optional<KeptStress> kept = {};
 
   /// Reads the packing from its file.
@@ -43,9 +43,9 @@ struct SavedStart {
 /// Prepares the start of a run from a saved packing: sets the grains to rest, replaces the contact law, and joins
 /// copies of the packing side by side. The grains keep their positions and orientations. Contacts are found anew from
 /// the positions, under the new law. Each contact keeps the elongations of its springs (not their forces), shortened if
-/// the new law limits them. Springs that the new law does not have are dropped; springs that only the new law has start
-/// with zero elongation. If the saved packing is in equilibrium and its law stays the same, the result is in
-/// equilibrium too.
+/// they exceed the limits of the new law. Springs that the new law lacks are dropped; springs that only the new law has
+/// start with zero elongation. If the saved packing is in equilibrium and the law does not change, the result is in
+/// equilibrium, too.
 /// @param law  contact law of the run
 /// @param copies  number of copies along each lattice vector, >= 1
 /// @throws InputError if find_contacts() throws it

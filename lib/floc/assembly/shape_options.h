@@ -12,7 +12,7 @@ namespace floc {
 struct PolygonOptions {
   int sides = 5;
 };
-/// Shape of rectangles or cuboids, whose sides have these proportions, one per dimension.
+/// Shape of rectangles or cuboids. `sides` has one number per dimension; only the ratios of these numbers matter.
 struct BoxShapeOptions {
   std::vector<double> sides;
 };
@@ -24,7 +24,7 @@ struct CapsuleOptions {
 struct FileShapeOptions {
   std::string file;    ///< path of the file
   int vertices = 0;    ///< number of vertices to which each shape is reduced; 0 keeps all
-  std::string sha256;  ///< SHA-256 checksum that the file must have; empty if any content is accepted
+  std::string sha256;  ///< SHA-256 checksum that the file must have; empty if the content is not checked
 };
 
 /// Shapes of the grains of a scene (table grains.shape). All shapes have the diameter 1 and are magnified to the
@@ -33,7 +33,7 @@ struct ShapeOptions {
   std::variant<PolygonOptions, BoxShapeOptions, HullOptions, CutOptions, VoronoiOptions, CapsuleOptions,
                FileShapeOptions>
       kind;
-  double rounding = 0.0;  ///< radius of rounding over the diameter, from 0 to 0.45
+  double rounding = 0.0;  ///< radius of rounding divided by the diameter, from 0 to 0.45
   int count = 60;         ///< number of different shapes that are drawn
 };
 

@@ -23,8 +23,8 @@ Orientation<Dim> random_orientation(RandomStream& random) {
   if constexpr (Dim == 2) {
     return random.uniform(-std::numbers::pi, std::numbers::pi);
   } else {
-    // Four normally distributed numbers form a vector of random direction in four dimensions, and unit vectors there
-    // are rotations.
+    // Four normally distributed numbers form a vector of random direction in four dimensions. Unit vectors in four
+    // dimensions (quaternions) represent rotations.
     Vec<4> q;
     do {
       for (int a = 0; a < 4; ++a) q[a] = random.normal();
@@ -34,7 +34,7 @@ Orientation<Dim> random_orientation(RandomStream& random) {
   }
 }
 
-/// Returns the numbers of the n grains in random order.
+/// Returns the indices of n grains in random order.
 std::vector<int> random_order(int n, RandomStream& random) {
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
@@ -83,7 +83,7 @@ double densest_gas(const Grains<Dim>& grains) {
 template <int Dim>
 Packing<Dim> make_shaped_gas(const GrainOptions& options, const Law& law, double solid_fraction,
                              std::uint64_t seed, RandomStream& random, GasKind kind) {
-  // The diameters are drawn here, and make_gas() takes them as a list, which it does not draw from.
+  // The diameters are drawn here. make_gas() gets them as a list, from which it does not draw.
   GrainOptions balls = options;
   balls.diameter.values = draw_diameters(options, random);
   balls.diameter.kind = DiameterDistribution::Kind::list;

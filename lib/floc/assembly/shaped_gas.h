@@ -7,10 +7,10 @@
 
 namespace floc {
 
-/// Returns grains with the shapes of a scene, at the origin and at rest, with random orientations. The shapes are dealt
-/// out to the grains in random order, each to as many grains as the others up to one. The radius of a grain, that of
-/// its circumscribed circle or sphere, is half its diameter. Its mass is its volume times the density of the scene;
-/// without a density, a disk or sphere of diameter 1 would have mass 1.
+/// Returns grains with the shapes of a scene, at the origin and at rest, with random orientations. The shapes are
+/// assigned to the grains in random order; the numbers of grains of two shapes differ by at most one. The radius of a
+/// grain, that of its circumscribed circle or sphere, is half its diameter. Its mass is its volume times the density of
+/// the scene; without a density, a disk or sphere of diameter 1 would have mass 1.
 /// @param options  grains of a scene that gives their shapes
 /// @param diameter  diameter of each grain (length)
 /// @param seed  seed of the run, which determines the shapes and the orientations
@@ -22,15 +22,15 @@ Grains<Dim> shaped_grains(const GrainOptions& options, const std::vector<double>
 template <int Dim>
 double share_of_bounding_balls(const Grains<Dim>& grains);
 
-/// Returns the largest solid fraction of a gas of these grains: at a higher one, their circumscribed circles or spheres
-/// cannot be placed at random without overlap.
+/// Returns the largest solid fraction of a gas of these grains. At a higher solid fraction, their circumscribed circles
+/// or spheres cannot be placed at random without overlap.
 template <int Dim>
 double densest_gas(const Grains<Dim>& grains);
 
 /// Makes a gas of grains with shapes in a square (in 3D cubic) cell. Their circumscribed circles or spheres are placed
-/// by make_gas(), so that the grains do not overlap in any orientation.
+/// by make_gas(); the grains then do not overlap in any orientation.
 /// @param options  grains of a scene that gives their shapes
-/// @param solid_fraction  volume of the grains over the volume of the cell
+/// @param solid_fraction  volume of the grains divided by the volume of the cell
 /// @param seed  seed of the run, which determines the shapes and the orientations
 /// @param random  random stream for the diameters and the positions
 /// @throws InputError if the solid fraction is above densest_gas(), or if shaped_grains() or make_gas() throws it

@@ -6,12 +6,13 @@
 namespace floc {
 namespace {
 
-/// @param limits  ends of the intervals, increasing (length); no classes if there are none
+/// Returns the size classes between given diameters.
+/// @param limits  ends of the intervals, increasing (length); if it is empty, there are no classes
 std::vector<SizeClass> classes_between(const std::vector<double>& limits,
                                        const DiameterDistribution& distribution, std::vector<double> diameters,
                                        int dimension) {
   if (limits.empty()) return {};
-  // The order of the grains does not change the sums.
+  // The sums are independent of the order of the grains.
   std::sort(diameters.begin(), diameters.end());
   std::vector<SizeClass> classes(limits.size() - 1);
   double all = 0.0;
@@ -39,7 +40,7 @@ std::vector<SizeClass> classes_between(const std::vector<double>& limits,
   return classes;
 }
 
-/// Returns the ends of the quarters of the range of diameters; none if there is one diameter alone.
+/// Returns the ends of the four equal parts of the range of diameters; no ends if there is only one diameter.
 std::vector<double> quarters_of(const DiameterDistribution& d) {
   constexpr int kQuarters = 4;
   if (!(d.min < d.max)) return {};
@@ -49,7 +50,7 @@ std::vector<double> quarters_of(const DiameterDistribution& d) {
   return limits;
 }
 
-/// Returns the smallest diameter and the sieves above it.
+/// Returns the smallest diameter and all larger sieve sizes.
 std::vector<double> sieves_of(const DiameterDistribution& d) {
   std::vector<double> limits{d.min};
   for (const double size : d.curve.sizes)

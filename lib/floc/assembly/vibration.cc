@@ -17,13 +17,13 @@
 namespace floc {
 namespace {
 
-/// Largest distance between the surfaces of two neighbours (in largest diameters). Only the collisions of neighbours
-/// are predicted.
+/// Largest distance between the surfaces of two neighbours (in largest diameters). Collisions are predicted only
+/// between neighbours.
 constexpr double kPairDistance = 0.4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Hard grains that fly freely between collisions. The stored position of a grain is that at its last event, the
-/// collision or update in which it was moved last.
+/// Hard grains that fly freely between collisions. The stored position of a grain is its position at its last event
+/// (collision or update).
 template <int Dim>
 class HardFlight {
  public:
@@ -40,7 +40,7 @@ class HardFlight {
     for (std::int64_t done = 0; done < n_collisions && !events_.empty();) {
       const Event next = events_.top();
       events_.pop();
-      // grain i has collided since this event was predicted, which is therefore void
+      // Grain i has collided since this event was predicted, so the event is void.
       if (n_events_of_[next.i] != next.n_i) continue;
       if (n_events_of_[next.j] != next.n_j) {
         predict(next.i);
@@ -62,12 +62,12 @@ class HardFlight {
  private:
   struct Neighbour {
     int grain;
-    Vec<Dim> shift;  ///< vector from the grain to its periodic image that is close (length)
+    Vec<Dim> shift;  ///< vector from the grain to the close periodic image of the other grain (length)
   };
   struct Event {
     double time;
     int i, j;
-    int n_i, n_j;  ///< numbers of collisions that grains i and j had had when this event was predicted
+    int n_i, n_j;  ///< numbers of collisions of grains i and j up to the prediction of this event
     Vec<Dim> shift;
     bool operator<(const Event& other) const { return time > other.time; }  // the earliest event comes first
   };
@@ -97,7 +97,7 @@ class HardFlight {
 
   bool has_gone_far(int i) const { return (grains_.position[i] - start_[i]).norm() > 0.25 * search_distance_; }
 
-  /// Returns the time until two grains collide; kNever if they do not.
+  /// Returns the time until two grains collide; kNever if they do not collide.
   /// @param r  vector from the centre of the first grain to that of the second
   /// @param v  velocity of the second grain relative to the first
   /// @param contact_distance  sum of the radii

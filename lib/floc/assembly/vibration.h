@@ -5,9 +5,10 @@
 
 namespace floc {
 
-/// Vibration of a packing: its grains are moved apart and collide for a while, before the packing is compressed again.
+/// Vibration of a packing: its grains are moved apart and collide for some time, before the packing is compressed
+/// again.
 struct Vibration {
-  /// Factor by which the cell and the distances between grains are multiplied at first, so that no grains touch.
+  /// Factor by which the cell and the distances between grains are multiplied at the beginning, to separate all grains.
   double dilation = 1.0;
   /// mean number of collisions of a grain; each collision counts for both of its grains
   double collisions = 0.0;

@@ -9,8 +9,8 @@ namespace floc {
 
 /// Returns the elongation of a contact spring, shortened to a length of at most `limit` >= 0 without a change of
 /// direction. An elongation with one component is clamped; the components of a vector are scaled together, as in a
-/// circular Coulomb cone. The history of the contact stores this elongation and not the force. A spring that was
-/// shortened because the limit dropped therefore does not recover when the limit rises again.
+/// circular Coulomb cone. The history of the contact stores the elongation and not the force, so a spring that was
+/// shortened when the limit dropped does not recover when the limit rises again.
 template <class V, class T>
 inline V capped(const V& spring, const T& limit) {
   if constexpr (V::RowsAtCompileTime == 1) {
@@ -38,7 +38,7 @@ inline V respond_capped(double coefficient, double stiffness, const T& elastic, 
   return T(stiffness) * spring;
 }
 
-/// Returns whether the force of a contact spring has reached its cap, `coefficient` times the elastic normal force, to
+/// Returns whether the force of a contact spring has reached its cap, `coefficient` times the elastic normal force,
 /// within a relative tolerance. Such a spring slides as soon as the displacement of the contact grows.
 template <class V>
 inline bool capped_is_mobilised(double coefficient, double stiffness, double elastic, const double* history,

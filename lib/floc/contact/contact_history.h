@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Returns how many numbers a model of a contact law stores per contact, in `dim` dimensions.
+/// Returns the number of values that a model of a contact law stores per contact, in `dim` dimensions.
 template <class Model>
 constexpr int history_size(int dim) {
   int n = 0;

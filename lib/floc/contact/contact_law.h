@@ -26,7 +26,7 @@ struct ContactMotion {
   /// Tangential displacement of grain j relative to grain i since the history of the contact was last updated (length).
   Shear<Dim, T> slip;
   /// Rotation of grain i relative to grain j since the history of the contact was last updated (radians). For spheres,
-  /// the rotation about the normal is left out; `twist` has it.
+  /// it does not include the rotation about the normal, which is `twist`.
   RotationVector<Dim, T> relative_rotation;
   /// For spheres, rotation of grain i relative to grain j about the normal since the history of the contact was last
   /// updated (radians).
@@ -49,8 +49,8 @@ struct ContactForces {
 
 /// Stiffnesses of one contact in the elastic network of contacts, in which every contact is a set of springs.
 struct ContactStiffness {
-  /// Normal stiffness K_N for small reversible motions, or -F0/D0 if surfaces with pull-off force F0 attract
-  /// each other across a gap within the range D0 (force/length).
+  /// Normal stiffness K_N for small reversible motions (force/length). For surfaces that attract each other across a
+  /// gap by an adhesion with pull-off force F0 and range D0, it is -F0/D0.
   double normal;
   double tangential;      ///< tangential stiffness K_T (force/length), 0 when the surfaces do not touch
   double rolling;         ///< rolling stiffness K_R (force * length), 0 when the surfaces do not touch
@@ -87,25 +87,26 @@ struct ContactLaw {
   /// Whether the coefficient that damping_coefficient() returns has to be multiplied by the square root of the normal
   /// stiffness.
   static constexpr bool kDampingFollowsStiffness = kFollowsNormalStiffness<Damping>;
-  /// Space dimension (2 or 3) for which the law is made; 0 if it is valid in both.
+  /// Space dimension (2 or 3) for which the law is made; 0 if the law is valid in both.
   static constexpr int kDimension =
       std::max({kDimensionOf<Normal>, kDimensionOf<Tangential>, kDimensionOf<Twisting>});
 
-  /// Whether the law depends on the reduced radius of a pair of grains, and in the next constant, whether it depends on
-  /// their reduced mass. The dynamics loads these numbers only for laws that depend on them.
+  /// Whether the law depends on the reduced radius of a pair of grains. The dynamics loads the reduced radius and mass
+  /// only for laws that depend on them.
   static constexpr bool kNeedsReducedRadius = requires { requires Normal::kNeedsReducedRadius; }
   || requires { requires Adhesion::kNeedsReducedRadius; };
+  /// Whether the law depends on the reduced mass of a pair of grains.
   static constexpr bool kNeedsReducedMass = requires { requires Normal::kNeedsReducedMass; }
   || requires { requires Adhesion::kNeedsReducedMass; };
 
   /// Parameters of a pair of grains that follow from the radii of the grains and the history of their contact, for
-  /// example the parameters of a liquid bridge. Most laws have no such parameters. pair_parameters() computes them
-  /// once, not at every evaluation of the force.
+  /// example the parameters of a liquid bridge. Most laws have no such parameters. They are computed once, by
+  /// pair_parameters(), and not at every evaluation of the force.
   template <class T = double>
   using PairParameters = typename detail::PairParametersOf<Adhesion, T>::Type;
 
-  /// How many numbers the history of a contact contains: those of the normal, tangential, rolling, twisting and
-  /// adhesion models, in this order.
+  /// Number of values in the history of a contact: those of the normal, tangential, rolling, twisting and adhesion
+  /// models, in this order.
   template <int Dim>
   static constexpr int kHistorySize =
       history_size<Normal>(Dim) + history_size<Tangential>(Dim) + history_size<Rolling>(Dim) +
@@ -124,7 +125,7 @@ struct ContactLaw {
   [[no_unique_address]] Rolling rolling;
   [[no_unique_address]] Twisting twisting;
 
-  /// Returns the largest gap (length) at which surfaces that have not touched before act on each other.
+  /// Returns the largest gap (length) at which surfaces that have not touched before attract each other.
   double range() const {
     if constexpr (kHasAdhesion) return adhesion.range();
     return 0.0;
@@ -147,7 +148,7 @@ struct ContactLaw {
   }
 
   /// Returns the parameters of a pair of grains with these radii (length) and this history: those of its liquid bridge,
-  /// or none if the law has no liquid.
+  /// or no parameters if the law has no liquid.
   template <int Dim>
   PairParameters<> pair_parameters([[maybe_unused]] double radius_i, [[maybe_unused]] double radius_j,
                                    [[maybe_unused]] const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -156,7 +157,7 @@ struct ContactLaw {
     else
       return {};
   }
-  /// Returns the parameters with which a pair of grains acts at its present history: `parameters`, but with zero
+  /// Returns the parameters of a pair of grains that are in effect at its present history: `parameters`, but with zero
   /// strength if the liquid bridge of the pair has broken. The pair must not have moved since its history was updated.
   template <int Dim>
   PairParameters<> acting(const PairParameters<>& parameters,
@@ -175,7 +176,7 @@ struct ContactLaw {
 
   /// Returns the static normal force of a pair of grains, its elastic and adhesive parts and its stiffnesses.
   /// @param history  history of the normal model of the law; null for a new contact
-  /// @param parameters  parameters with which the pair acts now, see acting()
+  /// @param parameters  parameters of the pair that are in effect now, see acting()
   template <class T>
   NormalResponse<T> normal(const PairGeometry<T>& pair, const T* history = nullptr,
                            [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
@@ -229,8 +230,7 @@ struct ContactLaw {
       return elastic * elastic * -pair.gap / (elastic - k_n * pair.gap);
     }
   }
-  /// Returns the energy that the elastic normal force stores in a contact with this history. The next function returns
-  /// the energy of the attraction between the two grains.
+  /// Returns the energy that the elastic normal force stores in a contact with this history.
   template <int Dim>
   double elastic_energy_of(const PairGeometry<>& pair, double elastic, double k_n,
                            const PackedHistory<kHistorySize<Dim>>& history) const {
@@ -241,8 +241,8 @@ struct ContactLaw {
                               const PairParameters<>& parameters) const {
     return attraction_energy(pair, normal_history(history), parameters);
   }
-  /// Returns the energy of the attraction between two grains. It is zero at gaps at which the attraction has ended.
-  /// @param parameters  parameters with which the pair acts now, see acting()
+  /// Returns the energy of the attraction between two grains. It is zero at gaps beyond the range of the attraction.
+  /// @param parameters  parameters of the pair that are in effect now, see acting()
   template <class T>
   T attraction_energy([[maybe_unused]] const PairGeometry<T>& pair, [[maybe_unused]] const T* history = nullptr,
                       [[maybe_unused]] const PairParameters<T>& parameters = {}) const {
@@ -314,7 +314,7 @@ struct ContactLaw {
     return response.touches ? touching(response) : ContactStiffness{response.stiffness, 0.0, 0.0};
   }
 
-  /// Returns the stiffnesses of a touching contact of which only the elastic normal force is known.
+  /// Returns the stiffnesses of a touching contact whose elastic normal force is known, but not its gap.
   ContactStiffness stiffness_at_force(const PairGeometry<>& pair, double elastic) const {
     return touching(of_stiffness(elastic, repulsion.stiffness_at_force(pair, elastic)));
   }
@@ -342,7 +342,7 @@ struct ContactLaw {
     return m;
   }
 
-  /// Sets the history of the normal model so that a contact has this elastic normal force at its gap.
+  /// Sets the history of the normal model so that the contact has this elastic normal force at its present gap.
   template <int Dim>
   void set_elastic_force([[maybe_unused]] const PairGeometry<>& pair, [[maybe_unused]] double elastic,
                          [[maybe_unused]] PackedHistory<kHistorySize<Dim>>& history) const {
@@ -397,8 +397,7 @@ struct ContactLaw {
       return pair.gap < T(0);
   }
 
-  /// Returns the NormalResponse of a touching contact of which only the elastic force and the normal stiffness K_N are
-  /// known.
+  /// Returns the NormalResponse of a touching contact from its elastic force and its normal stiffness K_N alone.
   NormalResponse<double> of_stiffness(double elastic, double k_n) const {
     NormalResponse<double> response{elastic, 0.0, k_n, k_n};
     if constexpr (requires { repulsion.shear_ratio(); })

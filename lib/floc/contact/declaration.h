@@ -54,10 +54,10 @@ struct Number {
   Unit unit;
   const char* symbol;       ///< symbol of the parameter in formulas, such as "K_N" for a stiffness
   Requirement requirement;  ///< requirement on every value, also on a value that a load path sets
-  const char* expectation;  ///< value expected in a scene file, in words, for messages
+  const char* expectation;  ///< description of the values that a scene file may give, for messages
   const char* meaning;      ///< description of the parameter in one line
-  /// Requirement on the value given in a scene file. It may be stricter than `requirement`, because a change along a
-  /// load path may set the parameter to zero in order to switch off its model.
+  /// Requirement on the value given in a scene file. It may be stricter than `requirement`: a change along a load path
+  /// may set the parameter to zero to switch off its model.
   Requirement at_first = requirement;
 };
 
@@ -106,7 +106,7 @@ struct History {
   const char* name;  ///< name of the array of this quantity in a state file
   HistoryKind kind;
   Unit unit;
-  const char* meaning;  ///< description of the quantity in words
+  const char* meaning;  ///< description of the quantity, for users
 };
 
 /// Returns whether a quantity in the history of a contact is a vector in the tangent plane of the contact, so that it
@@ -122,8 +122,8 @@ constexpr int n_components(HistoryKind kind, int dim) {
 }
 
 /// Returns the factor by which each component of a quantity in the history of a contact is multiplied when the grains i
-/// and j of the contact are exchanged. The factor is 1 for a 2D tangential displacement: the displacement changes sign,
-/// but so does the tangent along which it is expressed, because the tangent turns with the normal.
+/// and j of the contact are exchanged. The factor is 1 for a 2D tangential displacement: both the displacement and the
+/// tangent along which it is expressed change sign.
 constexpr double parity(HistoryKind kind, int dim) {
   if (!is_tangential(kind)) return 1.0;
   return kind == HistoryKind::tangent && dim == 2 ? 1.0 : -1.0;

@@ -10,11 +10,11 @@ namespace floc {
 
 /// Order of the numbers in the history of a contact, both in the list of contacts and in the arrays of pairs that the
 /// dynamics uses. Each slot of the contact law (normal, friction, ...) has a fixed range of indices that is large
-/// enough for any model of the slot, so that a change of the law moves no number.
+/// enough for any model of the slot. A change of the law therefore moves no number.
 template <int Dim>
 struct HistoryLayout {
-  // How many numbers are reserved for each slot of the contact law: as many as the model of the slot with the largest
-  // history needs. history_layout.h checks that no model needs more.
+  // Size of the range of each slot of the contact law: the size of the largest history of any model of the slot.
+  // history_layout.h checks that no model needs more.
   static constexpr int kNormalRoom = 2, kFrictionRoom = Dim == 2 ? 2 : 4, kRollingRoom = Dim == 2 ? 1 : 3,
                        kTwistingRoom = Dim == 2 ? 0 : 1, kAdhesionRoom = 1;
 
@@ -34,7 +34,7 @@ using ContactHistory = Eigen::Matrix<double, HistoryLayout<Dim>::kSize, 1>;
 struct HistoryQuantity {
   History declared;
   int begin;  ///< index of the first number of the quantity in a ContactHistory
-  int size;   ///< how many numbers the quantity has
+  int size;   ///< number of values of this quantity
 };
 
 /// Returns the quantities that a contact law stores per contact, in the order of HistoryLayout.

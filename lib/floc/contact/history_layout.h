@@ -64,7 +64,7 @@ constexpr int history_place(int k) {
   return HistoryLayout<Dim>::kAdhesion + k - n_normal - n_friction - n_rolling - n_twisting;
 }
 
-/// Returns whether the number with index k in a PackedHistory, under the contact law `Law`, is the first component of a
+/// Returns whether the value with index k in a PackedHistory, under the contact law `Law`, is the first component of a
 /// vector in the tangent plane of a 3D contact.
 template <class Law, int Dim>
 constexpr bool begins_tangent(int k) {
@@ -85,7 +85,7 @@ constexpr bool begins_tangent(int k) {
   return Dim == 3 && begins;
 }
 
-/// Calls visit(k, place) for each number in the history of a contact under `Law`, where k is its index in a
+/// Calls visit(k, place) for each value in the history of a contact under `Law`, where k is its index in a
 /// PackedHistory and `place` its index in a ContactHistory. The loop is unrolled; k and place are integral constants.
 template <class Law, int Dim, class Visit>
 [[gnu::always_inline]] inline void for_each_history(const Visit& visit) {

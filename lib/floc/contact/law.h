@@ -10,9 +10,9 @@ namespace floc {
 struct CapillaryAdhesion;
 struct LawParameters;
 
-/// Contact law of a packing or a run: a handle to the models of the law and their numbers (law_parameters.h),
-/// which are immutable and shared between copies. Its member functions return the properties that every law
-/// has, so that only the sources that evaluate, read or write models have to include the models.
+/// Contact law of a packing or a run: a handle to the models of the law and their numbers (law_parameters.h), which are
+/// immutable and shared between copies. The member functions return properties that every law has. Only sources that
+/// evaluate, read or write the models therefore have to include them.
 class Law {
  public:
   /// Creates a law of linear repulsion with zero stiffness, a placeholder until another law is assigned.
@@ -31,12 +31,12 @@ class Law {
   bool has_rolling() const;
   bool has_twisting() const;
 
-  /// Returns the pull-off force F0 (force) if the law has one value for all pairs of grains; 0 without adhesion
-  /// and if F0 depends on the pair.
+  /// Returns the pull-off force F0 (force) if it is equal for all pairs of grains; 0 without adhesion, and if F0
+  /// depends on the pair.
   double pull_off_force() const;
-  /// Returns the pull-off force F0 (force) of two grains of this radius (length); 0 without adhesion.
+  /// Returns the pull-off force F0 (force) of two grains with radius `radius` (length); 0 without adhesion.
   double pull_off_force(double radius) const;
-  /// Returns the pull-off force F0 (force) of a pair; 0 without adhesion and for liquid bridges, because not
+  /// Returns the pull-off force F0 (force) of a pair; 0 without adhesion. It is also 0 for liquid bridges, because not
   /// every pair has a bridge (packing/liquid/liquid.h).
   double pull_off_force(const PairGeometry<>& pair) const;
   /// Whether grains attract each other.
@@ -58,7 +58,7 @@ class Law {
 
   /// Whether the contacts are rigid: their surfaces do not overlap, and their forces are not functions of the geometry.
   bool is_rigid() const;
-  /// Whether the normal force depends on earlier overlaps of the contact, and so dissipates energy.
+  /// Whether the normal force depends on earlier overlaps of the contact and therefore dissipates energy.
   bool keeps_overlap() const;
   /// Whether the normal law itself includes the adhesion.
   bool adheres_by_itself() const;
@@ -70,7 +70,7 @@ class Law {
   /// Whether the normal law holds only for overlaps that are small compared with the grains.
   bool is_for_small_overlaps() const;
 
-  /// Returns the reason why the law cannot be used in this dimension (2 or 3), in words; empty if the law can be used.
+  /// Returns the reason why the law cannot be used in this dimension (2 or 3); empty if it can be used.
   std::string fault_in_dimension(int dimension) const;
 
   /// Whether friction can carry any force.

@@ -130,8 +130,8 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
   const auto refuse = [&](bool fault, const std::string& slot, const char* words) {
     if (fault) faults.push_back({slot, "contact." + slot + words});
   };
-  // Without friction the dynamics does not rotate grains (PairKernel::kRotates), so that rolling and twisting springs
-  // would never be loaded.
+  // Without friction the dynamics does not rotate grains (PairKernel::kRotates), and rolling and twisting springs would
+  // never be loaded.
   refuse(rolling && !friction, "rolling",
          ": rolling resistance needs friction, because grains without friction do not rotate; give "
          "contact.friction or leave out contact.rolling");
@@ -143,8 +143,8 @@ std::vector<LawFault> LawParameters::faults_between_slots() const {
       faults.push_back({key, std::move(words)});
   });
   adhesion.visit([&]<class Adhesion>(const Adhesion&) {
-    // Grains connected by liquid bridges roll freely. A model of rolling or twisting resistance that family_fault() has
-    // already refused is not reported again.
+    // Grains connected by liquid bridges roll freely. A rolling or twisting resistance that family_fault() has already
+    // refused is not reported again.
     if constexpr (kRollsFreely<Adhesion>) {
       const auto refuse_resistance = [&](const char* key, const auto& slot) {
         if (!slot || !family_fault(normal, key, slot).empty()) return;

@@ -25,13 +25,13 @@ namespace floc {
 /// or two numbers of a model contradict each other.
 struct LawFault {
   std::string slot;      ///< key of the slot at fault, such as "friction"
-  std::string words;     ///< message with the key at fault, contact.SLOT..., and what is required of it
+  std::string words;     ///< message with the key at fault, contact.SLOT..., and the requirement on its value
   std::string key = {};  ///< key of the number at fault; empty if the fault is not a single number
 };
 
 /// Contact law as a scene file or a saved state describes it. Each slot (normal, adhesion, ...) holds a model with its
-/// numbers, or is empty. The types of the slots are the only lists of models in the program. All code that handles
-/// models follows from these lists: scene files, texts that describe laws, state files and law_table.h, which converts
+/// numbers, or is empty. The types of the slots are the only lists of models in the program; all code that handles
+/// models follows from them: scene files, texts that describe laws, state files, and law_table.h, which converts
 /// LawParameters into a composed type.
 struct LawParameters {
   LawSlot<LinearRepulsion, HertzRepulsion, RigidContact> normal;
@@ -57,7 +57,8 @@ struct LawParameters {
 
   /// Returns every fault of the law as "key = value: requirement"; empty if the law can be used.
   std::vector<std::string> validate() const;
-  /// Returns one fault for each model that cannot be combined with the other models, whatever its numbers.
+  /// Returns one fault for each model that cannot be combined with the other models, whatever the values of its
+  /// numbers.
   std::vector<LawFault> faults_between_slots() const;
   /// Returns one fault for each number that is valid by itself but contradicts another number of its model (AtLeast).
   std::vector<LawFault> faults_between_numbers() const;

@@ -8,7 +8,7 @@
 namespace floc {
 namespace {
 
-/// Returns the parameters of a contact law, with the models removed that have no effect.
+/// Returns the parameters of a contact law without the models that have no effect.
 LawParameters acting(LawParameters law) {
   LawParameters::for_each_slot(law, [](const char*, auto& slot) {
     const bool acts = slot.visit([](const auto& model) {

@@ -41,8 +41,8 @@ struct Joined<LawList<Laws...>> {
 template <class... A, class... B, class... Rest>
 struct Joined<LawList<A...>, LawList<B...>, Rest...> : Joined<LawList<A..., B...>, Rest...> {};
 
-/// List of all compiled contact laws that contain the models `Models`, already chosen, and one model of each of the
-/// other slots `Slots` (normal, adhesion, ...). The recursion chooses the model of one slot after the other.
+/// List of all compiled contact laws that contain the given models `Models` and one model of each slot in `Slots`
+/// (normal, adhesion, ...). The recursion chooses the model of one slot after the other.
 template <class Models, class... Slots>
 struct Compositions;
 template <class... M>

@@ -30,8 +30,8 @@ inline constexpr bool kIsDefaultOfFamily = requires {
   requires Model::kIsDefaultOfFamily;
 };
 
-/// Family of contacts that a model is made for. Models can be combined with models of the same family, and with
-/// models that belong to no family.
+/// Family of contacts for which a model is made. Models can be combined with models of the same family, and with models
+/// that belong to no family.
 enum class Family {
   none,             ///< contacts of any kind
   springs,          ///< contacts of constant stiffnesses; each model has its own stiffness
@@ -45,8 +45,8 @@ constexpr Family family_of() {
   return Family::none;
 }
 
-/// Returns the reason why a model of a contact law cannot be combined with a normal law of another Family, for use
-/// after "because" in a message; empty if no reason is known.
+/// Returns the reason why a model of a contact law cannot be combined with a normal law of another Family, as a clause
+/// that follows "because" in a message; empty if no reason is known.
 constexpr std::string_view family_rule(Family of_normal, std::string_view slot) {
   if (of_normal == Family::rigid && slot == "damping") return "rigid contacts have no dashpots";
   if (of_normal == Family::rigid && slot == "friction")
@@ -79,7 +79,8 @@ inline constexpr bool kGoesWithRigid = kIsAbsent<Model> || requires {
   requires Model::kGoesWithRigid;
 };
 
-/// Whether a model of adhesion, damping, friction, rolling or twisting can be combined with a normal law.
+/// Whether a model of another slot (adhesion, damping, friction, rolling or twisting) can be combined with a normal
+/// law.
 template <class Normal, class Model>
 inline constexpr bool kGoesWith =
     (family_of<Normal>() == family_of<Model>() ||

@@ -10,7 +10,7 @@
 namespace floc {
 
 /// Object of type `Model` that has no effect, for composed contact laws that need a model of this type. The cap on the
-/// force of such a spring is zero, so that its stiffness may be any positive number.
+/// force of a neutral spring is zero, so its stiffness may be any positive number.
 template <class Model>
 inline constexpr Model kNeutral{};
 template <>

@@ -17,8 +17,8 @@ struct CollisionMass {
     const double effective = reduced(mass_i, mass_j);
     return {effective, 2.0 * effective};
   }
-  /// Returns the masses for a collision of a grain with a wall. The mass of the wall counts as infinite, so that both
-  /// members are the mass of the grain.
+  /// Returns the masses for a collision of a grain with a wall. The mass of the wall is infinite, so both members are
+  /// the mass of the grain.
   static CollisionMass against_wall(double mass) { return {mass, mass}; }
 };
 
@@ -32,7 +32,7 @@ struct PairGeometry {
   T reduced_mass;    ///< reduced mass mi mj/(mi + mj) (mass)
 
   PairGeometry() = default;
-  /// A number converts implicitly to a pair with this gap, because most contact laws depend on the gap alone.
+  /// Converts a gap implicitly into the geometry of a pair, because most contact laws depend on the gap alone.
   PairGeometry(const T& h, const T& radius = T(0), const T& mass = T(0))  // NOLINT(google-explicit-constructor)
       : gap(h), reduced_radius(radius), reduced_mass(mass) {}
 };

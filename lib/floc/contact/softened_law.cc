@@ -12,11 +12,11 @@
 namespace floc {
 namespace {
 
-/// Largest share of the range D0 of the adhesion that the overlap under the pull-off force may reach, and largest
-/// pressure over the modulus of the packing.
+/// Largest overlap of two grains under their pull-off force, as a share of the range D0 of the adhesion.
 constexpr double kShareOfRange = 0.1;
+/// Largest ratio of the pressure to the modulus of the packing (Law::contact_modulus()).
 constexpr double kLargestStrain = 0.01;
-/// Rounding error that is accepted in these limits, so that a factor of exactly the limit is allowed.
+/// Relative rounding error that these limits tolerate, which allows a factor equal to the limit.
 constexpr double kRounding = 1e-9;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Whether a number of a contact law is the stiffness of a spring.
@@ -37,7 +37,7 @@ Law softened(const Law& law, double s) {
 
 std::string SofteningLimit::fault(double s) const {
   if (s <= std::max(1.0, largest * (1.0 + kRounding))) return "";
-  if (largest < 1.0 + kRounding) return reason + "; expected 1, or no softening";
+  if (largest < 1.0 + kRounding) return reason + "; expected 1 (no softening)";
   return fmt::format("{}; expected at most {:.6g}", reason, largest);
 }
 
@@ -50,12 +50,13 @@ SofteningLimit softening_limit(const Law& law, int dim, double diameter, double 
   const double by_adhesion = F0 > 0.0 ? kShareOfRange * law.range() * stiffness / F0 : kInfinity;
   const double by_pressure = pressure > 0.0 ? kLargestStrain * modulus / pressure : kInfinity;
   if (by_adhesion < by_pressure)
-    return {
-        by_adhesion,
-        "the overlap of two grains on softer springs under their adhesion would exceed a tenth of its range"};
-  return {
-      by_pressure,
-      fmt::format("the pressure {:.4g} would exceed a hundredth of the modulus of softer contacts", pressure)};
+    return {by_adhesion,
+            "on softer springs, the overlap of two grains under their adhesion would exceed a tenth of the "
+            "range of the adhesion"};
+  return {by_pressure,
+          fmt::format(
+              "on softer springs, the pressure {:.4g} would exceed a hundredth of the modulus of the contacts",
+              pressure)};
 }
 
 }  // namespace floc

@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// A contact carries part of a change of stress if its force changes by more than this share of the largest change in
-/// any contact. In real packings the share is either more than 1e-4 or, from rounding, about 1e-15.
+/// A contact carries part of a change of stress if the change of its force, divided by the largest change in any
+/// contact, exceeds this number. In real packings this ratio is either above 1e-4 or, from rounding, about 1e-15.
 constexpr double kCarries = 1e-9;
 
 template <int Dim>

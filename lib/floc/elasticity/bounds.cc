@@ -12,12 +12,12 @@ namespace floc {
 namespace {
 
 /// B_reuss is set to zero if the pressure is below this share of sum |F_N| r/(Dim V), the pressure that the normal
-/// forces F_N would give if all were compressive (distance r between centres, volume V). An equilibrium solved to 1e-8
-/// cannot tell such a pressure from zero.
+/// forces F_N would give if all were compressive (distance r between centres, volume V). In an equilibrium solved to
+/// 1e-8, such a pressure cannot be distinguished from zero.
 constexpr double kNoPressure = 1e-8;
 /// The contact forces count as balanced if the net force on each grain is at most this share of the largest contact
-/// force, a hundred times the tolerance of an equilibrium. For a pair of walls, the share is of the sum of the forces
-/// on them. Such a net force changes the complementary energy by a share of the same order.
+/// force. The share is a hundred times the tolerance of an equilibrium. For a pair of walls, the reference is the sum
+/// of the forces on both walls. Such a net force changes the complementary energy by a share of the same order.
 constexpr double kBalanced = 1e-3;
 
 struct Sums {
@@ -126,9 +126,10 @@ std::string fault_of_bounds(const ContactNetwork<Dim>& network, double B_reuss) 
   const auto any = [&](auto&& has) { return std::ranges::any_of(network.contacts, has); };
   using Contact = NetworkContact<Dim>;
   if (any([](const Contact& c) { return c.distant; }))
-    return "attractions across gaps have a negative stiffness, so that the complementary energy has no minimum";
+    return "attractions across gaps have a negative stiffness, for which the complementary energy has no "
+           "minimum";
   if (any([](const Contact& c) { return std::min({c.kn, c.kt, c.kr, c.ktw}) < 0.0; }))
-    return "some contacts have a negative stiffness, so that the complementary energy has no minimum";
+    return "some contacts have a negative stiffness, for which the complementary energy has no minimum";
   if (B_reuss > 0.0 && !forces_balance(network)) return "the contact forces do not balance";
   return "";
 }

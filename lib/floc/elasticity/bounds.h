@@ -17,14 +17,14 @@ struct Bounds {
   /// mean over the three pairs of axes.
   double B_voigt = 0.0;
   double G_voigt = 0.0;
-  /// Reuss bound V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R), with the volume V, the pressure P and a sum over
-  /// touching contacts: normal force F_N, tangential force F_T and rolling moment Gamma (in 3D also the twisting
-  /// moment), each squared and divided by its stiffness. 0 at P = 0. Where `fault` is empty, it is a lower bound on the
-  /// bulk modulus B_C under imposed strain, by the inequality of Cauchy and Schwarz. If the stress is isotropic, it is
-  /// also a lower bound on the bulk modulus B_S under imposed stress.
+  /// Reuss bound V P^2/sum(F_N^2/K_N + F_T^2/K_T + Gamma^2/K_R), with the volume V and the pressure P. The sum over
+  /// touching contacts contains the normal force F_N, the tangential force F_T, the rolling moment Gamma and, in 3D,
+  /// the twisting moment, each squared and divided by its stiffness. The bound is 0 at P = 0. Where `fault` is empty,
+  /// it is a lower bound on the bulk modulus B_C under imposed strain, by the inequality of Cauchy and Schwarz. If the
+  /// stress is isotropic, it is also a lower bound on the bulk modulus B_S under imposed stress.
   double B_reuss = 0.0;
   /// Reason why B_reuss <= B_C <= B_voigt is not guaranteed, as a clause that follows "because". Empty if the
-  /// inequality is a theorem: no force acts across a gap, no stiffness is negative, and the forces balance.
+  /// inequality is guaranteed: no force acts across a gap, no stiffness is negative, and the forces balance.
   std::string fault;
   /// B_voigt, G_voigt and B_reuss in the mean-field forms printed in [GRC2008], which replace averages of products by
   /// products of averages.
@@ -33,14 +33,14 @@ struct Bounds {
   double B_reuss_printed = 0.0;
   /// Ratio `<F_N^2 + (K_N/K_T) F_T^2 + (K_N/K_R) Gamma^2>/<F_N>^2` of averages over touching contacts, with the normal
   /// force F_N, the tangential force F_T, the rolling moment Gamma and their stiffnesses. B_reuss_printed is inversely
-  /// proportional to it. Infinite if `<F_N>` = 0 or if no grains touch.
+  /// proportional to this ratio. Infinite if `<F_N>` = 0 or if no grains touch.
   double Z2 = std::numeric_limits<double>::infinity();
 };
 
-/// Averages over a packing that the mean-field forms of the bounds need, and that its contact network does not contain.
+/// Averages over a packing that the mean-field forms of the bounds need and that the contact network does not contain.
 struct MeanField {
   double coordination;    ///< coordination number z: mean number of touching contacts of a grain
-  double solid_fraction;  ///< solid fraction Phi: volume of the grains over that of the cell
+  double solid_fraction;  ///< solid fraction Phi: volume of the grains divided by the volume of the cell
 };
 
 /// Computes the bounds on the moduli of a network from the stiffnesses and forces of its contacts.

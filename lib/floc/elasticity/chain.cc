@@ -76,7 +76,8 @@ Chord chord_of(const std::vector<Vec<2>>& branches) {
   Chord chord;
   chord.length = end.norm();
   if (!(chord.length > 1e-6))
-    throw InputError("chain", "the last disk lies on the first, so that no line passes through their centres");
+    throw InputError("chain",
+                     "the last disk lies on the first, so their centres do not define the chord of the chain");
   chord.along = end / chord.length;
   chord.across = tangent<double>(chord.along);
   chord.last_contact = 0.5 * chord.length - branches.back().dot(chord.along);
@@ -84,7 +85,7 @@ Chord chord_of(const std::vector<Vec<2>>& branches) {
 }
 
 /// Returns three motions of the last disk, one per column: a unit displacement along the chord (the line through the
-/// centres of the end disks), a unit displacement across it, and a unit rotation about its middle.
+/// centres of the end disks), a unit displacement across the chord, and a unit rotation of the disk about its middle.
 Mat<3> end_motions(const Chord& chord) {
   Mat<3> motion = Mat<3>::Zero();
   motion.block<2, 1>(0, 0) = chord.along;
@@ -95,7 +96,7 @@ Mat<3> end_motions(const Chord& chord) {
 }
 
 /// Returns the springs of a chain of disks. The first disk is fixed, the last disk moves by combinations of the columns
-/// of `motions`, and the disks in between are free.
+/// of `motions`, and the disks in between move freely.
 SpringSystem chain_springs(const ContactNetwork<2>& network, const Mat<3>& motions) {
   const Eigen::SparseMatrix<double> rigidity = rigidity_matrix(network, StrainSet::diagonal);
   SpringSystem springs;
@@ -113,13 +114,13 @@ SpringInverse invert(const SpringSystem& springs, SymmetricFactor& factor) {
   const Eigen::SparseMatrix<double> stiffness = a.transpose() * ka;
   factor.set_matrix(stiffness);
   if (auto found = invert_positive(factor)) return *found;
-  // no contact of a chain has a negative stiffness, so that this bound is not used
+  // No contact of a chain has a negative stiffness, so this bound is not used.
   constexpr double kUnused = 0.0;
   return invert_singular(factor, springs, kUnused);
 }
 
-/// Compliance matrix of the last disk of a chain (its motion per load), and a bound on the error of each of its
-/// entries.
+/// Compliance matrix of the last disk of a chain (its motion divided by the load on it), and a bound on the error of
+/// each entry.
 struct Compliance {
   Mat<3> value, error;
 
@@ -130,7 +131,8 @@ struct Compliance {
 
 Compliance invert_stiffness(const Mat<3>& stiffness, const Mat<3>& error) {
   Compliance c;
-  // The stiffness matrix is inverted in extended precision, because terms cancel where soft and stiff directions mix.
+  // The stiffness matrix is inverted in extended precision, because its terms cancel where soft and stiff directions
+  // mix.
   c.value = stiffness.cast<long double>().inverse().cast<double>();
   // The error E of the stiffness matrix S changes its inverse by at most |S^-1| E |exact^-1|, where `exact` is S
   // without error and |exact^-1| <= |S^-1|/(1 - change). `change` is the norm of |S^-1| E after a diagonal scaling,

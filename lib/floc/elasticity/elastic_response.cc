@@ -16,9 +16,9 @@
 namespace floc {
 namespace {
 
-/// Lists the springs of a network, with stiffnesses divided by `unit` (force/length). Their free unknowns are the
-/// motions of the grains that are solved for. Their boundary unknowns are the strains of the cell and, between walls,
-/// the wall shifts: the common displacements of the two walls of an axis.
+/// Lists the springs of a network, with stiffnesses divided by `unit` (force/length). The free unknowns are the motions
+/// of the grains that are solved for. The boundary unknowns are the strains of the cell and, between walls, the wall
+/// shifts: the common displacements of the two walls of an axis.
 template <int Dim>
 class SpringList {
  public:
@@ -76,8 +76,8 @@ class SpringList {
   SpringSystem springs_;
 };
 
-/// Elastic problem of a contact network: the network without dead ends, the motions that are solved for, and the
-/// answer. A dead end is a grain that hangs on a single contact.
+/// Elastic problem of a contact network: the network without dead ends (grains that hang on a single contact), the
+/// motions that are solved for, and the answer.
 template <int Dim>
 struct Problem {
   const ContactNetwork<Dim>& whole;
@@ -86,11 +86,11 @@ struct Problem {
   ContactNetwork<Dim> pruned;  // the network without its dead ends, if it has any
   ReducedUnknowns unknowns;
   double unit = 1.0;
-  bool positive = false;  // whether the stiffness matrix has a Cholesky factor that can be trusted
+  bool positive = false;  // whether the stiffness matrix has a reliable Cholesky factor
 
   Problem(const ContactNetwork<Dim>& network, const ResponseOptions& chosen) : whole(network), options(chosen) {
     const FreeMotions& free = answer.free = find_free_motions(network);
-    // A dead end and its single contact carry no load. They are removed.
+    // A dead end and its single contact carry no load and are removed.
     if (has_ends()) pruned = without_grains(network, free.dead_end);
     unknowns = reduce_unknowns(core(), free.kept);
     unit = stiffness_scale(core());
@@ -108,7 +108,7 @@ struct Problem {
   }
   SpringSystem springs() const { return SpringList<Dim>(core(), unknowns, unit, options).take(); }
 
-  /// Returns an answer that says that the factor would take too many bytes, instead of a response.
+  /// Returns an answer without a response, with the reason that the factor would take too many bytes.
   ElasticResponse refuse(double bytes) {
     answer.factor_bytes = bytes;
     answer.failure = fmt::format(
@@ -167,17 +167,18 @@ Eigen::VectorXd diagonal_of(const SpringSystem& springs) {
 /// factor is cheaper: for 1400 grains, it takes as long as some 30 steps.
 constexpr int kMaxSteps = 40;
 
-/// Solves for the motions of the grains by refinement with an approximate inverse of the stiffness matrix, whose
-/// accuracy is not known.
+/// Solves for the motions of the grains by refinement with an approximate inverse of the stiffness matrix. The accuracy
+/// of the inverse need not be known.
 /// @param apply  returns the product of the approximate inverse with a vector
 /// @param start  motions of the grains from which the refinement starts, one column per strain or wall displacement;
-///               may be empty
+/// may be empty
 /// @return no value if the refinement does not converge
 template <int Dim>
 std::optional<ElasticResponse> solve_by_approximate_inverse(
     Problem<Dim>& problem, const SpringSystem& springs,
     std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply, const Eigen::MatrixXd& start) {
-  /// Tolerance below which residual forces are computed in extended precision; above it, double precision suffices.
+  /// Tolerance of the solution below which residual forces are computed in extended precision. Above it, double
+  /// precision suffices.
   constexpr double kDoubleSuffices = 1e-9;
   ApproximateInverse inverse;
   inverse.apply = std::move(apply);
@@ -206,7 +207,7 @@ std::optional<ElasticResponse> solve_by_single_factor(Problem<Dim>& problem) {
 }
 
 /// Approximate inverse of the stiffness matrix of this network, made from the factor of another network. The factor is
-/// used for the unknowns that both networks have; for the other unknowns, the diagonal of the matrix is inverted.
+/// used for the unknowns that both networks have. For all other unknowns, the diagonal of the matrix is inverted.
 class InheritedInverse {
  public:
   InheritedInverse(const ResponseMemory& memory, const ReducedUnknowns& unknowns, Eigen::VectorXd diagonal)
@@ -236,9 +237,10 @@ class InheritedInverse {
   const ResponseMemory& memory_;
   // diagonal entry of the stiffness matrix for each unknown that the factor does not contain; 0 for the other unknowns
   Eigen::VectorXd diagonal_;
-  std::vector<int>
-      row_;  // for each row of the factor, the row of its unknown in this network; -1 if there is none
-  // for each row of the factor, the value solved for in the other network over the value solved for in this network
+  // for each row of the factor, the row of its unknown in this network; -1 if there is none
+  std::vector<int> row_;
+  // for each row of the factor: the value solved for in the other network divided by the value solved for in this
+  // network
   std::vector<double> scale_;
 };
 
@@ -246,7 +248,7 @@ template <int Dim>
 std::optional<ElasticResponse> solve_from(const ResponseMemory& memory, Problem<Dim>& problem) {
   const ReducedUnknowns& unknowns = problem.unknowns;
   // The stored fluctuation is the initial guess of the solver. It has a column for each strain but none for
-  // displacements of walls, so that it cannot be used for a packing between walls.
+  // displacements of walls, so a packing between walls cannot use it.
   if (!memory.factor || !problem.whole.wall_axes.empty() ||
       memory.fluctuation.rows() != problem.whole.n_unknowns() ||
       memory.fluctuation.cols() != n_strains<Dim>(problem.options.strains))
@@ -286,7 +288,9 @@ ElasticResponse elastic_response(const ContactNetwork<Dim>& network, const Respo
     memory.unknown = problem.unknowns.unknown;
     memory.length = problem.unknowns.length;
     answer = solve_by_factor(problem, *memory.factor);
-    if (!problem.positive) memory.factor.reset();  // an indefinite matrix cannot be a preconditioner
+    if (!problem.positive)
+      memory.factor.reset();  // the factor of an indefinite matrix cannot be a
+                              // preconditioner
   }
   memory.fluctuation = answer->fluctuation;
   return std::move(*answer);

@@ -14,7 +14,8 @@ namespace floc {
 /// Method that solves for the motion of the grains under a strain of the cell.
 enum class ResponseSolver {
   factor,  ///< Cholesky factor of the stiffness matrix K in double precision; gives error bounds
-  /// Cholesky factor of K in single precision, refined in double: half the memory; gives error estimates
+  /// Cholesky factor of K in single precision, with refinement in double precision: half the memory; gives error
+  /// estimates
   single_factor,
 };
 
@@ -29,10 +30,10 @@ struct ResponseOptions {
   /// usually suffices.
   double tolerance = 1e-11;
   /// Largest absolute eigenvalue of the stiffness matrix K that counts as a mechanism, divided by the largest contact
-  /// stiffness; rotations are multiplied by the grain's size. Rounding of K moves an eigenvalue by some 1e-15.
-  /// Near-mechanisms must stay above this bound: in real packings, some with eigenvalues down to 6e-13 have contributed
-  /// 3 % of the bulk modulus. The bound is used only where K may be indefinite; otherwise the rank of the square root
-  /// of K shows the mechanisms.
+  /// stiffness; rotations are multiplied by the grain's size. Rounding of K moves an eigenvalue by some 1e-15. The
+  /// bound must be below the eigenvalues of near-mechanisms: in real packings, near-mechanisms with eigenvalues down to
+  /// 6e-13 have contributed 3 % of the bulk modulus. The bound is used only where K may be indefinite; otherwise the
+  /// rank of the square root of K shows the mechanisms.
   double mechanism_bound = 1e-13;
   /// Largest size of a factor of K in double precision (bytes). A factor whose predicted size is larger is not
   /// computed.
@@ -42,8 +43,8 @@ struct ResponseOptions {
 /// Linear response of a contact network to strains of its cell, if no contact slides.
 struct ElasticResponse {
   /// Volume times stress per unit strain of the cell after relaxation of the grains: the Schur complement of the
-  /// strains in the stiffness matrix K of grains and strains. Rows and columns are in the order of StrainSet.
-  /// Symmetric. Without prestress, `relaxed` over the volume is the matrix of moduli.
+  /// strains in the stiffness matrix K of grains and strains. The matrix is symmetric, with rows and columns in the
+  /// order of StrainSet. Without prestress, `relaxed` divided by the volume is the matrix of moduli.
   Eigen::MatrixXd relaxed;
   /// Bound on the error of each entry of `relaxed`, due to the net forces that remain on grains and to rounding in the
   /// geometry of the contacts. The vectors between centres are assumed correct to a few units in the last place.
@@ -52,23 +53,24 @@ struct ElasticResponse {
   /// Fluctuation of the grains (their motion relative to the affine motion) per unit strain: one row per unknown of the
   /// stiffness matrix K, one column per strain. Zero for unknowns that no contact resists.
   Eigen::MatrixXd fluctuation;
-  /// Common displacement of the two walls of an axis per unit strain, such that both walls bear the same force: one row
+  /// Common displacement of the two walls of an axis per unit strain for which both walls bear the same force: one row
   /// per axis, one column per strain. Empty without walls.
   Eigen::MatrixXd wall_shift;
   FreeMotions free;
-  /// number of common displacements of the two walls of an axis that, with the grains, no stiffness resists
+  /// number of independent motions of pairs of opposite walls that no stiffness resists, if the two walls of each axis
+  /// move together and the grains relax
   int n_free_shifts = 0;
   /// number of negative eigenvalues of the stiffness of grains, wall shifts and dead ends
   int n_negative = 0;
   /// number of negative eigenvalues of the stiffness against wall shifts (`wall_shift`) after relaxation of the grains
   int n_negative_shifts = 0;
-  int n_mechanisms =
-      0;  ///< number of zero eigenvalues of the stiffness matrix K, except the free motions in `free`
-  /// relative backward error of the solution: largest net force on a grain over the size of the forces that add up to
-  /// it
+  /// number of zero eigenvalues of the stiffness matrix K, except the free motions in `free`
+  int n_mechanisms = 0;
+  /// relative backward error of the solution: largest net force on a grain divided by the size of the forces that add
+  /// up to it
   double residual = 0.0;
-  double condition =
-      1.0;  ///< estimated condition number of the stiffness matrix K; infinite if there are mechanisms
+  /// estimated condition number of the stiffness matrix K; infinite if there are mechanisms
+  double condition = 1.0;
   /// false if rounding leaves no digit of `relaxed` correct, even with the square root of the stiffness matrix
   bool resolved = true;
   /// Whether the solver counts negative eigenvalues and mechanisms. If it does not, `error` is an estimate instead of a
@@ -95,12 +97,13 @@ template <int Dim>
 [[nodiscard]] ElasticResponse elastic_response(const ContactNetwork<Dim>& network,
                                                const ResponseOptions& options, SymmetricFactor& factor);
 
-/// Solution and factor of an elastic response that are kept from one state to the next. The next iteration by conjugate
-/// gradients starts from the solution. The factor is its preconditioner as long as few contacts have changed.
+/// Solution and factor of an elastic response that are kept for the next state. Conjugate gradients start from the
+/// solution, and the factor is their preconditioner as long as few contacts have changed.
 struct ResponseMemory {
   std::unique_ptr<SymmetricFactor> factor;
   std::vector<int> unknown;  ///< for each row of the factor, the number of its unknown in the stiffness matrix
-  /// for each row of the factor, the unknown over the value solved for: 1, or for rotations 1/(size of the grain)
+  /// for each row of the factor: the unknown divided by the value solved for, which is 1 or, for rotations, 1/(size of
+  /// the grain)
   Eigen::VectorXd length;
   Eigen::MatrixXd fluctuation;  ///< fluctuation of the grains of the last network, see ElasticResponse
 };

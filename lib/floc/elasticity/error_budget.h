@@ -13,21 +13,22 @@ namespace floc {
 struct ErrorBudget {
   double solver = 0.0;  ///< bound on the error from solving and rounding (Moduli::B_error)
   /// Contribution of undecided contacts: B times their share of the elastic energy in an isotropic step of stress. A
-  /// contact is undecided if it might as well be open, because its elastic force is below the residual of the state, or
-  /// below the smallest residual that rounding allows if that is higher. Absent if there is no response to that step.
+  /// contact is undecided (it may be open or closed) if its elastic force is below the residual of the state, or below
+  /// the smallest residual that rounding allows if that is higher. Absent if there is no response to that step.
   std::optional<double> equilibrium;
   int n_undecided = 0;  ///< number of undecided contacts
-  /// Scatter of B between samples, estimated from one sample. In a large isotropic sample, the moduli C11, C22 (and
-  /// C33) would be equal. Their range is divided by Dim^2, the number of moduli of which B is the mean.
+  /// Estimate, from one sample, of the scatter of B between samples: the range of the moduli C11, C22 (and C33) divided
+  /// by Dim^2, the number of moduli of which B is the mean. In a large isotropic sample, these moduli would be equal.
   double sampling = 0.0;
-  /// Smallest residuals that rounding allows: net force over the force scale F1, and stress over F1/a^(Dim-1), with F1
-  /// and the largest diameter a as in `residual`.
+  /// Smallest residuals that rounding allows: net force divided by F1, and stress divided by F1/a^(Dim-1), with the
+  /// force scale F1 and the largest diameter a of `residual`.
   RoundingFloor floor;
-  /// largest net force on a grain over F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter a)
+  /// largest net force on a grain divided by F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter
+  /// a)
   double residual = 0.0;
 
-  /// Returns the name of the largest contribution: "solver", "sampling", or, if it is `equilibrium`, the reason why
-  /// contacts are undecided: "rounding" or "residual".
+  /// Returns the name of the largest contribution: "solver", "sampling" or, for `equilibrium`, the reason why contacts
+  /// are undecided: "rounding" or "residual".
   const char* limit() const;
 };
 

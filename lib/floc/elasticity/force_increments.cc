@@ -10,10 +10,11 @@
 namespace floc {
 namespace {
 
-/// Share of the energy of all touching contacts that StepResponse::n_holding contacts hold together.
+/// Share of the elastic energy of all touching contacts that is held by the StepResponse::n_holding contacts with the
+/// largest energies.
 constexpr double kHeldShare = 0.95;
-/// A unit stress counts as doing no work on a strain that no stiffness resists if the work is below this value. The
-/// strain is an eigenvector that is accurate to rounding.
+/// Largest work of a unit stress that counts as zero, on a strain that no stiffness resists. The strain is an
+/// eigenvector that is accurate to rounding.
 constexpr double kNoWork = 1e-9;
 
 template <int Dim>
@@ -34,8 +35,8 @@ std::optional<Eigen::VectorXd> strain_of(const ContactNetwork<Dim>& network, con
   const Eigen::MatrixXd relaxed = response.relaxed.topLeftCorner(Dim, Dim);
   const Eigen::MatrixXd free = vanishing_strains(relaxed, affine_stiffness(network, StrainSet::diagonal));
   if ((free.transpose() * stress).norm() > kNoWork) return std::nullopt;
-  // The strains in `free`, which no stiffness resists, are given a stiffness, so that the system can be solved. The
-  // stress does no work on them.
+  // The strains in `free`, which no stiffness resists, are given a stiffness to make the system solvable. The stress
+  // does no work on them.
   const Eigen::MatrixXd held = relaxed + relaxed.trace() * free * free.transpose();
   return Eigen::VectorXd(network.volume * solve_symmetric(held, stress));
 }
@@ -87,7 +88,7 @@ std::vector<ForceIncrement<Dim>> force_increments(const ContactNetwork<Dim>& net
   std::vector<ForceIncrement<Dim>> increments;
   increments.reserve(network.contacts.size());
   for (const NetworkContact<Dim>& c : network.contacts) {
-    // A dead end moves with the grain that it hangs on, so that the forces of its contact do not change.
+    // A dead end moves with the grain that it hangs on, so the forces of its contact do not change.
     if (response.free.dead_end[c.i] || response.free.dead_end[c.j]) {
       increments.push_back(increment_of<Dim>(c, ForceRows<Dim>::Zero()));
       continue;

@@ -38,13 +38,13 @@ struct StepResponse {
   Eigen::VectorXd strain;                       ///< diagonal strains of the cell (1/stress)
   std::vector<ForceIncrement<Dim>> increments;  ///< increment of the forces in each contact, per unit of stress
   /// Elastic energy 1/2 sum f^2/k of each contact (energy/stress^2), with the force increments f and the stiffnesses k;
-  /// negative for an attraction across a gap. The sum over all contacts is half the work of the stress, (strain .
-  /// stress) V/2, with the volume V.
+  /// negative for an attraction across a gap. The sum over all contacts is half the work of the stress, V/2 times the
+  /// scalar product of strain and stress, with the volume V.
   std::vector<double> energy;
   std::vector<int> rank;  ///< place of each contact in descending order of `energy`, from 0
   /// Smallest number of touching contacts that together hold 95 % of the elastic energy of all touching contacts.
   int n_holding = 0;
-  double energy_share_95 = 0.0;  ///< `n_holding` over the number of touching contacts
+  double energy_share_95 = 0.0;  ///< `n_holding` divided by the number of touching contacts
 };
 
 /// Computes the response of a network to a small step of the diagonal stresses.

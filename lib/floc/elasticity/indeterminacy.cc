@@ -11,8 +11,8 @@
 namespace floc {
 namespace {
 
-/// A column whose entries are of order 1 counts as dependent on others if its component orthogonal to them is shorter
-/// than this.
+/// A column whose entries are of order 1 counts as linearly dependent on other columns if its component orthogonal to
+/// them is shorter than this length.
 constexpr double kDependent = 1e-9;
 
 }  // namespace
@@ -45,7 +45,8 @@ Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_f
   std::erase_if(network.contacts, [&](const NetworkContact<Dim>& c) {
     return !(packing.contacts[c.source].elastic_force > smallest_force);
   });
-  // One unit spring for each component selects its row of the rigidity matrix, the transpose of the balance.
+  // The equations of balance are the transpose of the rigidity matrix. A spring of unit stiffness selects the row of
+  // one force component.
   const bool sticks = packing.law.resists_sliding();
   Indeterminacy out;
   std::vector<bool> connected(network.n_grains, false);
@@ -56,8 +57,8 @@ Indeterminacy rigid_indeterminacy(const Packing<Dim>& packing, double smallest_f
     connected[c.i] = connected[c.j] = true;
   }
   Eigen::SparseMatrix<double> matrix = scaled_rigidity_matrix(network, StrainSet::diagonal);
-  // Rotations and strains become lengths: a column of rounding errors, as of a rotation that nothing resists, then stays
-  // far below the others.
+  // Rotations and strains are converted to lengths. A column of rounding errors, such as that of a rotation that
+  // nothing resists, is then far smaller than all other columns.
   for (int u = 0; u < matrix.cols(); ++u) {
     const int grain = u / kDofs<Dim>;
     if (grain >= network.n_grains)

@@ -14,11 +14,12 @@ double pure_shear_modulus(const Eigen::MatrixXd& diagonal_block);
 /// @param diagonal_block  C: the Dim x Dim block of the matrix of moduli that belongs to the diagonal strains
 double bulk_modulus(const Eigen::MatrixXd& diagonal_block);
 
-/// Returns a bound on the error of the shear modulus that pure_shear_modulus() computes.
-/// @param diagonal_block_error  bounds on the errors of the moduli C11, C12, ... that pure_shear_modulus() is given
+/// Returns a bound on the error of the result of pure_shear_modulus().
+/// @param diagonal_block_error  bounds on the errors of the entries C11, C12, ... of the argument of
+/// pure_shear_modulus()
 double pure_shear_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
-/// Returns a bound on the error of the bulk modulus that bulk_modulus() computes.
-/// @param diagonal_block_error  bounds on the errors of the moduli C11, C12, ... that bulk_modulus() is given
+/// Returns a bound on the error of the result of bulk_modulus().
+/// @param diagonal_block_error  bounds on the errors of the entries C11, C12, ... of the argument of bulk_modulus()
 double bulk_modulus_error(const Eigen::MatrixXd& diagonal_block_error);
 
 }  // namespace floc

@@ -70,7 +70,7 @@ MeanFieldEstimates mean_field_estimates(const ContactNetwork<Dim>& network, doub
   const Averages m = average(network);
   if (m.n == 0.0) return out;
   const Sizes s = sizes_of(network);
-  // Number of contacts per volume, over Dim^2. For grains whose diameters d are drawn independently, the squared
+  // Number of contacts per volume, divided by Dim^2. For grains whose diameters d are drawn independently, the squared
   // distance between centres has the mean (<d^2> + <d>^2)/2.
   const double density = 0.5 * coordination * solid_fraction / s.volume / (Dim * Dim);
   out.B_voigt = density * m.kn * 0.5 * (s.d2 + s.d * s.d);

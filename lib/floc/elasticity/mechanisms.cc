@@ -11,10 +11,10 @@ namespace floc {
 namespace {
 
 /// Largest absolute eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the
-/// grains, because it may be due to rounding. It is a share of the trace of the stiffness without relaxation.
+/// grains, because it may be due to rounding. It is given as a share of the trace of the stiffness without relaxation.
 constexpr double kVanishingStiffness = 1e-11;
-/// Standard deviation of the random displacements that bring grains to general positions, over the size of the grain.
-/// It is of order one, but not so large that the two grains of a contact change places.
+/// Standard deviation of the random displacements that bring grains to general positions, divided by the size of the
+/// grain. It is of order one, but small enough that the two grains of a contact do not change places.
 constexpr double kDisplacement = 0.2;
 
 /// Returns |p|^2/|v|^2, where p is the projection of the vector v onto the span of the given orthonormal columns.

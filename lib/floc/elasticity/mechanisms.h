@@ -31,15 +31,15 @@ Eigen::MatrixXd vanishing_strains(const Eigen::MatrixXd& relaxed, const Eigen::M
 template <int Dim>
 StrainMechanisms strain_mechanisms(const ElasticResponse& response, const Eigen::MatrixXd& affine);
 
-/// Numbers of mechanisms of a network that follow from which grains touch, not from where the grains are.
+/// Numbers of mechanisms of a network that follow from the list of touching grains alone, and not from their positions.
 struct StructuralMechanisms {
   int n_mechanisms = 0;  ///< number of mechanisms of the grains at zero strain; free motions do not count
   int n_coupled = 0;     ///< number of strains of the cell that no stiffness resists
 };
 
 /// Counts the mechanisms that a network has when its grains are moved to random (general) positions, where no
-/// near-mechanism disturbs the count. If the original network has more mechanisms, they result from its special
-/// geometry. Lever arms stay along the normals, and every stiffness that is not zero is set to order one.
+/// near-mechanism disturbs the count. Additional mechanisms of the original network result from its special geometry.
+/// Lever arms stay along the normals, and every stiffness that is not zero is set to order one.
 template <int Dim>
 StructuralMechanisms structural_mechanisms(const ContactNetwork<Dim>& network, StrainSet strains);
 

@@ -17,8 +17,8 @@ namespace floc {
 enum class ModeKind {
   unstable,   ///< eigenvalue below zero
   mechanism,  ///< eigenvalue zero to rounding (free motions, see FreeMotions, do not count as modes)
-  /// positive eigenvalue up to max |F_N|/r, the largest ratio of normal force to distance between centres: prestress
-  /// could make it negative
+  /// positive eigenvalue up to max |F_N|/r, the largest ratio of normal force to distance between centres; prestress
+  /// could make such an eigenvalue negative
   near_mechanism,
   elastic,  ///< eigenvalue above max |F_N|/r, the largest ratio of normal force to distance between centres
 };
@@ -31,9 +31,10 @@ std::string name_of(ModeKind kind);
 template <int Dim>
 struct Mode {
   ModeKind kind = ModeKind::elastic;
-  double eigenvalue =
-      0.0;  ///< eigenvalue (force/length): twice the elastic energy over the squared length of `motion`
-  /// twice the energy with the geometric terms of the prestress, over the squared length of `motion` (force/length)
+  /// eigenvalue (force/length): twice the elastic energy divided by the squared length of `motion`
+  double eigenvalue = 0.0;
+  /// twice the energy with the geometric terms of the prestress, divided by the squared length of `motion`
+  /// (force/length)
   double with_prestress = 0.0;
   /// displacements (length) and rotations (radians) of all grains; a unit vector if rotations are multiplied by the
   /// grain's size
@@ -48,8 +49,8 @@ struct Mode {
   double softens_B = 0.0;  ///< decrease of the bulk modulus of affine motion that this mode causes (stress)
   /// decrease of the shear modulus (C11 + C22 - 2 C12)/4 of affine motion that this mode causes (stress)
   double softens_G = 0.0;
-  /// The fewest grains that together have half of the squared amplitude of the mode, in descending order of their
-  /// amplitudes; at most `kMaxNamed`.
+  /// The smallest set of grains that together have half of the squared amplitude of the mode, in descending order of
+  /// their amplitudes; at most `kMaxNamed`.
   std::vector<int> grains;
 
   static constexpr int kMaxNamed = 12;
@@ -60,9 +61,9 @@ struct ModeOptions {
   /// Number of modes to compute. If absent: all modes that are not ModeKind::elastic, but at least 10 and at most 100.
   std::optional<int> count;
   static constexpr WholeRange kCount{.least = 1, .most = std::numeric_limits<int>::max()};
-  /// Largest absolute eigenvalue that counts as a mechanism, as a share of the largest contact stiffness. It can be
-  /// this small because eigenvalues are recomputed as sums of squares over the contacts, which the rounding of the
-  /// stiffness matrix does not affect. Mechanisms have been seen at 1e-19 and below.
+  /// Largest absolute eigenvalue that counts as a mechanism, as a share of the largest contact stiffness. Such a small
+  /// share is possible because eigenvalues are recomputed as sums of squares over the contacts, which the rounding of
+  /// the stiffness matrix does not affect. Mechanisms have been seen at 1e-19 and below.
   double mechanism_bound = 1e-16;
   Ordering ordering = Ordering::amd;
 };
@@ -76,8 +77,8 @@ struct SoftModes {
   /// number of modes with eigenvalues up to `near_bound` (unstable modes, mechanisms and near-mechanisms), from the
   /// inertia of the stiffness matrix shifted by this bound
   int n_below_near_bound = 0;
-  bool complete =
-      true;  ///< whether `modes` contains every mode whose eigenvalue is below that of the last mode in it
+  /// whether `modes` contains every mode whose eigenvalue is below the largest eigenvalue in `modes`
+  bool complete = true;
 };
 
 /// Finds the softest modes of a network, without its free motions (see FreeMotions), by Lanczos' method with shift and

@@ -20,16 +20,16 @@
 namespace floc {
 namespace {
 
-/// Modulus that counts as zero because it may be due to rounding, as a share of the Voigt stiffness. It is used if no
-/// error bound is available.
+/// Largest modulus that counts as zero because it may be due to rounding, as a share of the Voigt stiffness. It is used
+/// if no error bound is available.
 constexpr double kVanishingModulus = 1e-11;
 /// Condition number of the stiffness matrix above which a warning says that soft modes dominate the moduli.
 constexpr double kWarnCondition = 1e10;
 /// Tolerance of a solution by a factor, as a share of the tolerance on the moduli. Each refinement step squares the
-/// error, so that this strict tolerance costs no more steps.
+/// error, so this strict tolerance costs no more steps.
 constexpr double kToleranceOfSolution = 1e-3;
-/// Tolerance of a solution by any other method, as a share of the tolerance on the moduli. Its steps do not square the
-/// error, so that a stricter tolerance would cost more steps.
+/// Tolerance of a solution by any other method, as a share of the tolerance on the moduli. The steps of such a method
+/// do not square the error, so a stricter tolerance would cost more steps.
 constexpr double kToleranceOfIterativeSolution = 0.1;
 /// B_reuss counts as a lower bound on B_S, the bulk modulus under imposed stress, if the normal stresses along the axes
 /// differ from the pressure by at most this share of the pressure.
@@ -37,7 +37,8 @@ constexpr double kIsotropic = 1e-4;
 /// Bound on the relative rounding error of the cell's volume, and of the stresses that prestress adds to the moduli.
 constexpr double kCellRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Returns the absolute value below which an eigenvalue of the moduli C cannot be told from zero.
+/// Returns the largest absolute value that an eigenvalue of the moduli C may have if it cannot be distinguished from
+/// zero.
 /// @param scale  Voigt stiffness, the stiffness of affine motion (stress)
 double vanishing_bound(double scale, const Moduli& m) {
   const double error = m.C_error.rowwise().sum().maxCoeff();
@@ -106,7 +107,7 @@ void derive_constants(double scale, Moduli& m) {
 void check_errors(bool resolved, double tolerance, Moduli& m) {
   if (!resolved) {
     m.warnings.push_back(
-        "no moduli are given, because rounding leaves no digit of them correct, even with a factor of the "
+        "no moduli are given, because rounding leaves none of their digits correct, even with a factor of the "
         "rigidity matrix");
     m.C.setConstant(std::numeric_limits<double>::quiet_NaN());
     m.B = m.B_S = m.G = m.isotropy_defect = m.C(0, 0);
@@ -138,12 +139,13 @@ void add_warnings(Moduli& m) {
     m.warnings.push_back(
         fmt::format("the state is unstable: the stiffness matrix has {} negative eigenvalue(s)", m.n_negative));
   if (m.n_mobilised > 0)
-    m.warnings.push_back(
-        fmt::format("{} contact(s) slide or yield; the moduli treat them as elastic", m.n_mobilised));
+    m.warnings.push_back(fmt::format(
+        "{} contact(s) are mobilised (their force is at its limit); the moduli treat them as elastic",
+        m.n_mobilised));
   if (std::isfinite(m.condition) && m.condition > kWarnCondition)
     m.warnings.push_back(
         fmt::format("the stiffness matrix has a condition number of {:.1e}: soft modes dominate the moduli; "
-                    "compare them with the moduli with prestress",
+                    "compare them with the moduli computed with prestress",
                     m.condition));
   if (!m.bounds_hold())
     m.warnings.push_back("B_reuss and B_voigt do not bound B, because " + m.bounds.fault);
@@ -203,8 +205,8 @@ ContactNetwork<Dim> ModuliOptions::loaded_network(const Packing<Dim>& packing) c
 
 namespace {
 
-/// Sets B to the middle between B_reuss and B_voigt, G to the middle between 0 and G_voigt, and their errors to half
-/// the distance between these bounds. If the bounds are not guaranteed, sets m.failure instead.
+/// Sets B to the mean of B_reuss and B_voigt, G to the mean of 0 and G_voigt, and their errors to half the distance
+/// between these bounds. If the bounds are not guaranteed, sets m.failure instead.
 void set_midpoint_of_bounds(int n_strains, Moduli& m) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   m.method = ModuliMethod::bounds;
@@ -215,7 +217,8 @@ void set_midpoint_of_bounds(int n_strains, Moduli& m) {
     m.failure = m.bounds.fault;
     return;
   }
-  const double low = std::min(m.bounds.B_reuss, m.bounds.B_voigt);  // B_reuss <= B_voigt except for rounding
+  // B_reuss <= B_voigt holds except for rounding
+  const double low = std::min(m.bounds.B_reuss, m.bounds.B_voigt);
   m.B = 0.5 * (low + m.bounds.B_voigt);
   m.B_error = 0.5 * (m.bounds.B_voigt - low);
   m.G = m.G_error = 0.5 * m.bounds.G_voigt;
@@ -289,7 +292,7 @@ Moduli solved_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>&
   return m;
 }
 
-/// Stores in the moduli `with` prestress B, G and the response of the moduli `without` prestress.
+/// Adds B, G and the response of the moduli `without` prestress to the moduli `with` prestress.
 /// @return the completed moduli, or `without` if it contains no moduli
 Moduli beside(Moduli without, Moduli with) {
   if (!without.failure.empty()) return without;

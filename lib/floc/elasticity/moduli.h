@@ -15,13 +15,14 @@ class ParallelSolver;
 
 /// Method by which the moduli are computed. It determines their cost, and whether their errors are bounds or estimates.
 enum class ModuliMethod {
-  factor,         ///< Cholesky factor in double precision; gives error bounds
-  single_factor,  ///< Cholesky factor in single precision, refined in double: half the memory; gives error estimates
+  factor,  ///< Cholesky factor in double precision; gives error bounds
+  /// Cholesky factor in single precision, with refinement in double precision: half the memory; gives error estimates
+  single_factor,
   /// conjugate gradients that start from the solution of the last state, with its factor as preconditioner; gives error
   /// estimates
   iterative,
-  /// Middle between the lower and the upper bound of each modulus; no system is solved. Half the distance between the
-  /// bounds is a bound on the error. Fails if the bounds are not guaranteed (Bounds::fault). The stress-controlled bulk
+  /// Mean of the lower and the upper bound of each modulus; no system is solved. Half the distance between the bounds
+  /// is a bound on the error. Fails if the bounds are not guaranteed (Bounds::fault). The stress-controlled bulk
   /// modulus B_S and its error are NaN if the stress is not isotropic.
   bounds,
   petsc,  ///< conjugate gradients by PETSc, on one process or many; gives error estimates
@@ -37,16 +38,16 @@ struct ModuliOptions {
   /// force, in units of F1 = max(F0, P a^(Dim-1)) (pull-off force F0, pressure P, largest diameter a). The default is
   /// the tolerance of an equilibrium (docs/physics.md, "Equilibrium").
   double force_tolerance = 1e-5;
-  /// If given: rolling stiffness (force * length) of every touching contact, in place of the stiffness of the contact
-  /// law.
+  /// Rolling stiffness of every touching contact, in place of the stiffness of the contact law (force * length); absent
+  /// if the contact law applies.
   std::optional<double> rolling_stiffness;
   Ordering ordering = Ordering::automatic;
-  /// Whether the packing was brought to equilibrium under zero stress. The small stress that its contact forces still
-  /// give is then a residual, which gives no lower bound on the moduli (B_reuss = 0).
+  /// Whether the packing was brought to equilibrium under zero stress. Its contact forces then still give a small
+  /// stress, which is a residual and gives no lower bound on the moduli (B_reuss = 0).
   bool unloaded = false;
   /// Tolerance on the relative errors of B and G. A warning is given if their error bounds exceed it.
   double tolerance = 1e-10;
-  /// Largest size of a factor (bytes). If the factor would be larger, there are no moduli, see Moduli::failure.
+  /// Largest size of a factor (bytes). If the factor would be larger, no moduli are computed, see Moduli::failure.
   double largest_factor = std::numeric_limits<double>::infinity();
 
   /// Returns the contacts from which the moduli of a packing are computed: all contacts but those of rattlers, with
@@ -58,12 +59,12 @@ struct ModuliOptions {
   std::vector<std::string> validate() const;
 };
 
-/// Load on a contact network. The moduli of the network depend on it as well as on the contacts.
+/// Load on a contact network, which the moduli of the network depend on.
 template <int Dim>
 struct NetworkLoad {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static stress, compression positive (force/length^(Dim-1))
-  bool unloaded =
-      false;  ///< whether the network was brought to equilibrium under zero stress, see ModuliOptions
+  /// whether the network was brought to equilibrium under zero stress, see ModuliOptions
+  bool unloaded = false;
   MeanField mean_field{};  ///< averages for the mean-field forms of the bounds
   /// number of mobilised contacts (whose force is at its limit), which the moduli treat as elastic
   int n_mobilised = 0;
@@ -88,7 +89,7 @@ struct Moduli {
   double B_error = 0.0;
   double B_S_error = 0.0;
   double G_error = 0.0;
-  /// difference between the largest and the smallest of C11, C22 (and C33), over their mean
+  /// difference between the largest and the smallest of C11, C22 (and C33), divided by their mean
   double isotropy_defect = 0.0;
   Bounds bounds;  ///< bounds on these moduli; not guaranteed with prestress, see Bounds::fault
   /// Whether the principal stresses of the load are equal to one part in 10^4, or bounds.B_reuss is zero.
@@ -103,27 +104,29 @@ struct Moduli {
   /// number of mobilised contacts (whose force or moment is at its limit); C treats them as elastic
   int n_mobilised = 0;
   double pressure = 0.0;  ///< pressure: mean of the diagonal of load_stress() (force/length^(Dim-1))
-  /// relative backward error of the solution: largest net force on a grain over the size of the forces that add up to
-  /// it
+  /// relative backward error of the solution: largest net force on a grain divided by the size of the forces that add
+  /// up to it
   double residual = 0.0;
   /// estimated condition number of the stiffness matrix; infinite if there are mechanisms
   double condition = 1.0;
-  /// B and G without prestress; present if `options.prestress` is set. Prestress contributes B - B_without_prestress to
-  /// B, and likewise to G.
+  /// B and G without prestress; present if `options.prestress` is set. The prestress contributes the difference between
+  /// B and B_without_prestress, and between G and G_without_prestress.
   std::optional<double> B_without_prestress;
   std::optional<double> G_without_prestress;
   /// Response, without prestress, of the network from which the moduli were computed. Mechanisms, force increments and
   /// the backbone are computed from it.
   ElasticResponse response;
-  /// Method that was used: the one in the options, or ModuliMethod::factor if that one failed. Only
+  /// Method that was used: the one in the options, or ModuliMethod::factor if that method failed. Only
   /// ModuliMethod::factor counts negative eigenvalues and mechanisms, and gives error bounds from the solution. With
   /// ModuliMethod::bounds, the error is half the distance between the bounds; with other methods, it is an estimate.
   ModuliMethod method = ModuliMethod::factor;
   int steps = 0;  ///< number of refinement steps of the solution
   std::vector<std::string> warnings;
-  /// Returns whether B_reuss <= B <= B_voigt is guaranteed for the bounds in `bounds`.
+  /// Returns whether B_reuss <= B <= B_voigt is guaranteed, for the bulk modulus B and the bounds B_reuss and B_voigt
+  /// in `bounds`.
   bool bounds_hold() const { return bounds.fault.empty(); }
-  /// Returns whether B_reuss <= B_S is guaranteed for the lower bound in `bounds`.
+  /// Returns whether B_reuss <= B_S is guaranteed, for the bulk modulus B_S under imposed stress and the bound B_reuss
+  /// in `bounds`.
   bool bounds_hold_B_S() const { return bounds_hold() && isotropic_stress; }
   /// Reason why there are no moduli, as a sentence; of all members only `bounds` is then meaningful. Empty if there are
   /// moduli.
@@ -136,14 +139,14 @@ struct Moduli {
 ///
 /// Without prestress C = K/V, with the stiffness K against strain after relaxation of the grains and the volume V.
 ///
-/// With prestress, the Cauchy stress sigma changes with the symmetric strain E by dsigma = K E/V - sym(sigma E) + sigma
-/// tr E. For diagonal strains this means C_ab = K_ab/V + sigma_a (1 - delta_ab), which equals H_ab/V + sigma_a for the
-/// relaxed Hessian H of the energy in ln L, with the sides L of the cell. If C were computed from H/V alone, B would be
-/// smaller by the pressure P, and G would be the same. If the stress is not isotropic, this matrix is not symmetric,
-/// and C is its symmetric part.
+/// With prestress, a symmetric strain E changes the Cauchy stress sigma by dsigma = K E/V - sym(sigma E) + sigma tr E.
+/// For diagonal strains this means C_ab = K_ab/V + sigma_a (1 - delta_ab), with the Kronecker delta. This equals H_ab/V
+/// + sigma_a, where H is the Hessian, after relaxation, of the energy as a function of ln L, with the sides L of the
+/// cell. H/V alone would give the same G, but a B that is smaller by the pressure P. If the stress is not isotropic,
+/// this matrix is not symmetric, and C is its symmetric part.
 ///
-/// An eigenvalue of C that is within its error bound of zero is set to zero and counted as a mechanism that changes the
-/// strain of the cell. Moduli without any correct digit are NaN, with a warning.
+/// An eigenvalue of C whose absolute value is within its error bound is set to zero and counted as a mechanism that
+/// changes the strain of the cell. Moduli without any correct digit are NaN, with a warning.
 /// @param network  contacts from which the moduli are computed; `options.rolling_stiffness` does not change them
 /// @param load     load that the network carries
 /// @throws InputError if an option is invalid
@@ -151,7 +154,7 @@ template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
                                     const ModuliOptions& options);
 
-/// Computes the moduli with prestress from the moduli without it, whatever `options.prestress` is.
+/// Computes the moduli with prestress from the moduli without prestress, for any value of `options.prestress`.
 /// @param without  moduli of the same network without prestress
 template <int Dim>
 [[nodiscard]] Moduli prestressed_moduli(const ContactNetwork<Dim>& network, const NetworkLoad<Dim>& load,
@@ -161,15 +164,15 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const Packing<Dim>& packing, const ModuliOptions& options);
 
-/// Computes the moduli by ModuliMethod::petsc, whatever `options.method` is. All processes of the solver have to call
-/// this function with the same arguments, and all obtain the same moduli.
+/// Computes the moduli by ModuliMethod::petsc, for any value of `options.method`. All processes of the solver have to
+/// call this function with the same arguments, and all obtain the same moduli.
 /// @param centres  centres of the grains (length), by which the grains are distributed over the processes
 template <int Dim>
 [[nodiscard]] Moduli elastic_moduli(const ContactNetwork<Dim>& network, const std::vector<Vec<Dim>>& centres,
                                     const NetworkLoad<Dim>& load, const ModuliOptions& options,
                                     ParallelSolver& solver);
 
-/// Computes the moduli of a packing for each of several rolling stiffnesses, with a single symbolic factorization.
+/// Computes the moduli of a packing for several rolling stiffnesses, with a single symbolic factorization.
 /// @param rolling_stiffness  values >= 0 that replace options.rolling_stiffness one after another (force * length)
 /// @return moduli for each of these rolling stiffnesses
 template <int Dim>
@@ -177,7 +180,7 @@ template <int Dim>
                                                  const std::vector<double>& rolling_stiffness);
 
 /// Computes the moduli of successive states, such as those of a loading path. With ModuliMethod::iterative, the
-/// solution of a state starts from that of the previous one if both have the same number of grains.
+/// solution of a state starts from that of the previous state if both states have the same number of grains.
 template <int Dim>
 class ModuliSequence {
  public:

@@ -14,14 +14,14 @@ namespace {
 /// Smallest relative error of a modulus that may be required: the rounding error of the cell's volume.
 constexpr double kMinError = 1e-14;
 /// B_reuss counts as a lower bound on B_S, the bulk modulus under imposed stress, if the range of the principal
-/// stresses over their mean is at most this share of the required relative accuracy. Stresses P (1 + delta_a) make the
-/// bound wrong by about the largest delta_a.
+/// stresses, divided by their mean, is at most this share of the required relative accuracy. Principal stresses P (1 +
+/// delta_a), with the pressure P, make the bound wrong by a relative error of about the largest delta_a.
 constexpr double kAnisotropyShare = 0.01;
 /// Largest number of grains for which a factor in single precision is cheaper than one in double precision.
 constexpr int kMaxForSingle = 1000;
 
-/// Returns whether the moduli may be taken as the middle between their bounds: only B is required, and the stress is
-/// nearly isotropic.
+/// Returns whether the moduli may be taken as the mean of their bounds: only B is required, and the stress is nearly
+/// isotropic.
 template <int Dim>
 bool bounds_suffice(const Packing<Dim>& packing, const ModuliOptions& options, const ModuliAccuracy& accuracy) {
   if (std::isfinite(accuracy.G) || options.strains == StrainSet::full) return false;

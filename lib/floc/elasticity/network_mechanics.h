@@ -23,8 +23,8 @@ struct ContactMechanics {
   std::vector<bool> backbone;
 };
 
-/// Computes the response of each contact to an isotropic and to a deviatoric step of stress, and finds in which
-/// directions the network percolates.
+/// Computes the response of each contact to an isotropic and to a deviatoric step of stress, and finds the backbone and
+/// the directions in which the network percolates.
 /// @param moduli  moduli of the same network
 template <int Dim>
 ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, const Moduli& moduli);
@@ -32,9 +32,9 @@ ContactMechanics<Dim> contact_mechanics(const ContactNetwork<Dim>& network, cons
 /// Numbers that describe how far the contacts of a network determine its forces (docs/physics.md, "Stability and
 /// mechanisms").
 struct NetworkMechanics {
-  double rattler_fraction = 0.0;  ///< x0: number of rattlers over number of grains
+  double rattler_fraction = 0.0;  ///< x0: number of rattlers divided by the number of grains
   /// Coordination number without rattlers: twice the number of touching contacts between grains that are not rattlers,
-  /// over the number of these grains.
+  /// divided by the number of these grains.
   double z_star = 0.0;
   /// Dimensionless shear modulus G/(K_N Phi (1 - x0)), with the mean normal stiffness K_N of touching contacts, the
   /// solid fraction Phi and the rattler fraction x0; in 3D multiplied by the largest diameter. Absent without contacts.

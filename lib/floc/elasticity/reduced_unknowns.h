@@ -7,13 +7,13 @@
 
 namespace floc {
 
-/// Unknowns of the stiffness matrix K that are solved for; no contact resists the others, which are free motions. The
-/// values solved for are all lengths: rotations are multiplied by the grain's size.
+/// Unknowns of the stiffness matrix K that are solved for. All other unknowns are free motions, which no contact
+/// resists. The values solved for are all lengths: rotations are multiplied by the grain's size.
 struct ReducedUnknowns {
   std::vector<int> row;  ///< for each unknown of K, its row in the reduced system; -1 if it is not solved for
   std::vector<int> unknown;  ///< for each row of the reduced system, its unknown of K
-  /// for each row of the reduced system, the unknown of K over the value solved for: 1, or for rotations 1/(size of the
-  /// grain)
+  /// for each row of the reduced system: the unknown of K divided by the value solved for, which is 1 or, for
+  /// rotations, 1/(size of the grain)
   Eigen::VectorXd length;
 };
 

@@ -20,10 +20,10 @@
 namespace floc {
 namespace {
 
-/// Largest eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the grains.
-/// It is a share of the stiffness without relaxation. A strain with such an eigenvalue is a mechanism.
+/// Largest eigenvalue that counts as zero in the stiffness against strain of the cell after relaxation of the grains,
+/// as a share of the stiffness without relaxation. A strain with such an eigenvalue is a mechanism.
 constexpr double kVanishingStrain = 1e-11;
-/// Condition number above which a Cholesky factor may hide a mechanism, so that the eigenvalues are counted instead.
+/// Condition number above which a Cholesky factor may hide a mechanism. Above it, the eigenvalues are counted instead.
 constexpr double kSuspiciousCondition = 1e12;
 /// Assumed largest eigenvalue of a stiffness matrix scaled to a diagonal of 1. In packings it is 2 to 4.
 constexpr double kLargestEigenvalue = 4.0;
@@ -51,10 +51,10 @@ struct ReducedStiffness {
 };
 
 /// Returns how far below zero the eigenvalue of a mechanism may be, in units of the largest contact stiffness, because
-/// only the symmetric part S of the tangent matrix K = S + A is tested. A mechanism v has K v = 0 and thus S v = -A v.
-/// The antisymmetric part A couples v to stiff motions (stiffness k), which changes v.S v = 0 by -|A v|^2/k. A comes
-/// from tangential forces F_T and moments alone and is of the order of F_T/r, with the distance r between centres. A
-/// real instability from geometric terms is of the order of F_T/r itself, not of its square over k.
+/// only the symmetric part S of the tangent matrix K = S + A is tested. A mechanism v has K v = 0 and thus S v = -A v,
+/// with the antisymmetric part A of K. A couples v to stiff motions (stiffness k), which changes v.S v = 0 by -|A
+/// v|^2/k. A comes from tangential forces F_T and moments alone and is of the order of F_T/r, with the distance r
+/// between centres. A real instability from geometric terms is of the order of F_T/r, not of its square divided by k.
 template <int Dim>
 double unresolved_by_symmetry(const ContactNetwork<Dim>& network, double unit) {
   double largest = 0.0;
@@ -94,7 +94,8 @@ ReducedStiffness reduced_stiffness(const ContactNetwork<Dim>& whole, const std::
 
 /// Tests the stability by a factor. By Haynsworth's theorem, the stiffness matrix has as many negative eigenvalues as
 /// the block of the grains and its Schur complement together. The Schur complement is the stiffness against strain
-/// after relaxation of the grains. No refinement is needed, because the rounded factor is exact for a nearby matrix.
+/// after relaxation of the grains. The solution needs no refinement, because a factor with rounding errors is the exact
+/// factor of a nearby matrix.
 /// @return result of the test; without a number, but with the reason, if the factor would be too expensive
 Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& options) {
   SymmetricFactor factor;
@@ -111,8 +112,8 @@ Stability test_by_factor(const ReducedStiffness& k, const StabilityOptions& opti
   return {n_negative + count_below(relaxed, -k.vanishing), ""};
 }
 
-/// Stiffness matrix of grains and strains, scaled to a diagonal of 1. An iterative test uses only its products with
-/// vectors.
+/// Stiffness matrix of grains and strains, scaled to a diagonal of 1. An iterative test uses this matrix only in
+/// products with vectors.
 class ScaledStiffness {
  public:
   explicit ScaledStiffness(const ReducedStiffness& k) : grains_(k.grains), border_(k.border) {
@@ -150,8 +151,9 @@ class ScaledStiffness {
 Stability test_by_iteration(const ReducedStiffness& k, const StabilityOptions& options,
                             const std::string& no_factor) {
   if (k.n_unstable_ends > 0)
-    return {k.n_unstable_ends,
-            no_factor + "some grains are held only by an attraction across a gap, which is unstable"};
+    return {
+        k.n_unstable_ends,
+        no_factor + "some grains are held only by an attraction across a gap, which makes the state unstable"};
   const ScaledStiffness scaled(k);
   PositivityOptions test;
   test.bound = options.bound;

@@ -15,16 +15,16 @@ struct StabilityOptions {
   double most_operations = 1e12;
   /// Tolerance of the iterative test, which replaces a factor that would be too expensive: a state counts as stable if
   /// no eigenvalue of the stiffness matrix, scaled to a diagonal of 1, is below minus this value. Real instabilities
-  /// have eigenvalues far below: if a grain has separated from its neighbours to the end of the range D0 of an
-  /// attraction with the pull-off force F0, the lowest eigenvalue is of the order of -F0/(D0 K_N), about -1e-2, with
-  /// the normal stiffness K_N.
+  /// have far lower eigenvalues: if a grain is at the distance from its neighbours at which their attraction ends, the
+  /// lowest eigenvalue is of the order of -F0/(D0 K_N), about -1e-2, with the pull-off force F0, the range D0 of the
+  /// attraction and the normal stiffness K_N.
   double bound = 1e-4;
 };
 
 /// Result of a test of the stability of a state.
 struct Stability {
   /// Number of negative eigenvalues of the stiffness matrix; 0 for a stable state. An iterative test stops at the first
-  /// negative eigenvalue and gives 1. No value if the state was not tested, or if an iterative test did not reach its
+  /// negative eigenvalue and gives 1. Absent if the state was not tested, or if an iterative test did not reach its
   /// tolerance.
   std::optional<int> n_negative;
   /// Method and result of the test, or the reason why there was no test, as a sentence. Empty if a factor of the
@@ -37,7 +37,7 @@ struct Stability {
 
 /// Counts the negative eigenvalues of the stiffness matrix of a network. Its unknowns are the motions of the grains and
 /// the diagonal strains of the cell. Motions that cost no energy do not count: mechanisms, rigid translations, and the
-/// motions of rattlers and free rollers. The number is found in the first of these ways that applies:
+/// motions of rattlers and free rollers. The first rule that applies gives the number:
 /// 1. If no contact has a negative stiffness, it is zero.
 /// 2. If the matrix has a Cholesky factor, it is zero.
 /// 3. Otherwise it is the number of negative entries of S in the factorization L S L^T.
@@ -65,7 +65,7 @@ template <int Dim>
 /// - With liquid bridges, the test includes the geometric terms of the forces: the length r of a bridge is comparable
 ///   to the length over which its force F decays, and its transverse stiffness F/r may exceed its negative normal
 ///   stiffness.
-/// - Without liquid, the terms are left out: an attraction that decreases linearly across the gap has a short range.
+/// - Without liquid, these terms are left out, because the attraction has a short range compared with r.
 template <int Dim>
 [[nodiscard]] Stability stability_at_rest(const Packing<Dim>& packing);
 

@@ -9,8 +9,8 @@ namespace floc {
 namespace {
 
 /// Largest stiffness against a wall shift (common displacement of the two walls of an axis) that counts as zero,
-/// because it may be due to rounding. It is a share of the stiffness against strain. Such grains touch no other
-/// boundary than these two walls and move with them.
+/// because it may be due to rounding, as a share of the stiffness against strain. A shift has no stiffness if the
+/// grains between the two walls touch no other boundary and move along with the walls.
 constexpr double kFreeShift = 1e-11;
 
 }  // namespace
@@ -20,7 +20,7 @@ void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out)
   const auto n = static_cast<Eigen::Index>(network.wall_axes.size());
   const Eigen::Index n_strains = out.relaxed.rows() - n;
   // The wall shifts (common displacements of the two walls of an axis) are eliminated by a pseudo-inverse. A shift
-  // without stiffness moves the grains along without resistance, and its amplitude does not matter.
+  // without stiffness moves the grains along freely, and its amplitude does not matter.
   const SymmetricEigen eigen = symmetric_eigen(out.relaxed.bottomRightCorner(n, n));
   const double least = kFreeShift * out.relaxed.trace();
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(n);
@@ -39,9 +39,9 @@ void relax_wall_shifts(const ContactNetwork<Dim>& network, ElasticResponse& out)
   for (Eigen::Index k = 0; k < n; ++k)
     out.wall_shift.row(network.wall_axes[static_cast<std::size_t>(k)]) =
         wall_shift_unit(network) * with_strain.row(n_strains + k);
-  // The stiffness after relaxation is computed as T^T K T, where T contains the wall shifts that relax under each
-  // strain. The bound on its error is |T|^T error |T|, which a Schur complement would not give. Infinite bounds would
-  // become NaN in this product; in that case, all bounds are set to infinity.
+  // The stiffness after relaxation is computed as T^T K T, where the matrix T contains the wall shifts that relax under
+  // each strain. The bound on its error is |T|^T error |T|, which a Schur complement would not give. Infinite bounds
+  // would become NaN in this product; in that case, all bounds are set to infinity.
   const Eigen::MatrixXd magnitude = with_strain.cwiseAbs();
   out.relaxed = (with_strain.transpose() * out.relaxed * with_strain).eval();
   const bool bounded = out.error.allFinite();

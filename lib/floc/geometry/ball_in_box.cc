@@ -20,8 +20,8 @@ double beyond_corner(const Vec<3>& t) {
   for (int k = 0; k < 3; ++k) {
     const double a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     const double rho = std::sqrt(1.0 - a * a);
-    // Gauss-Bonnet terms of the arc in which the plane x = a cuts the sphere: its geodesic curvature, and the angle at
-    // its end on the plane y = b.
+    // Gauss-Bonnet terms of the arc along which the plane x = a cuts the sphere: the geodesic curvature of the arc, and
+    // the angle at its end on the plane y = b.
     sphere -= a * (std::acos(std::min(1.0, b / rho)) - std::asin(std::min(1.0, c / rho)));
     sphere -= std::acos(std::max(-1.0, -a * b / (rho * std::sqrt(1.0 - b * b))));
     faces += a * rho * rho * beyond_corner(Vec<2>(std::min(1.0, b / rho), std::min(1.0, c / rho)));
@@ -35,8 +35,8 @@ template <int Dim>
 double beyond(Vec<Dim> t, int axis = 0) {
   for (; axis < Dim; ++axis) {
     if (t[axis] >= 0.0) continue;
-    // The part beyond a plane below the centre is the whole ball less the part beyond the mirror image of the plane.
-    // The whole ball counts as two halves, each beyond the plane through the centre.
+    // The part beyond a plane below the centre is the whole ball minus the part beyond the mirror image of the plane.
+    // The volume of the whole ball is twice the volume of the part beyond the plane through the centre.
     Vec<Dim> mirrored = t;
     mirrored[axis] = -t[axis];
     t[axis] = 0.0;

@@ -15,7 +15,7 @@ struct Cell {
   /// Time derivative of the lattice vectors in `matrix` (length/time).
   Mat<Dim> velocity = Mat<Dim>::Zero();
 
-  /// Returns the area (2D) or volume (3D), which is positive also for a left-handed lattice.
+  /// Returns the area (2D) or volume (3D) of the cell; it is also positive for a left-handed lattice.
   double volume() const { return std::abs(matrix.determinant()); }
 
   /// Returns the displacement from a point to its periodic image that is `image` cells away along each lattice vector:

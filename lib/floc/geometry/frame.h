@@ -7,7 +7,7 @@
 namespace floc {
 
 /// Number of components of a tangential displacement. In 2D it is one number, along the tangent. In 3D it is a vector
-/// in space, normal to the contact normal, so that no pair of tangents has to be chosen.
+/// in space, normal to the contact normal; a pair of tangents is not needed.
 template <int Dim>
 inline constexpr int kShearComponents = Dim == 2 ? 1 : 3;
 
@@ -61,7 +61,7 @@ inline Vec<2, T> from_shear(const Vec<2, T>& n, const Shear<2, T>& shear) {
 }
 template <class T>
 inline Vec<3, T> from_shear(const Vec<3, T>&, const Shear<3, T>& shear) {
-  // component by component, because GCC would otherwise copy the whole vector through memory
+  // Component by component, because GCC would otherwise copy the whole vector through memory.
   return {shear[0], shear[1], shear[2]};
 }
 
@@ -76,12 +76,13 @@ inline RotationVector<3, T> rolling_part(const Vec<3, T>& n, const RotationVecto
   return to_shear<T>(n, rotation);
 }
 
-/// Turns the elongation of the tangential or rolling spring of a contact with the contact, whose unit normal has
-/// changed from n0 to n1. In 2D the elongation is a number along the tangent, and does not change. In 3D it is a
-/// vector. It is turned by the smallest rotation that takes n0 to n1, and then about n1 by the mean spin of the two
-/// grains. Without both rotations, the force between two grains that rotate together as a rigid body would change.
+/// Rotates the elongation of the tangential or rolling spring of a contact with the contact, whose unit normal has
+/// changed from n0 to n1. In 2D the elongation is a number along the tangent and does not change. In 3D it is a vector:
+/// it is rotated by the smallest rotation that takes n0 to n1, and then about n1 by the mean rotation of the two
+/// grains. Without either of these rotations, the force between two grains that rotate together as a rigid body would
+/// change.
 ///
-/// The last argument is the rotation of the grains about the normal, averaged over both (radians; ignored in 2D).
+/// The last argument is the mean rotation of the two grains about the normal (radians; ignored in 2D).
 template <class T>
 inline Shear<2, T> transport(const Shear<2, T>& shear, const Vec<2, T>&, const Vec<2, T>&, const T&) {
   return shear;
@@ -93,7 +94,8 @@ inline Shear<3, T> transport(const Shear<3, T>& shear, const Vec<3, T>& n0, cons
   using std::sin;
   const Vec<3, T> axis = moment<T>(n0, n1);
   const T c = n0.dot(n1);
-  // Rodrigues' formula for the rotation n0 -> n1; 1 + c vanishes only for a turn by 180 degrees in one step.
+  // Rodrigues' formula for the rotation n0 -> n1. The denominator 1 + c is zero only for a rotation by 180 degrees in
+  // one step.
   const Vec<3, T> turned =
       c * shear + moment<T>(axis, Vec<3, T>(shear)) + axis * (axis.dot(shear) / (T(1) + c));
   // The rotation about the normal does not change the component along the normal.

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Factor by which the limits of adhesion, friction and rolling resistance of a contact law exceed the forces that the
-/// bonds of a lattice carry.
+/// Ratio of the limits of adhesion, friction and rolling resistance of a contact law to the largest forces and moments
+/// of the bonds of a lattice.
 constexpr double kMargin = 2.0;
 
 void set_moment(const RotationVector<2>& moment, Contact<2>& c) {
@@ -61,8 +61,8 @@ LawParameters law_for(const BondedContacts<Dim>& bonds) {
 
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing) {
-  /// A contact counts as mobilised if its force is within this relative distance from its limit. The contact law keeps
-  /// the forces of all bonds far from their limits.
+  /// Largest relative distance from its limit at which a force counts as mobilised. The contact law keeps the forces of
+  /// all bonds far from their limits.
   constexpr double kCapTolerance = 1e-9;
   packing.law = law_for(bonds);
   packing.contacts.clear();

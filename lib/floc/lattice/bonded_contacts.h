@@ -6,8 +6,7 @@
 
 namespace floc {
 
-/// Bond between two grains in the form of a contact of a packing: the two grains, the forces of the bond and its
-/// stiffnesses.
+/// Bond between two grains, with its forces and stiffnesses, in the form of a contact of a packing.
 template <int Dim>
 struct BondedContact {
   int i, j;
@@ -17,7 +16,7 @@ struct BondedContact {
   /// moment on grain i; in 3D about the tangents (rolling) and the normal (twisting) (force * length)
   RotationVector<Dim> moment;
   double kn, kt;        ///< normal and tangential stiffness (force/length)
-  double kr;            ///< rolling stiffness, in 3D also the twisting stiffness if `twists` (force * length)
+  double kr;            ///< rolling stiffness; in 3D, if `twists`, also the twisting stiffness (force * length)
   bool twists = false;  ///< whether the bond resists twisting (3D)
 };
 template <int Dim>
@@ -26,9 +25,9 @@ using BondedContacts = std::vector<BondedContact<Dim>>;
 /// Replaces the contacts of a packing by the given bonds, and its contact law by a law under which these contacts can
 /// carry the forces of the bonds:
 /// - linear springs, with the mean stiffnesses of the bonds;
-/// - adhesion of twice the largest tension, and always some;
-/// - friction if bonds resist shear, and rolling resistance if bonds carry moments, each with a limit twice as high as
-///   the bonds need.
+/// - adhesion of twice the largest tension, and at least a tenth of the largest force;
+/// - friction if bonds resist shear, and rolling resistance if bonds carry moments, each with a limit of twice the
+///   largest force or moment of the bonds.
 template <int Dim>
 void set_bonded_contacts(const BondedContacts<Dim>& bonds, Packing<Dim>& packing);
 

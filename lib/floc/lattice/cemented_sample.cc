@@ -46,8 +46,8 @@ class Cementing {
     out_.n_bridges = static_cast<int>(pairs_.size());
     const double wanted = options.matrix_content * out_.lattice.cell.volume();
     if (wanted > 0.0) choose_nodes(options.matrix_content, nodes_by_width(options.matrix_content));
-    // Each node of the matrix is owned by the grain with the nearest surface. The search distance is doubled until all
-    // nodes of the matrix have an owner.
+    // The owner of each node of the matrix is the grain with the nearest surface. The search distance is doubled until
+    // all nodes of the matrix have an owner.
     for (double reach = 0.25 * out_.mean_diameter; without_owner(); reach *= 2.0) take_owners(reach);
     for (int k = 0; k < out_.lattice.n_nodes(); ++k)
       if (out_.phase[k] == Phase::none) out_.owner[k] = -1;
@@ -58,8 +58,8 @@ class Cementing {
 
  private:
   struct CoveredNode {
-    // smallest width of a bridge that covers the node, over R' = 2 R_i R_j/(R_i + R_j) with the radii R_i, R_j of its
-    // grains
+    // smallest width of a bridge that covers the node, divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the
+    // radii of the two grains of the bridge
     double width;
     int node;
   };
@@ -114,8 +114,8 @@ class Cementing {
     return false;
   }
 
-  /// Returns, for each node, the smallest width of a bridge of matrix that covers it, over R' = 2 R_i R_j/(R_i + R_j)
-  /// with the radii R_i, R_j of the two grains; infinite if this number exceeds `largest`.
+  /// Returns, for each node, the smallest width of a bridge of matrix that covers it, divided by R' = 2 R_i R_j/(R_i +
+  /// R_j) with the radii R_i, R_j of the two grains of the bridge; infinite if this ratio exceeds `largest`.
   std::vector<double> covering_widths(double largest) const {
     std::vector<double> width(out_.lattice.n_nodes(), kFar);
     for (const NeighborPair<Dim>& pair : pairs_) {
@@ -135,14 +135,15 @@ class Cementing {
     return width;
   }
 
-  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node.
-  /// There are at least as many nodes as the matrix content needs.
+  /// Returns nodes that bridges of matrix can cover, sorted by the smallest width of a bridge that covers the node. The
+  /// number of nodes is at least as large as the matrix content needs.
   /// @param wanted  matrix content as a share of the volume
   std::vector<CoveredNode> nodes_by_width(double wanted) const {
     std::vector<CoveredNode> covered;
     double reached = 0.0;
-    /// Largest width of a bridge that is tried, over R' = 2 R_i R_j/(R_i + R_j) with the radii R_i, R_j of its grains.
-    /// It is many times the size of the grains, so that a node outside all bridges of this width is outside any bridge.
+    /// Largest width of a bridge that is tried, divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii
+    /// of its grains. It is many times the size of the grains: a node outside all bridges of this width is outside any
+    /// bridge.
     constexpr double kWidest = 64.0;
     for (double largest = 0.5; largest <= kWidest; largest *= 2.0) {
       const std::vector<double> width = covering_widths(largest);

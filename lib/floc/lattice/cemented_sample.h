@@ -17,9 +17,9 @@ enum class Phase : std::uint8_t { none, grain, matrix };
 struct CementOptions {
   /// matrix content rho_m: share of the volume that the matrix has to fill, 0 to 1
   double matrix_content = 0.0;
-  /// Largest gap between the surfaces of two grains at which a bridge of matrix joins them, over the mean diameter,
-  /// >= 0. The default is wider than the gaps between neighbours in a frictionless packing and narrower than the gaps
-  /// to second neighbours.
+  /// Largest gap between the surfaces of two grains that a bridge of matrix joins, divided by the mean diameter, >= 0.
+  /// The default is wider than the gaps between neighbours in a frictionless packing and narrower than the gaps to
+  /// second neighbours.
   double bridge_gap = 0.05;
 
   static constexpr NumberRange kContent{.least = 0.0, .most = 1.0};
@@ -43,20 +43,21 @@ struct CementedSample {
   double grain_content = 0.0;  ///< grain content rho_p: share of the volume of all nodes that belongs to grains
   /// matrix content rho_m: share of the volume of all nodes that belongs to the matrix
   double matrix_content = 0.0;
-  /// Width w of a bridge over R' = 2 R_i R_j/(R_i + R_j), with the radii R_i, R_j of its two grains; all bridges have
-  /// equal w.
+  /// Width of a bridge divided by R' = 2 R_i R_j/(R_i + R_j), where R_i and R_j are the radii of its two grains. All
+  /// bridges have the same value.
   double bridge_width = 0.0;
-  /// number of pairs of grains that a bridge joins, whether or not a node lies in the bridge
+  /// number of pairs of grains that a bridge joins, including bridges that contain no node
   int n_bridges = 0;
   double mean_diameter = 0.0;  ///< mean diameter of the grains (length)
   double strain = 0.0;  ///< largest component of the strain by which the packing was fitted to the lattice
 };
 
 /// Gives each node of a lattice the material at its position in a packing, and adds the matrix:
-/// 1. A node inside a grain belongs to this grain; if grains overlap there, to the one in which it lies deepest.
+/// 1. A node inside a grain belongs to this grain. If grains overlap there, it belongs to the grain in which it lies
+/// deepest.
 /// 2. Straight bridges between the centres of neighbouring grains are filled with matrix. A bridge between grains of
-///    the radii R_i and R_j has the width w R', with R' = 2 R_i R_j/(R_i + R_j). The number w is increased until the
-///    matrix has the wanted content. To find w, the nodes outside grains are sorted by the smallest w at which a bridge
+///    the radii R_i and R_j has the width w R', with R' = 2 R_i R_j/(R_i + R_j). The number w is chosen to give the
+///    matrix the wanted content. To find w, the nodes outside grains are sorted by the smallest w at which a bridge
 ///    covers them.
 ///
 /// @throws InputError if an option is invalid, the packing has walls, or the matrix content cannot be reached (the

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Element that breaks first when the load increases, and the factor by which the load has to increase for this.
+/// Element that breaks first when the load increases, and the ratio of the load at which it breaks to the present load.
 struct Weakest {
   int element = -1;
   double factor = kNever;
@@ -19,7 +19,7 @@ struct Weakest {
 template <int Dim>
 Weakest weakest_of(const LatticeNetwork<Dim>& network, const LatticeSolution<Dim>& solution,
                    const ElementStrength& strength, const std::vector<bool>& gone) {
-  // Tensions that are as small as the rounding error of the forces do not break an element.
+  // Tensions up to the rounding error of the forces do not break an element.
   double largest = 0.0;
   for (const double f : solution.normal_force) largest = std::max(largest, std::abs(f));
   const double least = 1e-9 * largest;
@@ -53,7 +53,7 @@ FracturePath fracture(const LatticeNetwork<Dim>& network, LatticeSolver<Dim>& so
   std::vector<bool> gone(network.elements.size(), false);
   while (true) {
     if (static_cast<int>(path.broken.size()) >= options.most_broken) {
-      path.end = fmt::format("{} elements have broken, as many as may break", path.broken.size());
+      path.end = fmt::format("{} elements have broken, the largest number allowed", path.broken.size());
       break;
     }
     const LatticeSolution<Dim> solution = solver.solve(load);

@@ -10,8 +10,8 @@
 
 namespace floc {
 
-/// Strength of the elements of a lattice: for each kind of element, the tension at which it breaks (force); infinite if
-/// it never breaks.
+/// Strength of the elements of a lattice: for each kind of element, the tension at which the element breaks (force);
+/// infinite if it never breaks.
 struct ElementStrength {
   /// for each ElementKind, the tension at which an element breaks (force)
   std::array<double, kElementKinds> tension{};
@@ -43,16 +43,16 @@ struct FracturePath {
   std::vector<Breakage> broken;  ///< breakages in the order in which they happened
   /// strength of the sample: largest absolute stress along the load that it carried; 0 if no element can break
   double strength = 0.0;
-  double strain_at_strength = 0.0;  ///< strain along the load at which the sample carried this stress
+  double strain_at_strength = 0.0;  ///< strain along the load at which the sample carried its largest stress
   std::string end;                  ///< reason why the simulation ended, as a sentence
 };
 
 /// Simulates the fracture of a sample, one element at a time:
 /// 1. The load is increased in proportion to `load` until the first element reaches its strength. Every state is
-///    elastic, so that this load is found by scaling.
+///    elastic, so this load follows from scaling one solution.
 /// 2. This element is removed, and the lattice is solved again.
 ///
-/// If the next element breaks at a smaller load, the sample would fail at once under constant stress.
+/// If the next element breaks at a smaller load, a sample under constant stress would fail at once.
 /// @param load  direction of the load, with any magnitude
 /// @param axis  axis along which the result contains the strain and the stress
 /// @throws InputError if an option is invalid

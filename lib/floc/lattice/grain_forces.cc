@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Key of a contact: the numbers of its two grains, and the periodic image of the second grain.
+/// Key of a contact: the indices of its two grains, and the periodic image of the second grain.
 template <int Dim>
 using PairKey = std::array<int, 2 + Dim>;
 
@@ -24,8 +24,8 @@ PairKey<Dim> key_of(int i, int j, const Vec<Dim, int>& image) {
   return key;
 }
 
-/// Forces between two grains of a cemented sample, summed over the lattice elements that join their regions. The region
-/// of a grain is the grain with the matrix that is nearest to it.
+/// Forces between two grains of a cemented sample: sums over the lattice elements that join their regions. The region
+/// of a grain consists of its own nodes and of the matrix nodes that are nearest to it.
 template <int Dim>
 struct PairSum {
   Vec<Dim> force = Vec<Dim>::Zero();                         // force on the first grain

@@ -9,7 +9,7 @@
 namespace floc {
 
 /// Force between two grains of a cemented sample: the sum over the lattice elements that join their regions. The region
-/// of a grain is the grain with the matrix that is nearest to it.
+/// of a grain consists of its own nodes and of the matrix nodes that are nearest to it.
 template <int Dim>
 struct GrainForce {
   int i, j;             ///< numbers of the two grains, i <= j
@@ -31,16 +31,16 @@ std::vector<GrainForce<Dim>> grain_forces(const CementedSample<Dim>& sample, con
                                           const LatticeSolution<Dim>& solution);
 
 /// Returns a packing of the grains of a cemented sample, with contacts that carry the given forces. Every command that
-/// takes a contact network can be used on it.
+/// takes a contact network can be applied to this packing.
 /// @param packing  packing from which the sample was made; the masses of the grains are taken from it
 template <int Dim>
 Packing<Dim> packing_of(const CementedSample<Dim>& sample, const Packing<Dim>& packing,
                         const std::vector<GrainForce<Dim>>& forces);
 
-/// Correlation of the normal forces in two lists of contacts, over the pairs of grains that both lists contain.
+/// Agreement of the normal forces in two lists of contacts, over the pairs of grains that both lists contain.
 struct ForceAgreement {
-  /// Pearson's correlation coefficient of the two lists of forces. Absent if the lists have fewer than 3 entries, or if
-  /// all forces of one list are equal.
+  /// Pearson's correlation coefficient of the two lists of forces. Absent if fewer than 3 pairs are in both lists, or
+  /// if all forces of one list are equal.
   std::optional<double> pearson;
   int n_common = 0;  ///< number of pairs of grains that both lists contain
 };

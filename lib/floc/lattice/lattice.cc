@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Distance between neighbouring rows of nodes, over the distance between neighbouring nodes in a row.
+/// Distance between neighbouring rows of nodes, divided by the distance between neighbouring nodes in a row.
 constexpr double kRowHeight = 0.5 * std::numbers::sqrt3;
 /// Largest number of nodes of a lattice.
 constexpr double kMostNodes = 1e8;
@@ -29,15 +29,15 @@ Lattice<2> triangular_lattice(int columns, int rows, double spacing) {
   out.volume.assign(n, kRowHeight * spacing * spacing);
   out.node.reserve(n);
   out.bonds.reserve(3 * static_cast<std::size_t>(n));
-  // Each node has a hexagonal cell with sides of spacing/sqrt(3), and six bonds. Three of them are listed with the
-  // node: those to the right, upper right and upper left. The other three are listed with its neighbours.
+  // Each node has a hexagonal cell with sides of spacing/sqrt(3), and six bonds. The bonds to the right, to the upper
+  // right and to the upper left are listed with the node. The other three bonds are listed with its neighbours.
   const double facet = spacing / std::numbers::sqrt3;
   const Vec<2> steps[] = {
       {spacing, 0.0}, {0.5 * spacing, kRowHeight * spacing}, {-0.5 * spacing, kRowHeight * spacing}};
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
-      // Odd rows are shifted by half a spacing. All rows are also shifted by a quarter, so that no node lies on the
-      // border of the cell.
+      // Odd rows are shifted by half a spacing. All rows are also shifted by a quarter of the spacing, so that no node
+      // lies on the border of the cell.
       const bool shifted = r % 2 == 1;
       out.node.emplace_back((c + (shifted ? 0.75 : 0.25)) * spacing, (r + 0.5) * kRowHeight * spacing);
       const int to_column[] = {c + 1, shifted ? c + 1 : c, shifted ? c : c - 1};
@@ -61,8 +61,8 @@ Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing) {
     throw InputError(
         "",
         fmt::format("a spacing of {:.3g} is too small: the lattice would have more than 1e8 nodes", spacing));
-  /// Largest relative difference between the numbers of columns that are tried and the ratio of the cell's width to the
-  /// spacing.
+  /// Numbers of columns are tried if their relative difference from the ratio of the cell's width to the spacing is at
+  /// most this value.
   constexpr double kTried = 0.03;
   const double asked = width / spacing;
   int best_columns = 1, best_rows = 2;

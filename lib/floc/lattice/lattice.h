@@ -22,8 +22,8 @@ struct LatticeBond {
 template <int Dim>
 struct Lattice {
   Cell<Dim> cell;
-  /// Distance between neighbouring nodes (length). In an irregular lattice, their distance in a regular lattice of the
-  /// same density.
+  /// Distance between neighbouring nodes (length). For an irregular lattice, it is the distance in a regular lattice of
+  /// the same density.
   double spacing = 0.0;
   std::vector<Vec<Dim>> node;  ///< positions of the nodes, inside the cell (length)
   /// volume (2D: area) of the cell around each node; their sum is the volume of the periodic cell
@@ -41,9 +41,9 @@ struct Lattice {
 Lattice<2> triangular_lattice(int columns, int rows, double spacing);
 
 /// Returns the triangular lattice that fits best into a rectangular cell. Its number of columns is within 3 % of the
-/// cell's width over the spacing; its ratio of sides is as near as possible to that of the cell; its area is that of
-/// the cell. The sides differ by some 1e-4 from those of the cell, and a packing has to be deformed by this strain to
-/// fit.
+/// cell's width divided by the spacing, its ratio of sides is as close as possible to that of the cell, and its area is
+/// that of the cell. The sides differ by some 1e-4 from those of the cell, and a packing has to be deformed by this
+/// strain to fit.
 /// @throws InputError if the cell is not rectangular, or if more than 1e8 nodes would be needed
 Lattice<2> triangular_lattice_in(const Cell<2>& cell, double spacing);
 

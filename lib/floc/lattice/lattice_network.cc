@@ -12,7 +12,7 @@
 namespace floc {
 namespace {
 
-/// Two directions count as collinear if the sine of the angle between them is below this value.
+/// Sine of the angle between two directions below which they count as collinear.
 constexpr double kCollinear = 1e-6;
 
 template <int Dim>
@@ -58,14 +58,15 @@ class NetworkBuilder {
     double k = stiffness_.of(kind);
     if (stiffness_.by_facet) k *= bond.facet / bond.branch.norm();
     if (k == 0.0) return;
-    // The force of a central spring acts along the line between the nodes, wherever the face between their cells is.
+    // The force of a central spring acts along the line between the nodes, independent of the position of the face
+    // between their cells.
     const Vec<Dim> arm_i = stiffness_.central() ? Vec<Dim>(0.5 * bond.branch) : bond.arm_i;
     out_.elements.push_back({bond.i, bond.j, bond.image, bond.branch, arm_i, k, kind,
                              bare && stiffness_.contact == BareContact::unilateral, number});
   }
 
-  /// Handles a bond that crosses the border of the cell: makes no element, but fixes its two nodes as the boundary
-  /// condition requires.
+  /// Handles a bond that crosses the border of the cell: makes no element, but fixes the two nodes of the bond as the
+  /// boundary condition requires.
   void hold(const LatticeBond<Dim>& bond) {
     if (boundary_ == LatticeBoundary::uniform_strain) {
       for (const int node : {bond.i, bond.j})
@@ -98,8 +99,8 @@ class NetworkBuilder {
     return false;
   }
 
-  /// Elements at a node: how many there are, the direction of the first one, and whether any of them has a different
-  /// direction.
+  /// Elements at a node: their number, the direction of the first element, and whether any other element has a
+  /// different direction.
   struct Holding {
     int count = 0;
     Vec<Dim> first = Vec<Dim>::Zero();
@@ -139,8 +140,8 @@ class NetworkBuilder {
     return holding;
   }
 
-  /// Removes connected parts of the network that cannot carry a load: they neither wind around the periodic cell nor
-  /// connect its two fixed sides.
+  /// Removes connected parts of the network that cannot carry a load, because they neither wind around the periodic
+  /// cell nor connect its two fixed sides.
   void remove_islands() {
     const Parts parts = find_parts();
     std::vector<bool> carries(parts.winding.size(), false);
@@ -161,10 +162,10 @@ class NetworkBuilder {
   struct Parts {
     // for each node, the number of the connected part that contains it; -1 for nodes without elements
     std::vector<int> of;
-    std::vector<std::vector<Vec<Dim, int>>>
-        winding;  // for each connected part, linearly independent loops around the cell (numbers of cells)
-    // for each connected part, 1 if it reaches a fixed node in the lower half of the cell, plus 2 if it reaches one in
-    // the upper half
+    // for each connected part, linearly independent loops around the cell (numbers of cells)
+    std::vector<std::vector<Vec<Dim, int>>> winding;
+    // for each connected part: 1 if it contains a fixed node in the lower half of the cell, plus 2 if it contains a
+    // fixed node in the upper half
     std::vector<int> n_faces;
   };
 
@@ -225,8 +226,8 @@ class NetworkBuilder {
     return parts;
   }
 
-  /// Returns which fixed sides of the cell a node belongs to: 1 for a fixed node in the lower half of the cell, 2 for
-  /// one in the upper half, 3 (both) if the whole border is fixed, and 0 for a free node.
+  /// Returns which fixed sides of the cell a node belongs to: 1 for a fixed node in the lower half of the cell, 2 for a
+  /// fixed node in the upper half, 3 (both) if the whole border is fixed, and 0 for a free node.
   int faces_of(int node) const {
     if (!is_held(node)) return 0;
     if (boundary_ == LatticeBoundary::uniform_strain) return 3;
@@ -301,7 +302,7 @@ ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const st
   out.n_grains = network.n_nodes;
   out.volume = network.volume;
   out.grain_size.assign(network.n_nodes, network.spacing);
-  // The contact network is that of the lattice without load, so that all contact forces are zero.
+  // The contact network represents the lattice without load, and all its contact forces are zero.
   for (int e = 0; e < static_cast<int>(network.elements.size()); ++e) {
     if (!open.empty() && open[e]) continue;
     const LatticeElement<Dim>& from = network.elements[e];

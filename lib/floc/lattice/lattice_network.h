@@ -36,9 +36,9 @@ enum class LatticeBoundary {
   uniform_strain,  ///< all nodes at the border of the cell move with the uniform strain of the cell
 };
 
-/// Stiffness of the elements of a lattice: one spring constant per kind of element, whatever the element's length, as
-/// in [RTV2010]. An interface consists of two springs of half the length in series, one of each material, which gives
-/// the exact stiffness of laminates.
+/// Stiffness of the elements of a lattice: one spring constant per kind of element, independent of the element's
+/// length, as in [RTV2010]. An interface consists of two springs of half the length in series, one of each material,
+/// which gives the exact stiffness of laminates.
 struct ElementStiffness {
   /// stiffness k_p of elements within grains (force/length), or Young's modulus E (stress) if `by_facet`
   double grain = 1.0;
@@ -47,13 +47,14 @@ struct ElementStiffness {
   std::optional<double> bare;       ///< stiffness of bare elements; k_p if absent
   double shear = 0.0;               ///< ratio K_T/K_N of tangential to normal stiffness; 0 for central springs
   double bending = 0.0;  ///< ratio K_R/(K_N spacing^2) of rolling stiffness K_R to normal stiffness K_N
-  /// whether the stiffness of an element is E facet/length, where `facet` is the member of LatticeBond
+  /// whether the stiffness of an element is E f/length, with Young's modulus E and the area f of the face between the
+  /// cells of its nodes (LatticeBond::facet)
   bool by_facet = false;
   /// behaviour of bare elements, which join two grains without matrix
   BareContact contact = BareContact::unilateral;
-  /// Largest distance of a bare element from the line between the centres of its two grains, over R' = 2 R_i R_j/(R_i +
-  /// R_j) with their radii R_i and R_j. Bare elements farther away are voids. If absent, all bare elements are springs,
-  /// and the contact area depends on the spacing of the lattice.
+  /// Largest distance of a bare element from the line between the centres of its two grains, divided by R' = 2 R_i
+  /// R_j/(R_i + R_j), where R_i and R_j are the radii of the grains. Bare elements farther away are voids. If absent,
+  /// all bare elements are springs, and the contact area depends on the spacing of the lattice.
   std::optional<double> patch;
 
   bool central() const { return shear == 0.0 && bending == 0.0; }
@@ -103,8 +104,8 @@ struct LatticeNetwork {
 
 /// Returns the network of elements between the nodes of a sample, without the elements that carry no force under any
 /// load. These are
-/// - the elements at a node with a single element, or, if springs are central, with only two elements that are
-///   collinear;
+/// - the element of a node with a single element and, if springs are central, the elements of a node with only two
+///   collinear elements;
 /// - the elements of connected parts that neither wind around the cell nor reach from one fixed side to the other.
 ///
 /// @param axis  axis along which plates load the sample, from 0; ignored for other boundaries
@@ -114,7 +115,7 @@ LatticeNetwork<Dim> lattice_network(const CementedSample<Dim>& sample, const Ele
                                     LatticeBoundary boundary = LatticeBoundary::periodic, int axis = Dim - 1);
 
 /// Returns a lattice as a contact network: its grains are the nodes, its contacts the elements. The functions of the
-/// folder `elasticity` can be used on it.
+/// folder `elasticity` accept this network.
 /// @param open  for each element, whether it is left out because it is open; if empty, no element is left out
 template <int Dim>
 ContactNetwork<Dim> contact_network(const LatticeNetwork<Dim>& network, const std::vector<bool>& open = {});

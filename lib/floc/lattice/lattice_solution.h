@@ -14,7 +14,7 @@ template <int Dim>
 struct LatticeLoad {
   using Components = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> imposed = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  /// imposed strain for components with `imposed`, imposed stress for the others
+  /// imposed strain of each component with `imposed`, imposed stress of all other components
   Components value = Components::Zero();
 
   /// Returns a load with the given stress along one axis and zero stress in all other components.
@@ -47,7 +47,7 @@ struct LatticeSolution {
 };
 
 /// Solver for a lattice network that is loaded once or several times. The factor of the stiffness matrix and the set of
-/// closed elements are kept from one load to the next.
+/// closed elements are kept for the next load.
 template <int Dim>
 class LatticeSolver {
  public:
@@ -60,7 +60,7 @@ class LatticeSolver {
   [[nodiscard]] LatticeSolution<Dim> solve(const LatticeLoad<Dim>& load);
 
   /// Returns the moduli of the sample, with all nodes free to relax: stress per unit of each strain, in the order of
-  /// StrainSet::full. The elements that were open in the last solution stay open.
+  /// StrainSet::full. The elements that were open in the last solution remain open.
   /// @pre solve() was called
   Eigen::MatrixXd moduli();
 

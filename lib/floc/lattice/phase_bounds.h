@@ -11,7 +11,7 @@ struct ElasticPhase {
   double K, G;   ///< bulk and shear modulus (stress); 0 for voids
 };
 
-/// Bounds on one modulus of a composite, from the highest to the lowest (stress).
+/// Bounds on one modulus of a composite (stress).
 struct ModulusBounds {
   /// bounds, from the highest to the lowest (stress)
   double voigt, hashin_shtrikman_upper, hashin_shtrikman_lower, reuss;

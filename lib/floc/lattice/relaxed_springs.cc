@@ -12,19 +12,20 @@ namespace floc {
 namespace {
 
 /// Largest number of springs that may have opened or closed since the last factorization. Up to this number, conjugate
-/// gradients with the old factor are cheaper than a new factor.
+/// gradients with the old factor take less time than a new factor.
 constexpr int kMostChanged = 60;
 /// Largest number of conjugate-gradient steps with an old factor; if they do not suffice, a new factor is made.
 constexpr int kStepsOnOldFactor = 30;
 /// Largest number of unknowns for which a factor is cheap in 3D.
 constexpr int kSmallInSpace = 20000;
-/// Net forces on nodes are due to rounding if they are below this share of the load and no longer decrease.
+/// Net forces on nodes count as rounding errors if they are below this share of the load and no longer decrease.
 constexpr double kRounding = 1e-8;
-/// A sample counts as not resisting its load if its strain exceeds the affine strain under this load, with all springs
-/// closed, by this factor. The preconditioner could not tell a softer sample from one with free motions.
+/// Ratio of the strain of a sample to its affine strain under the load, with all springs closed, above which the sample
+/// counts as not resisting its load. The preconditioner could not distinguish a softer sample from a sample with free
+/// motions.
 constexpr double kBeyond = 1e8;
-/// A motion counts as free (without resistance) if its energy is below this share of the energy that the preconditioner
-/// predicts.
+/// Ratio of the energy of a motion to the energy that the preconditioner predicts, below which the motion counts as
+/// free (without resistance).
 constexpr double kNoEnergy = 1e-5;
 
 template <int Dim, int Size>
@@ -64,7 +65,7 @@ class Springs final : public RelaxedSprings<Dim> {
       const double norm = std::sqrt(std::max(0.0, down.dot(inverse_->apply(down))));
       report.imbalance = whole > 0.0 ? norm / whole : 0.0;
       const int steps_before = report.n_steps;
-      // If some motions need no energy, rounding leaves net forces on nodes, which no further round reduces.
+      // If some motions need no energy, rounding leaves net forces on nodes that no further round reduces.
       const bool is_rounding =
           n_changed == 0 && report.imbalance < kRounding && report.imbalance > 0.5 * before;
       report.converged = report.imbalance <= settings_.tolerance || is_rounding;
@@ -191,13 +192,13 @@ class Springs final : public RelaxedSprings<Dim> {
     return out;
   }
 
-  /// Finds the active springs among the one-sided ones: those in compression.
+  /// Determines which one-sided springs are active, that is, in compression.
   /// @return number of springs that have opened or closed since the last call
   int update_active() {
     int n_changed = 0;
     for (const int r : springs_.one_sided) {
       const double o = overlap(r, x_);
-      // A spring whose overlap is zero keeps its state, so that all are closed before the first deformation.
+      // A spring with zero overlap keeps its state. All springs are therefore closed before the first deformation.
       const char now = o > 0.0 || (o == 0.0 && active_[r]) ? 1 : 0;
       n_changed += now != active_[r];
       active_[r] = now;
@@ -211,8 +212,8 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Returns the size of the load in the norm of the preconditioner: the square root of twice an energy. This energy is
-  /// the sum of two: the energy of the imposed strain, if the nodes follow it affinely, and the energy that the nodes
-  /// would then release by relaxation.
+  /// the energy of the imposed strain, if the nodes follow it affinely, plus the energy that the nodes would then
+  /// release by relaxation.
   double norm_of_load(SpringRelaxationReport& report) {
     Eigen::VectorXd kept = Eigen::VectorXd::Zero(x_.size());
     for (int a = 0; a < kSymmetric<Dim>; ++a)
@@ -244,7 +245,7 @@ class Springs final : public RelaxedSprings<Dim> {
   }
 
   /// Solves K d = load for the displacement d by conjugate gradients, with the stiffness matrix K of the active
-  /// springs. It ends when the residual in the norm of the preconditioner is at most `target`.
+  /// springs. The solution ends when the residual, in the norm of the preconditioner, is at most `target`.
   Direction solve(const Eigen::VectorXd& load, double target, int most_steps,
                   SpringRelaxationReport& report) const {
     Direction out{Eigen::VectorXd::Zero(load.size())};
@@ -288,7 +289,7 @@ class Springs final : public RelaxedSprings<Dim> {
 
   void take_step(const Eigen::VectorXd& down, double norm, double whole, SpringRelaxationReport& report) {
     const bool one_sided = !springs_.one_sided.empty();
-    // While springs still open and close, a direction that is solved inexactly suffices, unless an exact one is cheap.
+    // While springs still open and close, an inexact direction suffices, unless an exact direction is cheap.
     const double share = inverse_->is_exact() ? 1e-8 : one_sided ? 0.03 : 0.0;
     const double target = std::max(share * norm, 0.5 * settings_.tolerance * whole);
     const bool old_factor = inverse_->is_exact() && prepared_ != active_;
@@ -308,8 +309,10 @@ class Springs final : public RelaxedSprings<Dim> {
   bool search_along(const Eigen::VectorXd& direction, const Eigen::VectorXd& down) {
     const double slope = -down.dot(direction);
     if (slope >= 0.0) return true;
-    double square = 0.0,
-           // slope of the energy of the two-sided springs after a step of t * direction: linear + t square
+    double
+        square = 0.0,
+        // The slope of the energy of the two-sided springs after a step of t times the direction is linear + t *
+        // square.
         linear = slope;
     // for each one-sided spring: overlap, change of the overlap per unit step along the direction, stiffness
     std::vector<std::array<double, 3>> one_sided;
@@ -340,7 +343,8 @@ class Springs final : public RelaxedSprings<Dim> {
       const double at = slope_at(t, curvature);
       if (std::abs(at) <= (trial == 0 ? 0.3 : 1e-10) * -slope) break;
       (at < 0.0 ? low : high) = t;
-      // The slope of the energy is piecewise linear, so that Newton's step is exact once the active springs are known.
+      // The slope of the energy is piecewise linear. Newton's step is therefore exact once the active springs are
+      // known.
       double to = curvature > 0.0 ? t - at / curvature : std::numeric_limits<double>::infinity();
       if (!(to > low && to < high)) to = std::isfinite(high) ? 0.5 * (low + high) : 4.0 * t;
       if (to > kForEver) return false;
@@ -351,7 +355,7 @@ class Springs final : public RelaxedSprings<Dim> {
     return true;
   }
 
-  /// If the energy still decreases this many unit steps along a direction, it counts as decreasing without limit.
+  /// Number of unit steps along a direction after which a decreasing energy counts as decreasing without limit.
   static constexpr double kForEver = 1e12;
 
   RelaxationSettings settings_;

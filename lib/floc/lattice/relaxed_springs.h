@@ -22,7 +22,7 @@ struct RelaxationRound {
   int n_open;        ///< number of open unilateral elements (which carry no force)
   int n_changed;     ///< number of unilateral elements that have opened or closed since the last round
   int n_steps;       ///< number of steps of conjugate gradients in this round
-  double imbalance;  ///< size of the net forces on the nodes, over the size of the load
+  double imbalance;  ///< size of the net forces on the nodes, divided by the size of the load
   bool factorized;   ///< whether a new preconditioner, such as a factor, was made in this round
 };
 
@@ -48,7 +48,7 @@ struct StrainControl {
 struct SpringRelaxationReport {
   bool converged = false;
   bool holds = true;       ///< false if no spring resists the load, which then moves a mechanism
-  double imbalance = 0.0;  ///< size of the net forces that remain on the nodes, over the size of the load
+  double imbalance = 0.0;  ///< size of the net forces that remain on the nodes, divided by the size of the load
   /// numbers of rounds, of conjugate-gradient steps and of preconditioners made
   int n_rounds = 0, n_steps = 0, n_factors = 0;
 };
@@ -58,9 +58,10 @@ struct SpringRelaxationReport {
 /// the energy is 1/2 sum k o^2 over the two-sided springs + 1/2 sum k max(o, 0)^2 over the one-sided springs - load .
 /// strain; it is convex.
 ///
-/// Newton's method finds its minimum. The active set consists of the one-sided springs in compression; at the start, it
-/// is that of the last relaxation, or contains all springs. Along each step, a line search finds the smallest energy.
-/// The energy thus decreases in every round, and no active set occurs twice.
+/// Newton's method finds its minimum. The active set consists of the one-sided springs in compression. The first
+/// relaxation starts with all springs in the active set, and later relaxations start with the last active set. Along
+/// each step, a line search finds the smallest energy. The energy thus decreases in every round, and no active set
+/// occurs twice.
 template <int Dim>
 class RelaxedSprings {
  public:

@@ -13,8 +13,8 @@
 namespace floc {
 namespace {
 
-/// Shift that is added to the diagonal of the stiffness matrix, as a share of the largest stiffness: far below
-/// stiffnesses that carry a load, far above rounding errors.
+/// Shift that is added to the diagonal of the stiffness matrix, as a share of the largest stiffness. It is far below
+/// stiffnesses that carry a load, and far above rounding errors.
 constexpr double kShift = 1e-9;
 
 template <int Dim, int Size>
@@ -26,7 +26,7 @@ double largest_stiffness(const SpringRows<Dim, Size>& springs) {
 
 /// Returns the inverse of the block of a stiffness matrix that belongs to the free strains. Rows and columns of imposed
 /// strains are zero.
-/// @param block  stiffness of all strains
+/// @param block  stiffness matrix of all strains
 /// @param free   for each strain, whether it is free, that is, not imposed
 Eigen::MatrixXd free_inverse(const Eigen::MatrixXd& block, std::span<const bool> free) {
   std::vector<int> kept;
@@ -108,8 +108,8 @@ class FactorPreconditioner final : public SpringPreconditioner<Dim, Size> {
   SymmetricFactor factor_;
   std::vector<int> group_;
   Eigen::Matrix<bool, kSymmetric<Dim>, 1> free_ = Eigen::Matrix<bool, kSymmetric<Dim>, 1>::Constant(false);
-  Eigen::MatrixXd affine_;   // minus the displacement by which the nodes relax per unit of each strain
-  Eigen::MatrixXd schur_;    // stiffness against strain after relaxation of the nodes, over `unit_`
+  Eigen::MatrixXd affine_;   // negative displacement of the nodes by relaxation, per unit of each strain
+  Eigen::MatrixXd schur_;    // stiffness against strain after relaxation of the nodes, divided by `unit_`
   Eigen::MatrixXd strains_;  // inverse of the block of `schur_` that belongs to the free strains
 };
 

@@ -23,8 +23,8 @@ class SpringPreconditioner {
   /// Returns the product of the approximate inverse with a residual; zero for strains that are not free.
   /// @param residual  entries for the motions of the nodes, then for the strains
   virtual Eigen::VectorXd apply(const Eigen::VectorXd& residual) const = 0;
-  /// Returns whether the inverse is nearly exact for the closed springs that prepare() was given, so that it remains
-  /// useful if a few springs open or close.
+  /// Returns whether the inverse is nearly exact for the closed springs given to prepare(). A nearly exact inverse
+  /// remains useful if a few springs open or close.
   virtual bool is_exact() const = 0;
 };
 

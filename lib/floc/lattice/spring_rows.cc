@@ -70,8 +70,8 @@ class RowBuilder {
   }
 
   const LatticeNetwork<Dim>& network_;
-  std::vector<int>
-      here_;  // for each node of the lattice, its index in SpringRows::node; -1 if it has no element
+  // for each node of the lattice, its index in SpringRows::node; -1 if it has no element
+  std::vector<int> here_;
   SpringRows<Dim, Size> out_;
 };
 

@@ -15,8 +15,8 @@ template <int Dim, int Size>
 struct SpringRows {
   using OnNode = Eigen::Matrix<double, Size, 1>;
   using OnStrain = Eigen::Matrix<double, kSymmetric<Dim>, 1>;
-  /// Spring: coefficients by which its elongation depends on the unknowns of its two nodes. The first spring of an
-  /// element lies along the element; its coefficients give its overlap instead, which is positive in compression.
+  /// Spring: coefficients of its elongation as a linear function of the unknowns of its two nodes. The first spring of
+  /// an element lies along the element; its coefficients give its overlap instead, which is positive in compression.
   struct Row {
     int i, j;  // indices of the two nodes in SpringRows::node
     // coefficients for node i and node j, zero for fixed displacements; if i = j, `on_i` contains both

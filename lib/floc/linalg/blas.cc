@@ -15,7 +15,7 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace floc {
 namespace {
 
-/// Returns OpenBLAS's name for its routines with the widest vector instructions that this processor can run (AVX-512 or
+/// Returns OpenBLAS's name for the routines with the widest vector instructions that this processor can run (AVX-512 or
 /// AVX2); null if the processor has neither.
 const char* widest_kernels() {
 #if defined(__x86_64__)
@@ -27,8 +27,8 @@ const char* widest_kernels() {
   return nullptr;
 }
 
-/// Makes OpenBLAS choose its routines anew if it has not recognised the processor and uses slow ones. Does nothing with
-/// an OpenBLAS that was built for a single type of processor, which lacks the functions gotoblas_dynamic_...
+/// Makes OpenBLAS choose its routines anew if it has not recognised the processor and uses slow routines. Does nothing
+/// if OpenBLAS was built for a single type of processor and lacks the functions gotoblas_dynamic_...
 void choose_kernels() {
   constexpr const char* kVariable = "OPENBLAS_CORETYPE";
   constexpr const char* kFallback = "Prescott";

@@ -14,8 +14,8 @@ template <class Real>
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 using Extended = Vector<long double>;
 
-/// Bound on the relative rounding error of an entry of the matrices A and B of a SpringSystem, which results from a few
-/// products, quotients and roots.
+/// Bound on the relative rounding error of an entry of the matrices A and B of a SpringSystem. The error results from a
+/// few products, quotients and roots.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 template <class Real>
@@ -86,8 +86,8 @@ class Relaxation {
   }
 
   /// Returns whether the energy that further relaxation would release is at most `tolerance` times the present energy.
-  /// At least one step is required, so that the solution by an approximate inverse is refined once. If `smallest_ratio`
-  /// has to be estimated from the steps, kStepsOfEstimate steps are required.
+  /// At least one step is required, which refines the solution by an approximate inverse once. If `smallest_ratio` has
+  /// to be estimated from the steps, kStepsOfEstimate steps are required.
   bool converged(double tolerance) const {
     if (work_ == 0.0) return true;
     if (steps_ < (inverse_.estimated_ratio ? kStepsOfEstimate : 1)) return false;
@@ -97,8 +97,9 @@ class Relaxation {
   }
 
  private:
-  /// After kStepsOfEstimate steps, the lowest Ritz value times kShareOfRitz is a safe estimate of the lowest eigenvalue
-  /// of M^-1 K. Ritz values approach this eigenvalue from above; in one case the lowest was still 5 times too large.
+  /// Number of steps after which the lowest Ritz value times kShareOfRitz is a safe estimate of the lowest eigenvalue
+  /// of M^-1 K. Ritz values approach this eigenvalue from above; in one case the lowest Ritz value was still 5 times
+  /// too large.
   static constexpr int kStepsOfEstimate = 4;
   static constexpr double kShareOfRitz = 0.1;
 
@@ -163,7 +164,7 @@ void sum_energies(const SpringSystem& s, const std::vector<Extended>& u, Condens
   Extended elongation(n);
   Eigen::VectorXd rounding(n);
   // Errors of the relaxed unknowns U change S only in second order. S is summed spring by spring in extended precision,
-  // because the rounding of an assembled stiffness matrix would change it.
+  // because the rounding errors of an assembled stiffness matrix would change it.
   for (Eigen::Index r = 0; r < s.on_free.rows(); ++r) {
     // The terms of the elongation (A U + B)_r nearly cancel. The bound on its rounding error is therefore proportional
     // to the sum of their absolute values.

@@ -10,14 +10,15 @@ namespace floc {
 struct SpringSystem {
   /// matrix A: one row per spring, one column per free unknown
   Eigen::SparseMatrix<double, Eigen::RowMajor> on_free;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
-      on_boundary;            ///< B: one row per spring, one column per boundary unknown
+  /// B: one row per spring, one column per boundary unknown
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> on_boundary;
   Eigen::VectorXd stiffness;  ///< k: stiffness of each spring; may be negative
 };
 
 /// Approximation M^-1 of the inverse of the stiffness matrix K = A^T k A of a SpringSystem, with bounds on its quality.
 struct ApproximateInverse {
-  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;  ///< returns M^-1 b for a vector b
+  /// function that returns M^-1 b for a vector b
+  std::function<Eigen::VectorXd(const Eigen::VectorXd&)> apply;
   /// Whether the stiffness matrix K and the matrix M are positive semidefinite. If they are, condense() minimises the
   /// energy by conjugate gradients.
   bool definite = true;
@@ -26,7 +27,7 @@ struct ApproximateInverse {
   double smallest_ratio = 0.0;
   /// If `definite` and `smallest_ratio` is unknown: whether condense() estimates it, from the Ritz values of its
   /// conjugate gradients. The error that condense() returns is then an estimate and not a bound, because Ritz values
-  /// may miss a soft motion that the loads hardly excite.
+  /// may miss a soft motion that the loads excite only weakly.
   bool estimated_ratio = false;
   /// If not `definite`: upper bound on the 2-norm of K^-1; infinite if no bound is known.
   double inverse_norm = 0.0;
@@ -35,13 +36,12 @@ struct ApproximateInverse {
 struct CondensationOptions {
   /// largest error of a diagonal entry of the condensed stiffness, relative to this entry
   double tolerance = 1e-10;
-  /// Largest number of refinement steps per boundary unknown. With a good approximate inverse one step is enough. One
-  /// more is needed for each motion of almost zero stiffness that the inverse does not resolve.
+  /// Largest number of refinement steps per boundary unknown. With a good approximate inverse one step is enough. Each
+  /// motion of almost zero stiffness that the inverse does not resolve needs one more step.
   int max_steps = 100;
   /// whether residual forces are computed in extended precision (long double); double precision is several times faster
   bool extended = true;
-  /// number of consecutive steps without progress after which the refinement stops, because only rounding errors are
-  /// left
+  /// number of consecutive steps without progress after which the refinement stops, because only rounding errors remain
   int patience = 5;
   /// Values of the free unknowns u from which the refinement starts, one column per boundary unknown: for example
   /// `Condensation::response` of a similar system. If empty, the refinement starts from u = 0.
@@ -72,11 +72,11 @@ struct Condensation {
 /// result; it only slows the refinement.
 ///
 /// The error bound is the sum of two terms:
-/// 1. r^T K^-1 r for the residual force r. It is twice the energy that further relaxation would release. It is at most
-///    r^T M^-1 r / `smallest_ratio`, or |r|^2 |K^-1| if K is indefinite.
+/// 1. r^T K^-1 r for the residual force r. This is twice the energy that further relaxation would release. An upper
+///    bound is r^T M^-1 r / `smallest_ratio`, or |r|^2 |K^-1| if K is indefinite.
 /// 2. The effect of rounding in the entries of A and B, which are assumed correct to a few units in the last place. To
-///    first order it is the change of the energy at fixed u. To second order, the square of the change of each spring's
-///    elongation is added. No condition number enters.
+///    first order, the effect is the change of the energy at fixed u. To second order, the square of the change of each
+///    spring's elongation is added. The bound does not depend on a condition number.
 [[nodiscard]] Condensation condense(const SpringSystem& springs, const ApproximateInverse& inverse,
                                     const CondensationOptions& options);
 

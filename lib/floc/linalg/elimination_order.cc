@@ -10,8 +10,8 @@
 namespace floc {
 namespace {
 
-/// Ordering::automatic tries nested dissection if a factorization would take more floating-point operations per group
-/// of unknowns than this. To find an order by nested dissection takes as long as some 3e5 operations per group.
+/// Number of floating-point operations of a factorization per group of unknowns, above which Ordering::automatic tries
+/// nested dissection. Finding an order by nested dissection takes as long as some 3e5 operations per group.
 constexpr double kNestedDissectionCost = 1e6;
 
 /// Order in which groups of unknowns are eliminated.
@@ -55,7 +55,7 @@ class GroupGraph {
   }
 
  private:
-  /// Builds the pattern of the graph as a lower triangle: two groups are connected if the matrix has an entry whose row
+  /// Builds the pattern of the graph as a lower triangle. Two groups are connected if the matrix has an entry whose row
   /// is in one group and whose column is in the other.
   void make_pattern(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group) {
     std::vector<SuiteSparse_long> start{0}, row;

@@ -6,7 +6,7 @@
 namespace floc {
 
 /// Sparse triangular factor R of a matrix A = Q R (SuiteSparseQR). It solves A^T A x = b without forming A^T A. The
-/// condition number of R is only the square root of that of A^T A, so that rounding costs fewer digits.
+/// condition number of R is only the square root of that of A^T A, and rounding therefore costs fewer digits.
 class LeastSquaresFactor {
  public:
   /// Factorizes A (column-major; it is copied).

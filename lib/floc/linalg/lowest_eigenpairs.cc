@@ -19,12 +19,13 @@ namespace {
 constexpr double kFirstShift = 1e-10;
 /// Largest shift of the diagonal that is tried to make a matrix positive definite.
 constexpr double kLastShift = 1e6;
-/// Lanczos' iteration ends when the relative change of the eigenvalues of the inverse is below this value. Eigenvalues
-/// then have about this relative error. The error of an eigenvector is the square root of this value, divided by the
-/// relative distance of its eigenvalue to the next one.
+/// Relative change of the eigenvalues of the inverse below which Lanczos' iteration ends. Eigenvalues then have about
+/// this relative error. The error of an eigenvector is the square root of this value, divided by the relative distance
+/// of its eigenvalue to the next eigenvalue.
 constexpr double kConverged = 1e-11;
+/// Limit on the number of restarts of the Lanczos iteration.
 constexpr int kMaxRestarts = 300;
-/// If `bound` is farther than this from every eigenvalue of A, rounding does not change the inertia of A - bound * 1.
+/// Distance of `bound` from every eigenvalue of A above which rounding does not change the inertia of A - bound * 1.
 constexpr double kClear = 1e-13;
 /// Largest order of a matrix whose eigenpairs are computed by a dense solver, in negligible time.
 constexpr int kDense = 120;
@@ -51,8 +52,8 @@ class Projector {
   Eigen::MatrixXd dense_;
 };
 
-/// Operator P (A + s * 1)^-1 P in the form that Spectra requires, with the matrix A and the shift s in `factor`, and
-/// the projector P.
+/// Operator P (A + s * 1)^-1 P in the form that Spectra requires, with the projector P. `factor` contains the matrix A
+/// and the shift s.
 struct ShiftInvert {
   using Scalar = double;
   const SymmetricFactor& factor;
@@ -76,15 +77,15 @@ double make_positive(SymmetricFactor& factor) {
       "finite");
 }
 
-/// Returns up to `count` eigenpairs of the matrix in `factor`, lowest first, that are orthogonal to the vectors that
-/// the projector removes.
+/// Returns up to `count` eigenpairs of the matrix in `factor`, in ascending order of the eigenvalues, that are
+/// orthogonal to the vectors that the projector removes.
 Eigenpairs search(const SymmetricFactor& factor, const Projector& project, double shift, Eigen::Index n,
                   int count) {
   ShiftInvert op{factor, project, n};
   const Eigen::Index basis = std::min<Eigen::Index>(n, std::max(2 * count + 20, 40));
   Spectra::SymEigsShiftSolver<ShiftInvert> solver(op, count, basis, -shift);
-  // If the start vector had the symmetry of a lattice, it would be orthogonal to some modes, which would then be
-  // missed. Its entries therefore have no symmetry.
+  // A start vector with the symmetry of a lattice would be orthogonal to some modes, and the search would miss them.
+  // The entries of the start vector therefore have no symmetry.
   Eigen::VectorXd start(n);
   for (Eigen::Index k = 0; k < n; ++k) start[k] = std::sin(1.0 + 1.7 * static_cast<double>(k % 100003));
   start = project(start);
@@ -103,9 +104,9 @@ Eigenpairs best_in_span(const SymmetricFactor& factor, const Eigen::MatrixXd& ve
   return {eigen.values, q * eigen.vectors, true};
 }
 
-/// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. All of them
-/// are eigenvectors of the eigenvalue zero, of which a Lanczos search would find only one. The inverse of A + shift * 1
-/// multiplies all of them by 1/shift, so that a few products with it separate them from other vectors.
+/// Returns up to `count` vectors v for which A v is zero to rounding, where A is the matrix in `factor`. They are
+/// eigenvectors of one eigenvalue, zero, of which a Lanczos search would find only one. The inverse of A + shift * 1
+/// multiplies all of them by 1/shift, so a few products with the inverse separate them from other vectors.
 Eigenpairs search_null_space(const SymmetricFactor& factor, const Projector& project, Eigen::Index n,
                              int count) {
   constexpr int kPasses = 2;
@@ -163,7 +164,7 @@ Eigenpairs lowest_eigenpairs(SymmetricFactor& factor, const Eigen::SparseMatrix<
   }
   int missing = wanted - static_cast<int>(found.values.size());
   found.complete = missing == 0;
-  // Each search finds at least one more eigenvector of every multiple eigenvalue among the lowest ones.
+  // Each search finds at least one more eigenvector of every multiple eigenvalue among the lowest eigenvalues.
   for (int k = 0; k <= wanted && missing > 0; ++k) {
     const double shift = make_positive(factor);
     const Eigenpairs more = search(factor, project, shift, n, std::min(missing, wanted));

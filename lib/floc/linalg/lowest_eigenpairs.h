@@ -21,7 +21,7 @@ struct Eigenpairs {
 /// shows that eigenvalues have been missed, the search is repeated in the space orthogonal to the eigenvectors found so
 /// far. The error of an eigenvalue is a few rounding units of the norm of A.
 ///
-/// @param factor    contains A, whose diagonal has to be of order one; its present factorization is replaced by others
+/// @param factor    contains A, whose diagonal has to be of order one; its present factorization is lost
 /// @param left_out  linearly independent null vectors of A, one per column, that the search leaves out
 /// @param count     number of eigenvalues to find, > 0; fewer are returned if A has fewer
 /// @throws std::runtime_error if A + s * 1 has no Cholesky factor for any s, because A is not finite

@@ -54,7 +54,7 @@ Positivity test_positivity(Eigen::Index n, const std::function<Eigen::VectorXd(c
       return out;
     }
     spread = std::max(spread, alpha + last_beta + beta);
-    // Lanczos' method has ended: its vectors span all eigenvectors of which the start vector is a sum, and more steps
+    // Lanczos' method has ended: its vectors span all eigenvectors that contribute to the start vector, and more steps
     // would find no other eigenvalue.
     if (beta <= options.rounding * spread) {
       out.bound = options.rounding;

@@ -6,11 +6,11 @@
 namespace floc {
 
 struct PositivityOptions {
-  /// The test ends when it would have found any eigenvalue below -bound.
+  /// The test ends when any eigenvalue below -bound would have been found.
   double bound = 1e-4;
   int max_steps = 10000;
-  /// Largest accepted probability that the test misses an eigenvalue below -bound. This can happen, because its random
-  /// start vector may be nearly orthogonal to the eigenvector.
+  /// Largest accepted probability that the test misses an eigenvalue below -bound. The test may miss it if the random
+  /// start vector is nearly orthogonal to the eigenvector.
   double oversight = 1e-6;
   /// Rounding error of eigenvalues. An eigenvalue between -rounding and 0 counts as zero, like the eigenvalue of a
   /// mechanism.
@@ -20,7 +20,7 @@ struct PositivityOptions {
 /// Result of a test whether the lowest eigenvalue of a symmetric matrix A is negative.
 struct Positivity {
   bool negative = false;  ///< whether A has a negative eigenvalue: x^T A x < 0 for a vector x that was found
-  /// If not `negative`: no eigenvalue of A is below -bound, except with the probability PositivityOptions::oversight.
+  /// If not `negative`: no eigenvalue of A is below -bound, except with a probability of PositivityOptions::oversight.
   double bound = 0.0;
   int steps = 0;  ///< number of products with A
 };
@@ -28,7 +28,7 @@ struct Positivity {
 /// Tests whether a symmetric matrix A has a negative eigenvalue, by Lanczos' method from a random start vector. No
 /// factor of A is needed, and only three vectors are stored. The method builds a tridiagonal matrix, one row per step.
 /// If a pivot of this matrix is negative, a Rayleigh quotient of A is negative, and A has a negative eigenvalue. If no
-/// pivot is negative after k steps, the bound of [KW1992] holds for A of order n, except with the probability
+/// pivot is negative after k steps, the bound of [KW1992] holds for A of order n, except with a probability of
 /// `options.oversight`:
 ///
 ///   lowest eigenvalue > -e * (largest minus lowest eigenvalue),  e = (ln(1.648 sqrt(n)/oversight)/(2 k - 1))^2

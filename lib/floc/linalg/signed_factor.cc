@@ -15,11 +15,12 @@ void dtrsm_(const char*, const char*, const char*, const char*, const int*, cons
 namespace floc {
 namespace {
 
-/// Largest number of columns that are eliminated one by one. More columns are halved, and the halves are eliminated
-/// with products of dense blocks, which is faster.
+/// Largest number of columns that are eliminated one by one. Larger numbers of columns are halved, and the halves are
+/// eliminated with products of dense blocks, which is faster.
 constexpr int kPanel = 32;
 
-/// View of consecutive columns of a supernode of the factor L, from one of its rows down, in A + shift * 1 = L S L^T.
+/// View of consecutive columns of a supernode of the factor L, from one of its rows to the last, in A + shift * 1 = L S
+/// L^T.
 struct Block {
   double* value;
   int stride;
@@ -67,7 +68,7 @@ class SignedFactorization {
   int n_rows(int s) const { return static_cast<int>(l_.first_row[s + 1] - l_.first_row[s]); }
   int n_columns(int s) const { return static_cast<int>(l_.first_column[s + 1] - l_.first_column[s]); }
   std::int64_t row(int s, int k) const { return l_.row[l_.first_row[s] + k]; }
-  /// Returns columns first, ..., first + count - 1 of supernode s, from its row k down.
+  /// Returns columns first, ..., first + count - 1 of supernode s, from its row k to the last.
   Block block(int s, int k, int first, int count) const {
     return {l_.value + l_.first_value[s] + static_cast<std::int64_t>(first) * n_rows(s) + k, n_rows(s), count,
             sign_.data() + l_.first_column[s] + first};
@@ -84,8 +85,8 @@ class SignedFactorization {
     }
   }
 
-  /// Adds the supernode d to the list of supernodes that will be subtracted from the supernode s. The columns of s
-  /// contain the next row of d that has not been subtracted yet.
+  /// Adds the supernode d to the list of supernodes that will be subtracted from the supernode s. The next row of d
+  /// that has not been subtracted yet belongs to the columns of s.
   void wait(int d) {
     if (next_row_[d] == n_rows(d)) return;
     const int s = owner_[row(d, next_row_[d])];
@@ -137,7 +138,7 @@ class SignedFactorization {
   }
 
   /// Eliminates columns first, ..., first + count - 1 of supernode s, from which all earlier supernodes have been
-  /// subtracted. The columns are halved recursively, so that most of the work is done by products of large blocks.
+  /// subtracted. The columns are halved recursively, which leaves most of the work to products of large blocks.
   /// @return false if a value is not finite
   bool eliminate(int s, int first, int count) {
     if (count <= kPanel) return eliminate_panel(s, first, count);

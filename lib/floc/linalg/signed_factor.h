@@ -32,7 +32,7 @@ struct LowerColumns {
 /// entries. Except for the smallest blocks, the work consists of products of dense matrices, which makes it as fast as
 /// a Cholesky factorization by supernodes.
 /// @param matrix          lower triangle of A
-/// @param smallest_pivot  value that replaces a pivot of smaller absolute value, so that the elimination can continue
+/// @param smallest_pivot  value that replaces a pivot of smaller absolute value, to let the elimination continue
 /// @param factor          receives L
 /// @return diagonal of S; empty if A is not finite
 std::vector<double> factorize_signed(const LowerColumns& matrix, double shift, double smallest_pivot,

@@ -7,8 +7,8 @@ namespace floc {
 namespace {
 
 /// Shifts that are added to the diagonal of a matrix, one after another, until it is positive definite. The smallest is
-/// the rounding error of single precision, each next one is kNextShift times larger, and the largest is the size of the
-/// diagonal, which is of order one.
+/// the rounding error of single precision, each further shift is kNextShift times larger, and the largest is the size
+/// of the diagonal, which is of order one.
 constexpr float kSmallestShift = 1e-6F;
 constexpr float kLargestShift = 1.0F;
 constexpr float kNextShift = 10.0F;

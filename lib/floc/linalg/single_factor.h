@@ -6,7 +6,7 @@
 namespace floc {
 
 /// Cholesky factor in single precision of a symmetric positive semidefinite matrix A. It takes half the memory of a
-/// factor in double precision. It has only 7 digits, which iterative refinement in double precision compensates.
+/// factor in double precision. It has only 7 digits; iterative refinement in double precision makes up for this.
 /// CHOLMOD 3 has no single precision, so Eigen computes the factor, without supernodes; for a large matrix this takes
 /// longer than a SymmetricFactor.
 ///
@@ -20,7 +20,7 @@ class SingleFactor {
   SingleFactor(SingleFactor&&) noexcept;
 
   /// Returns whether a shift was found for which A + shift * 1 has a Cholesky factor. If not, A is indefinite or not
-  /// finite, because shifts up to the size of its diagonal are tried.
+  /// finite, because shifts up to the size of its diagonal have been tried.
   bool positive() const { return positive_; }
   double shift() const { return shift_; }
   /// Returns an approximation of A^-1 b, whose relative error is about 1e-7 times the condition number of A.

@@ -20,11 +20,10 @@
 namespace floc {
 namespace {
 
-/// Absolute value below which a pivot of L S L^T is replaced by this value, so that the elimination can continue; far
-/// below rounding errors.
+/// Absolute value, far below rounding errors, that replaces smaller pivots of L S L^T to let the elimination continue.
 constexpr double kSmallestPivot = 1e-30;
-/// Limits CHOLMOD to one thread while this object exists. CHOLMOD starts four threads, whatever its options, for blocks
-/// of only a few columns; they mostly wait for each other, and one thread is faster.
+/// Limits CHOLMOD to one thread while this object exists. With any options, CHOLMOD starts four threads for blocks of
+/// only a few columns. These threads mostly wait for each other, and one thread is faster.
 class OneThread {
  public:
   OneThread() { omp_set_max_active_levels(0); }
@@ -56,7 +55,7 @@ struct SymmetricFactor::Factor {
 
   Ordering ordering;
   std::vector<int> group;  // number of the group to which each unknown belongs
-  // permutation from the caller's order of the unknowns to the order of the unknowns in `matrix`
+  // permutation from the order of the unknowns outside this class to their order in `matrix`
   Eigen::PermutationMatrix<Eigen::Dynamic> to_matrix;
   double norm = 0.0;   // largest absolute row sum of the matrix A
   double shift = 0.0;  // shift s of the last factorization, which was that of A + s * 1

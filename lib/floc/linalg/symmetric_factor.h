@@ -10,12 +10,12 @@ namespace floc {
 
 /// Cost of a Cholesky factorization, predicted from the pattern of the matrix alone.
 struct FactorCost {
-  double bytes = 0.0;  ///< size of the factor (bytes), which is most of the memory that the factorization uses
+  double bytes = 0.0;       ///< size of the factor, which takes most of the memory of the factorization (bytes)
   double operations = 0.0;  ///< number of floating-point operations of one factorization
 };
 
 /// Sparse Cholesky factor of a symmetric matrix A (CHOLMOD). A may be positive definite or indefinite; both are
-/// factorized by supernodes at the same speed. That A is indefinite is a result and not an error, and its negative
+/// factorized by supernodes at the same speed. An indefinite A is a result and not an error, and its negative
 /// eigenvalues can be counted. The unknowns should be scaled so that the diagonal of A is of order one, because the
 /// smallest pivot and the shifts are absolute numbers.
 class SymmetricFactor {
@@ -30,13 +30,13 @@ class SymmetricFactor {
   /// @param lower  lower triangle of A, column-major; entries above the diagonal are ignored
   /// @param group  number of the group (grain) to which each unknown belongs, ascending from 0. The unknowns of a group
   ///               are placed together in the elimination order. This makes the search for an order faster by the
-  ///               square of the size of a group, and the factor stays as sparse. If empty, each unknown is a group of
-  ///               its own
+  ///               square of the size of a group, without a loss of sparsity. If empty, each unknown is a group of its
+  ///               own
   /// @throws std::runtime_error if memory runs out
   void set_matrix(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& group = {});
 
-  /// Predicts the cost of factorize_positive(), which is also that of factorize_indefinite(). Only the symbolic
-  /// analysis is made, and kept for the factorization; the factor itself is not allocated.
+  /// Predicts the cost of factorize_positive(), which is also the cost of factorize_indefinite(). Only the symbolic
+  /// analysis is made; it is kept for the factorization. The factor itself is not allocated.
   FactorCost predicted_cost();
 
   /// Factorizes A + shift * 1 as L L^T.
@@ -49,9 +49,9 @@ class SymmetricFactor {
   [[nodiscard]] bool factorize_indefinite(double shift = 0.0);
 
   /// Returns the number of eigenvalues of A below `bound`. It is the number of negative entries of the diagonal matrix
-  /// S in A - bound * 1 = L S L^T (Sylvester's law of inertia). This factorization replaces the last one. Rounding
-  /// shifts the eigenvalues by a few rounding units, so that `bound` should lie farther than that from any eigenvalue
-  /// that matters.
+  /// S in A - bound * 1 = L S L^T (Sylvester's law of inertia). This factorization replaces the last factorization.
+  /// Rounding shifts the eigenvalues by a few rounding units; the distance of `bound` from any eigenvalue that matters
+  /// should be larger.
   int count_eigenvalues_below(double bound);
 
   /// Solves A X = B by the last factor, with iterative refinement. If the factor is that of A + shift * 1, this is the
@@ -73,7 +73,7 @@ class SymmetricFactor {
   double condition_estimate() const;
 
   /// Returns a rough reciprocal condition number of the matrix that was factorized last: its smallest pivot divided by
-  /// its largest one, both in absolute value; 1 for an empty matrix. For a positive definite matrix this is an upper
+  /// its largest pivot, both in absolute value; 1 for an empty matrix. For a positive definite matrix this is an upper
   /// bound on the reciprocal condition number.
   /// @pre the last factorization succeeded
   double reciprocal_condition() const;

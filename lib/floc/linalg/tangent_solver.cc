@@ -20,8 +20,8 @@ constexpr double kTolerance = 1e-8;
 constexpr double kTangentFirstShift = 1e-9;
 constexpr double kTangentLastShift = 1e-2;
 constexpr double kTangentNextShift = 100.0;
-/// A Cholesky factor that was made for an earlier matrix is renewed if BiCGSTAB took more than this number of steps
-/// with it.
+/// Number of BiCGSTAB steps above which a Cholesky factor that was made for an earlier matrix is replaced by a new
+/// factor.
 constexpr int kStaleSteps = 30;
 /// Largest number of BiCGSTAB steps: with a Cholesky factor as preconditioner, and with the diagonal.
 constexpr int kMostStepsWithFactor = 60;
@@ -113,10 +113,10 @@ TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const Tange
   constexpr double kMatrices = 4.0;
   constexpr double kFactorRate = 15e9, kLuRate = 5e9, kSubstitutionRate = 3e9, kProductRate = 1.2e9;
   constexpr double kStepsWithFactor = 5.0, kStepsWithDiagonal = 300.0, kProductsPerStep = 2.0;
-  // an LU factor, which is exact, is chosen whenever it takes less than this time (seconds)
+  // LU factors, which are exact, are chosen whenever they take less than this time (seconds).
   constexpr double kNoMatter = 0.05;
   constexpr double kLargestFactor = 4e9;  // largest size of a factor that is made (bytes)
-  // largest predicted time at which LU factors may replace BiCGSTAB if BiCGSTAB does not converge (seconds)
+  // Largest predicted time at which LU factors may replace BiCGSTAB if BiCGSTAB does not converge (seconds).
   constexpr double kAtNeed = 20.0;
 
   const Eigen::Index n = tangent.rows() - layout.n_boundary;
@@ -217,7 +217,7 @@ std::optional<Eigen::VectorXd> TangentSolver::solve(const Eigen::VectorXd& b) {
   if (m.method == TangentMethod::lu) return m.lu.solve(b);
   std::optional<Eigen::VectorXd> x = m.krylov.solve(b);
   if (x || !m.lu_at_need) return x;
-  m.method = TangentMethod::lu;  // BiCGSTAB would not converge for later matrices either
+  m.method = TangentMethod::lu;  // BiCGSTAB would not converge for later matrices
   return m.krylov.solve_by(m.lu, b);
 }
 

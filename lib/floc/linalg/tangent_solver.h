@@ -36,8 +36,8 @@ struct TangentPlan {
 TangentPlan plan_tangent(const Eigen::SparseMatrix<double>& tangent, const TangentLayout& layout);
 
 /// Solver for the linear systems of successive Newton steps. All matrices have the same pattern. The block of the
-/// grains should be nearly symmetric and positive definite, which it is unless many contacts slide. If BiCGSTAB does
-/// not converge, an LU factor replaces it.
+/// grains should be nearly symmetric and positive definite, which is the case unless many contacts slide. If BiCGSTAB
+/// does not converge, an LU factor replaces it.
 class TangentSolver {
  public:
   TangentSolver(const TangentPlan& plan, const TangentLayout& layout);

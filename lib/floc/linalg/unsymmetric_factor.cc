@@ -28,8 +28,8 @@ struct UnsymmetricFactor::Factors {
     umfpack_di_defaults(control.data());
     control[UMFPACK_PRL] = 0;
     // Makes UMFPACK use its ordering for symmetric matrices. The tangent matrices of floc have symmetric patterns and
-    // large diagonals, even if their values are not symmetric, so that this ordering makes the factorization three to
-    // five times faster (1400 grains). UMFPACK, which sees the pattern alone, would choose another ordering.
+    // large diagonals, even if their values are not symmetric. With this ordering, the factorization is three to five
+    // times faster (1400 grains). UMFPACK sees the pattern alone and would choose another ordering.
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   }
   ~Factors() {
@@ -48,7 +48,7 @@ struct UnsymmetricFactor::Factors {
   void analyse() {
     umfpack_di_free_symbolic(&symbolic);
     const int n = static_cast<int>(matrix.cols());
-    // The values of the matrix are not passed, so that the ordering depends on the pattern alone.
+    // The values of the matrix are not passed, which makes the ordering depend on the pattern alone.
     const int status = umfpack_di_symbolic(n, n, matrix.outerIndexPtr(), matrix.innerIndexPtr(), nullptr,
                                            &symbolic, control.data(), nullptr);
     if (status != UMFPACK_OK)

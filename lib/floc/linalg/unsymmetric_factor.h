@@ -16,8 +16,8 @@ class UnsymmetricFactor {
   UnsymmetricFactor& operator=(UnsymmetricFactor&&) noexcept;
 
   /// Factorizes a square matrix.
-  /// @param matrix  column-major; it is compressed and copied. Its pattern should include entries that are zero now but
-  ///                may become nonzero, so that the ordering can be kept
+  /// @param matrix  column-major; it is compressed and copied. To keep the ordering, its pattern should include entries
+  ///                that are zero now but may become nonzero
   /// @return false if the matrix is singular to working precision or contains a value that is not finite; solve() must
   ///         then not be called
   /// @throws std::runtime_error if memory runs out
@@ -27,8 +27,8 @@ class UnsymmetricFactor {
   /// @pre the last factorize() returned true; b has as many rows as the matrix
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
-  /// Returns a rough reciprocal condition number of the matrix: the smallest pivot divided by the largest one; 0 if the
-  /// matrix is singular.
+  /// Returns a rough reciprocal condition number of the matrix: the smallest pivot divided by the largest pivot; 0 if
+  /// the matrix is singular.
   double reciprocal_condition() const;
 
  private:

@@ -39,7 +39,7 @@ template <int Dim>
 void find_contacts(Packing<Dim>& packing) {
   packing.contacts.clear();
   const std::vector<NeighborPair<Dim>> pairs = interacting_pairs(packing);
-  // More contacts than this limit are a sign of a wrong radius or a wrong cell. The number is tested before memory is
+  // More contacts than this limit indicate a wrong radius or a wrong cell. The number is tested before memory is
   // allocated for the contacts.
   if (pairs.size() > kContactsAlways + kContactsPerGrain * static_cast<std::size_t>(packing.grains.size()))
     throw InputError(
@@ -54,8 +54,8 @@ void find_contacts(Packing<Dim>& packing) {
     contact.image = pair.image;
     packing.contacts.push_back(contact);
   }
-  // The range of a contact law does not include the gaps that its liquid bridges span, because these depend on the
-  // volumes of the bridges. spread_liquid() adds the pairs that a bridge joins across a gap.
+  // The range of a contact law does not include the gaps across which its liquid bridges act, because these gaps depend
+  // on the volumes of the bridges. spread_liquid() adds the pairs that a bridge joins across a gap.
   refresh_contacts(packing);
   spread_liquid(packing);
   // A contact is meaningless if its normal is zero (both grains have the same centre), or if its normal points from the

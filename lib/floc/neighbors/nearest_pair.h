@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Pair of grains of a packing whose surfaces are nearest to each other; the two may be a grain and its own periodic
+/// Pair of grains of a packing whose surfaces are nearest to each other. It may consist of a grain and its own periodic
 /// image.
 struct NearestPair {
   int i = 0, j = 0;
@@ -14,8 +14,7 @@ struct NearestPair {
 };
 
 /// Finds the pair of grains whose surfaces are nearest to each other.
-/// @return the nearest pair; no value if all gaps are wider than about a thousand diameters of the largest grain, where
-/// the search ends
+/// @return the nearest pair; no value if all gaps are wider than about a thousand largest diameters
 template <int Dim>
 std::optional<NearestPair> nearest_pair(const Packing<Dim>& packing);
 

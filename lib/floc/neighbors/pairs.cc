@@ -24,7 +24,7 @@ constexpr double kMaxCells = 1e9;
 constexpr double kTrialsAlways = 1e8;
 constexpr double kTrialsPerGrain = 1e5;
 /// Largest number of close pairs of grains that a search may find: kPairsAlways plus kPairsPerGrain times the number of
-/// grains. More pairs are a sign of a wrong radius or a wrong cell.
+/// grains. More pairs indicate a wrong radius or a wrong cell.
 constexpr std::size_t kPairsAlways = 10'000;
 constexpr std::size_t kPairsPerGrain = 1000;
 /// Largest number of size levels, into which grains are sorted. Each level covers a factor of two in size; the last
@@ -59,7 +59,7 @@ struct WrappedGrains {
 };
 
 /// Bins (parallelepipeds) into which the cell is divided, with the grains that lie in each bin. Each lattice vector is
-/// divided into equal parts. If the cell is large enough, each bin is at least as wide as the cutoff distance.
+/// divided into equal parts. Each bin is at least as wide as the cutoff distance, unless the cell is narrower.
 template <int Dim>
 class Bins {
  public:
@@ -95,9 +95,8 @@ class Bins {
     for_each_bin(window.first, window, [&](const Vec<Dim, int>& bin) { visit_bin(bin, visit); });
   }
 
-  /// Calls visit(j, image) like around(), but visits each pair from one of its two grains only. Grain i has to be in
-  /// these bins, too. Bins that precede the bin of i are left out, and so are grains in the bin of i with an index
-  /// below i.
+  /// Calls visit(j, image) like around(), but visits each pair from only one of its two grains. Grain i has to be in
+  /// these bins, too. Bins before the bin of i, and grains in the bin of i with an index below i, are left out.
   template <class Visit>
   void around_and_after(int i, double reach, const Visit& visit) const {
     const Window window = window_around(i, reach);
@@ -169,8 +168,8 @@ class Bins {
   template <class Visit>
   void visit_bin(Vec<Dim, int> target, const Visit& visit) const {
     Vec<Dim, int> image = Vec<Dim, int>::Zero();
-    // These loops bring the bin `target` back into the cell. It is at most a few cells outside, so that the loops are
-    // faster than divisions, which took a third of the computing time of the search.
+    // These loops move the bin `target` back into the cell. The bin is at most a few cells outside. Divisions would be
+    // slower: they took a third of the computing time of the search.
     for (int a = 0; a < Dim; ++a) {
       for (; target[a] < 0; target[a] += count_[a]) --image[a];
       for (; target[a] >= count_[a]; target[a] -= count_[a]) ++image[a];
@@ -197,13 +196,14 @@ struct SizeLevel {
 
 /// Sorts the grains into levels of similar size, the level of the largest grains first. A grain of radius R needs bins
 /// of width 2 R + gap. If the largest of these widths is at most kSimilarSizes times the smallest, there is a single
-/// level; otherwise there is one level per factor of two in width. A small grain is then not compared with the many
-/// small grains in bins as wide as the largest grain (Ogarko and Luding, Comput. Phys. Commun. 183, 931, 2012).
+/// level; otherwise there is one level per factor of two in width. With levels, a small grain is not compared with the
+/// many small grains in bins that are as wide as the largest grain (Ogarko and Luding, Comput. Phys. Commun. 183, 931,
+/// 2012).
 template <int Dim>
 std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>& grains,
                                         const WrappedGrains<Dim>& wrapped, double gap) {
   const auto [least, most] = std::minmax_element(grains.radius.begin(), grains.radius.end());
-  // Half widths are compared, so that twice a radius close to the largest double does not overflow.
+  // Half widths are compared, because twice a radius close to the largest double would overflow.
   const double widest = *most + 0.5 * gap;
   const bool one = widest <= kSimilarSizes * (*least + 0.5 * gap);
   std::vector<std::vector<int>> members(kMaxLevels);
@@ -222,8 +222,8 @@ std::vector<SizeLevel<Dim>> size_levels(const Cell<Dim>& cell, const Grains<Dim>
   return levels;
 }
 
-/// Throws an InputError if a search would test too many pairs of grains. This happens if the cell is so small compared
-/// with its grains that each grain has too many periodic images nearby.
+/// Throws an InputError if a search would test too many pairs of grains. This happens if each grain has too many
+/// periodic images nearby, because the cell is small compared with its grains.
 template <int Dim>
 void check_cost(const std::vector<SizeLevel<Dim>>& levels, double n_grains, double gap) {
   double trials = 0.0;
@@ -315,8 +315,8 @@ class PairSearch {
   std::vector<NeighborPair<Dim>> pairs_;
 };
 
-/// Sorts pairs of grains by (i, j, image): first by the first grain i with a counting sort, then the pairs of each
-/// first grain by comparison.
+/// Sorts pairs of grains by (i, j, image): first by the first grain i with a counting sort, and then by comparison of
+/// the pairs of each first grain.
 template <int Dim>
 std::vector<NeighborPair<Dim>> sorted(const std::vector<NeighborPair<Dim>>& pairs, int n_grains) {
   std::vector<std::size_t> first(n_grains + 1, 0);
@@ -337,7 +337,7 @@ template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap) {
   check_finite(cell, grains);
   if (grains.size() == 0) return {};
-  // The PairSearch object is a temporary object, so that its memory is freed before the pairs are sorted.
+  // The PairSearch object is temporary, to free its memory before the pairs are sorted.
   const std::vector<NeighborPair<Dim>> pairs = PairSearch<Dim>(cell, grains, gap).all();
   return sorted(pairs, grains.size());
 }

@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Pair of grains, or of a grain and a periodic image of a grain, whose surfaces touch or are close enough that they
-/// may come into contact.
+/// Pair of grains, or of a grain and a periodic image of a grain, whose surfaces touch or are so close that they may
+/// come into contact.
 template <int Dim>
 struct NeighborPair {
   int i;
@@ -22,15 +22,14 @@ struct NeighborPair {
 
 /// Finds every pair of grains whose surfaces are closer than `gap`. Each pair appears once; the pairs are sorted by (i,
 /// j, image). The lattice vectors may have any lengths and directions. In a small cell, two grains may form several
-/// pairs with different periodic images, and a grain may form pairs with its own periodic images; of a grain and two
-/// opposite images of it, one pair is listed.
+/// pairs with different periodic images, and a grain may form pairs with its own periodic images; a grain and two
+/// opposite images of itself form one pair.
 ///
-/// @param gap  upper bound of the distance between the surfaces of two grains (length), >= 0; pairs at exactly this
-/// distance are left out
+/// @param gap  distance between the surfaces of two grains below which they form a pair (length), >= 0
 /// @throws InputError if a radius, position or the cell is not finite or the cell has no volume; if a grain lies more
-/// than 1e9 cells away from the cell; if the search would take too long, which happens if a grain is many cells wide or
-/// if very many small grains are mixed with a very large one; or if there are more than 10 000 pairs plus 1000 per
-/// grain
+/// than 1e9 cells away from the cell; if the search would take too long, for example because a grain is many cells
+/// wide, or because very many small grains are mixed with a very large grain; or if there are more than 10 000 pairs
+/// plus 1000 per grain
 template <int Dim>
 std::vector<NeighborPair<Dim>> find_pairs(const Cell<Dim>& cell, const Grains<Dim>& grains, double gap);
 

@@ -18,7 +18,7 @@ namespace floc {
 namespace {
 
 /// Returns the pairs of grains that may get liquid, as sorted contacts with their gaps: the contacts between grains of
-/// the packing and, with unloaded springs, all other pairs of grains whose gap is below `reach` (length).
+/// the packing, and all other pairs of grains whose gap is below `reach` (length), with unloaded springs.
 template <int Dim>
 std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) {
   std::vector<Contact<Dim>> found;
@@ -32,7 +32,7 @@ std::vector<Contact<Dim>> candidates(const Packing<Dim>& packing, double reach) 
   return found;
 }
 
-/// Distributes the liquid of the packing over those members of `found` that may hold liquid.
+/// Distributes the liquid of the packing over the members of `found` that may hold liquid.
 /// @return the liquid volume that each member of `found` gets
 template <int Dim>
 LiquidShares shares_over(const Packing<Dim>& packing, const BridgeSearch& search,
@@ -59,8 +59,8 @@ LiquidChange spread_liquid(Packing<Dim>& packing) {
   double reach = on_contact ? 0.0 : search.first_reach();
   std::vector<Contact<Dim>> found = candidates(packing, reach);
   LiquidShares shares = shares_over(packing, search, found);
-  // If bridges form only on contact, every pair that gets liquid touches or is already a contact of the packing, so
-  // that the search for pairs need not be widened.
+  // If bridges form only on contact, every pair that gets liquid touches or is already a contact of the packing. The
+  // search for pairs then need not be widened.
   for (double wider = search.wider(reach, shares); !on_contact && wider > reach;
        wider = search.wider(reach, shares)) {
     reach = wider;

@@ -14,8 +14,8 @@ NeighborPair<Dim> canonical_pair(const Contact<Dim>& c) {
 }
 
 /// Returns the indices of the contacts, sorted by the canonical form (i <= j) of the pair of each contact. The contacts
-/// usually have this order already, unless they were read from a file with another order. Only indices are sorted,
-/// because there may be millions of contacts.
+/// usually have this order already, unless they were read from a file with another order. Indices are sorted instead of
+/// contacts, because there may be millions of contacts.
 template <int Dim>
 std::vector<int> canonical_order(const std::vector<Contact<Dim>>& contacts) {
   std::vector<int> order(contacts.size());

@@ -6,11 +6,11 @@
 
 namespace floc {
 
-/// Returns those members of `pairs` that are not among the contacts of a packing. They are returned as contacts whose
-/// members i, j and image are set; the other members have their default values.
-/// @param packing  packing, whose contacts may be in any order, as may the two grains of each contact
-/// @param pairs  pairs in canonical form (i <= j), sorted by (i, j, image), as find_pairs() and interacting_pairs()
-/// return them
+/// Returns the members of `pairs` that are not among the contacts of a packing, as contacts whose members i, j and
+/// image are set; all other members have their default values.
+/// @param packing  packing; its contacts, and the two grains of each contact, may be in any order
+/// @param pairs  pairs in canonical form (i <= j), sorted by (i, j, image), like those that find_pairs() and
+/// interacting_pairs() return
 template <int Dim>
 std::vector<Contact<Dim>> unlisted_pairs(const Packing<Dim>& packing,
                                          const std::vector<NeighborPair<Dim>>& pairs);

@@ -8,7 +8,7 @@
 namespace floc {
 
 /// Force-carrying structure of a packing (docs/physics.md, "Force-carrying structure"): the contacts and attractions
-/// that carry a normal force, compressive or tensile, between grains that are not rattlers.
+/// between grains that are not rattlers, if they carry a normal force, compressive or tensile.
 struct CarryingStructure {
   std::vector<bool> rattler;  ///< for each grain, whether it is a rattler
   std::vector<int> contacts;  ///< indices of the carrying contacts in Packing::contacts, ascending
@@ -26,10 +26,10 @@ int least_contacts(const Packing<Dim>& packing);
 /// Allowed values of `least` in carrying_structure(): the smallest number of carrying contacts of a grain.
 inline constexpr WholeRange kLeastContacts{.least = 1, .most = 100};
 
-/// Finds the force-carrying structure of a packing. Only contacts that carry more than `smallest_force` count, those
-/// with walls included. Grains with fewer than `least` such contacts are rattlers. They are removed together with their
-/// contacts, and the search is repeated until it finds no other rattler. Unlike here, a contact that carries less may
-/// hold a grain in find_rattlers().
+/// Finds the force-carrying structure of a packing. Only contacts that carry more than `smallest_force` count,
+/// including contacts with walls. Grains with fewer than `least` such contacts are rattlers. They are removed together
+/// with their contacts, and the search is repeated until it finds no other rattler. In find_rattlers(), in contrast, a
+/// contact with a smaller force may hold a grain.
 /// @param smallest_force  absolute normal force above which a contact is carrying (force), >= 0
 /// @param least           smallest number of carrying contacts of a grain that is not a rattler, in kLeastContacts
 /// @throws InputError if a parameter is out of range

@@ -33,7 +33,7 @@ class Lattice {
     if (w.cwiseAbs().maxCoeff() > kMaxCells || vectors_[0].cwiseAbs().maxCoeff() > kMaxCells)
       throw InputError("contacts/image",
                        "the images of contacts lead around more than 2^40 cells before they return to the same "
-                       "grain, so that at least one image is wrong");
+                       "grain: at least one image is wrong");
     const CellCount<Dim>& u = vectors_[0];
     const auto minor = [](const auto& a, const auto& b, int p, int q) {
       return Wide{a[p]} * b[q] - Wide{a[q]} * b[p];

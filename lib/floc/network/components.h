@@ -24,7 +24,7 @@ struct Component {
   std::vector<int> on_walls;  ///< contacts between grains of this part and walls
 };
 
-/// Contacts (indices) of each grain, one list per grain.
+/// List of the indices of the contacts of each grain.
 using Adjacency = std::vector<std::vector<int>>;
 
 /// Returns the contacts of each grain. A contact of a grain with its own periodic image is listed twice.

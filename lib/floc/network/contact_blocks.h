@@ -16,9 +16,9 @@ struct ContactGraph {
   std::vector<int> neighbour;
 };
 
-/// Returns the graph of the pairs of grains that given contacts connect.
+/// Returns the graph of the pairs of grains that are connected by the given contacts.
 /// @param contacts  range of objects with the numbers i and j of two grains; contacts of a grain with its own image are
-///                  ignored
+/// ignored
 template <class Contacts>
 ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
   ContactGraph graph;
@@ -52,10 +52,10 @@ ContactGraph contact_graph(int n_grains, const Contacts& contacts) {
 /// @param on_i, on_j  columns of G for the unknowns of i and of j, rows x kDofs; if i = j, `on_i` contains both and
 ///                    `on_j` is zero
 /// @param boundary    columns of G for the unknowns of the boundary (strains of a cell, displacements of walls)
-/// @param d           the matrix D, an Eigen expression; it must be symmetric if `sum` stores one triangle only
+/// @param d           the matrix D, an Eigen expression; it must be symmetric if `sum` stores only one triangle
 /// @param sum         stiffness matrix, an object with these functions: add(grain, grain, block) adds a block of two
 ///                    grains, the lower one first if `kSymmetric`; boundary(), border(grain) and, unless `kSymmetric`,
-///                    border_row(grain) return the blocks of the boundary to which values are added
+///                    border_row(grain) return references to the blocks of the boundary
 template <class Rows, class Boundary, class Stiffness, class Sum>
 void add_contact(int i, int j, const Rows& on_i, const Rows& on_j, const Boundary& boundary, const Stiffness& d,
                  Sum& sum) {

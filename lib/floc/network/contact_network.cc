@@ -30,8 +30,9 @@ Vec<Dim> middle(const std::vector<Wall<Dim>>& walls) {
   return middle;
 }
 
-/// Returns the vector of a contact with a wall that a strain of the cell changes (NetworkContact::branch).
-/// @param to_foot  vector from the centre of the grain to the point of the wall that is nearest to it
+/// Returns the vector between the two bodies of a contact with a wall that a strain of the cell changes
+/// (NetworkContact::branch).
+/// @param to_foot  vector from the centre of the grain to the nearest point of the wall
 template <int Dim>
 Vec<Dim> strained_branch(const Packing<Dim>& packing, const Contact<Dim>& c, Vec<Dim> to_foot) {
   const Vec<Dim> to_middle = middle(packing.walls) - packing.grains.position[c.i];

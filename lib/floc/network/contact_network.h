@@ -6,8 +6,8 @@
 
 namespace floc {
 
-/// Contact as the linear response needs it: its contact points on the two bodies, its directions, stiffnesses and
-/// forces. Grains need not be round.
+/// Contact in the form that the linear response needs: its contact points on the two bodies, its directions,
+/// stiffnesses and forces. Grains need not be round.
 template <int Dim>
 struct NetworkContact {
   int i;  ///< number of the first grain
@@ -46,8 +46,8 @@ struct ContactNetwork {
   /// grain.
   std::vector<double> grain_size;
   std::vector<NetworkContact<Dim>> contacts;
-  /// Axes that have a wall at both ends, ascending. The two walls of such an axis may move together; this motion is one
-  /// more unknown of the boundary, besides the strains.
+  /// Axes that have a wall at both ends, ascending. The two walls of such an axis may move together; this motion is an
+  /// additional unknown of the boundary.
   std::vector<int> wall_axes;
 
   int n_unknowns() const { return kDofs<Dim> * n_grains; }
@@ -59,15 +59,15 @@ constexpr int first_unknown(int grain) {
   return kDofs<Dim> * grain;
 }
 
-/// Returns the frame of a contact as columns: the given unit normal, then unit tangents, orthogonal to it and to each
-/// other.
+/// Returns the frame of a contact as columns: the given unit normal, then unit tangents that are orthogonal to the
+/// normal and to each other.
 Mat<2> contact_frame(const Vec<2>& normal);
 Mat<3> contact_frame(const Vec<3>& normal);
 
 /// Returns the network of all contacts of a packing, in the order of Packing::contacts. The distance r of the centres
-/// of two grains is divided at the contact point in proportion to their radii R_i and R_j: the lever arm of grain i is
-/// r R_i/(R_i + R_j) long and lies along the normal (docs/physics.md, "Kinematics of a contact"). The lever arm at a
-/// wall is the distance to the plane of the wall.
+/// of two grains is divided at the contact point in proportion to their radii R_i and R_j: the lever arm of grain i has
+/// the length r R_i/(R_i + R_j) and lies along the normal (docs/physics.md, "Kinematics of a contact"). The lever arm
+/// at a wall is the distance to the plane of the wall.
 template <int Dim>
 ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 
@@ -76,14 +76,14 @@ ContactNetwork<Dim> contact_network(const Packing<Dim>& packing);
 template <int Dim>
 ContactNetwork<Dim> without_grains(const ContactNetwork<Dim>& network, const std::vector<bool>& removed);
 
-/// Returns the largest absolute normal or tangential stiffness of a contact (force/length); 1 without contacts.
-/// Dividing the stiffness matrix by it makes the diagonal of order one, if rotations are multiplied by the sizes of the
-/// grains.
+/// Returns the largest absolute normal or tangential stiffness of a contact (force/length); 1 without contacts. If the
+/// stiffness matrix is divided by this value and rotations are multiplied by the sizes of the grains, its diagonal is
+/// of order one.
 template <int Dim>
 double stiffness_scale(const ContactNetwork<Dim>& network);
 
-/// Sets the rolling stiffness of every touching contact to kr >= 0 (force * length). Attractions across a gap are left
-/// as they are.
+/// Sets the rolling stiffness of every touching contact to kr >= 0 (force * length). Attractions across a gap are not
+/// changed.
 template <int Dim>
 void set_rolling_stiffness(ContactNetwork<Dim>& network, double kr);
 

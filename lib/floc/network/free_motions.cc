@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// A rigid motion counts as independent of the motions already fixed if more than this share of its largest
-/// displacement is left after they have been subtracted from it.
+/// Smallest share of the largest displacement of a rigid motion that must remain after the motions already fixed have
+/// been subtracted, for the motion to count as independent of them.
 constexpr double kDistinct = 1e-6;
 
 /// Returns the null space of a matrix to rounding: orthonormal columns v with |matrix v| <= bound.
@@ -27,8 +27,8 @@ Eigen::MatrixXd kernel(const Eigen::MatrixXd& matrix, double bound) {
 template <int Dim>
 using GrainMotion = Eigen::Matrix<double, kDofs<Dim>, 1>;
 
-/// Returns the axes about which a connected part of the network can rotate as a rigid body and still fit to its
-/// periodic images.
+/// Returns the axes about which a connected part of the network can rotate as a rigid body without losing the fit to
+/// its periodic images.
 std::vector<RotationVector<2>> free_axes(const Component<2>& part) {
   if (!part.winding.empty()) return {};
   return {RotationVector<2>(1.0)};
@@ -149,8 +149,9 @@ class FreeMotionFinder {
 
   void finish_mode(FreeMotionKind kind) { free_.kind.push_back(kind); }
 
-  /// Adds the free motions of grains without contact, which can move in every way, and of dead ends, which can move at
-  /// their single contact along every component of the motion for which the contact has no stiffness.
+  /// Adds the free motions of grains without contact and of dead ends. Grains without contact can move in every way.
+  /// Dead ends can move at their single contact along every component of the motion for which the contact has no
+  /// stiffness.
   void add_rolls() {
     for (const int grain : alone_)
       for (int u = 0; u < kDofs<Dim>; ++u) {
@@ -180,8 +181,8 @@ class FreeMotionFinder {
     spins_.push_back({grains, motion, pinned});
   }
 
-  /// Returns `start` and the grains that rolling or twisting stiffness connects to it, directly or through others;
-  /// empty if a tangential spring or a wall resists their rotation.
+  /// Returns `start` and the grains that rolling or twisting stiffness connects to it, directly or through other
+  /// grains; empty if a tangential spring or a wall resists their rotation.
   std::vector<int> free_rolling_group(int start, std::vector<bool>& visited) const {
     bool held = false;
     std::vector<int> group{start};
@@ -214,8 +215,8 @@ class FreeMotionFinder {
     }
   }
 
-  /// Finds free rotations about an axis. A sphere rotates freely about the line through its two contacts, if it has no
-  /// other contact and neither has rolling or twisting stiffness.
+  /// Finds free rotations about an axis. A sphere rotates freely about the line through its two contacts if it has no
+  /// other contact and neither of the two has rolling or twisting stiffness.
   void find_axis_spins() {
     if constexpr (Dim == 3) {
       for (int i = 0; i < network_.n_grains; ++i) {
@@ -254,8 +255,8 @@ class FreeMotionFinder {
     return motion;
   }
 
-  /// Returns the distance from the first grain of a part to its farthest point (length). Rotations are multiplied by it
-  /// to be comparable to displacements.
+  /// Returns the distance from the first grain of a part to its farthest point (length). Multiplied by this distance,
+  /// rotations are comparable to displacements.
   double reach_of(const Component<Dim>& part) const {
     double reach = 0.0;
     for (std::size_t k = 0; k < part.grains.size(); ++k)
@@ -288,7 +289,7 @@ class FreeMotionFinder {
             (stiffness.array() != 0.0).select(change, 0.0);
       }
     }
-    // First the translations that no wall resists, then the motions orthogonal to them.
+    // The translations that no wall resists come first. They are followed by free motions orthogonal to them.
     const double bound = kDistinct * felt.norm();
     const Eigen::MatrixXd slides = kernel(felt.leftCols(Dim), bound);
     Eigen::MatrixXd across = Eigen::MatrixXd::Zero(felt.rows() + slides.cols(), n);
@@ -304,7 +305,7 @@ class FreeMotionFinder {
   double unit(int grain, int dof) const { return dof < Dim ? 1.0 : network_.grain_size[grain]; }
 
   /// Subtracts a rotation of grains that is already fixed from the rigid motions of the connected part that contains
-  /// them.
+  /// these grains.
   /// @param motions  rigid motions, one per column; the rows are the unknowns of the part, rotations multiplied by the
   /// grain size
   void take_out(const CoreSpin& spin, const std::vector<int>& row_of, Eigen::MatrixXd& motions) const {
@@ -318,8 +319,8 @@ class FreeMotionFinder {
     motions.row(row_of[pinned_grain] + pinned_dof).setZero();
   }
 
-  /// Fixes one unknown for each rigid motion of a connected part: the unknown that this motion changes most, after the
-  /// motions already fixed have been subtracted from it.
+  /// Fixes one unknown for each rigid motion of a connected part: the unknown with the largest change in this motion,
+  /// after the motions already fixed have been subtracted.
   /// @param spins   rotations of grains that are already fixed
   /// @param row_of  receives, for each grain of the part, its first row among the unknowns of the part
   void pin(const Component<Dim>& part, const std::vector<CoreSpin>& spins, std::vector<int>& row_of) {
@@ -347,7 +348,7 @@ class FreeMotionFinder {
     for (int m = 0; m < motions.cols(); ++m) {
       Eigen::Index row = 0;
       const double most = motions.col(m).cwiseAbs().maxCoeff(&row);
-      // If all grains of the part lie on a line, the rotation of the part about this line may already be fixed, as
+      // If all grains of the part lie on a line, the rotation of the part about this line may already be fixed by the
       // rotations of its grains.
       if (!(most > kDistinct * extent[m])) continue;
       free_.kept[first_unknown<Dim>(part.grains[row / kDofs<Dim>]) + row % kDofs<Dim>] = false;
@@ -381,7 +382,7 @@ class FreeMotionFinder {
   // for each grain, index of the first dead end that hangs on it; -1 if there is none
   std::vector<int> first_held_;
   std::vector<int> alone_;
-  std::vector<DeadEnd> dead_ends_;  // in the order in which they were removed, tips first
+  std::vector<DeadEnd> dead_ends_;  // in the order of their removal, from the tips
   std::vector<CoreSpin> spins_;
   std::vector<Eigen::Triplet<double>> entries_;
   FreeMotions free_;

@@ -3,7 +3,7 @@
 namespace floc {
 namespace {
 
-/// Returns the matrix of the linear map that takes a vector v to v x force.
+/// Returns the matrix of the linear map from a vector v to v x force.
 Eigen::Matrix<double, 1, 2> crossed_with(const Vec<2>& force) {
   return {force[1], -force[0]};
 }
@@ -13,8 +13,8 @@ Eigen::Matrix3d crossed_with(const Vec<3>& f) {
 
 /// Returns the matrix that gives the motion at a contact (rows as in MotionMatrix) from the unknowns of one of its two
 /// grains.
-/// @param sign            1 for grain j, -1 for grain i: sign of the displacement of this grain in the displacement of
-/// j relative to i
+/// @param sign            1 for grain j, -1 for grain i: sign with which the displacement of this grain enters the
+/// displacement of j relative to i
 /// @param first_rotation  first row of the rotation of this grain
 /// @param size            length by which rotations are multiplied to give the unknowns
 template <int Dim>
@@ -40,9 +40,9 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& c) {
   const double share_i = c.arm_i.dot(n) / r;
   const double share_j = -c.arm_j.dot(n) / r;
 
-  // The displacement of j relative to i does work on the force on j, which is -f. Its rows therefore contain +df, and
-  // the rows of the rotations contain minus the changes of the moments. The part n x dn of the turn of the frame gives
-  // w x S = -n (S.dn), which is parallel to r, so that r x (w x S) is zero.
+  // The displacement of j relative to i does work on the force on j, which is -f. The rows of the displacement
+  // therefore contain +df, and the rows of the rotations contain minus the changes of the moments. The part n x dn of
+  // the rotation of the frame gives w x S = -n (S.dn), which is parallel to r, so r x (w x S) is zero.
   MotionMatrix<Dim> k = MotionMatrix<Dim>::Zero();
   k.template topLeftCorner<Dim, Dim>() = -(c.normal_force * across + n * shear.transpose()) / r;
   const auto moment_by_displacement = crossed_with(shear).eval();

@@ -12,19 +12,19 @@ inline constexpr int kMotionRows = Dim + 2 * kRotations<Dim>;
 template <int Dim>
 using MotionMatrix = Eigen::Matrix<double, kMotionRows<Dim>, kMotionRows<Dim>>;
 
-/// Computes the geometric stiffness of a contact: the change of its forces and moments when the frame of the contact
-/// turns and they keep their components in this frame.
+/// Computes the geometric stiffness of a contact: the change of its forces and moments if the frame of the contact
+/// rotates and their components in this frame are constant.
 ///
 /// Let r be the vector from the centre of grain i to that of grain j, n the normal, and dr the displacement of j
-/// relative to i. The frame turns by w = n x dn + psi n, with dn = (1 - n n) dr/|r| and psi = n.(rotation of i +
+/// relative to i. The frame rotates by w = n x dn + psi n, with dn = (1 - n n) dr/|r| and psi = n.(rotation of i +
 /// rotation of j)/2. The force on i is f = -F n + S, with the normal force F and the tangential force S. The moment on
 /// i is share_i r x S + M, with the lever arm share_i r and the rolling and twisting moment M; the moment on j is
 /// share_j r x S - M. Then
 ///
 ///   df = -F dn + w x S,  d(moment on i) = share_i (dr x S + r x (w x S)) + w x M
 ///
-/// @return matrix with the components of the motion as columns, and the forces and moments that do work on them as
-///         rows; the sign is that of a stiffness
+/// @return matrix whose columns are the components of the motion and whose rows are the forces and moments that do work
+///         on them; the sign is that of a stiffness
 template <int Dim>
 MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& contact);
 
@@ -32,7 +32,7 @@ MotionMatrix<Dim> geometric_stiffness(const NetworkContact<Dim>& contact);
 /// components of the motion (kMotionRows), the columns are the unknowns.
 template <int Dim>
 struct GrainMotions {
-  /// columns: unknowns of i; if i = j, those of j are added
+  /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
   Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_i;
   Eigen::Matrix<double, kMotionRows<Dim>, kDofs<Dim>> on_j;  ///< columns: unknowns of j; zero if i = j
 };

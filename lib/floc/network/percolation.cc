@@ -8,7 +8,7 @@ namespace floc {
 namespace {
 
 /// Block of a network: a maximal set of contacts any two of which lie on a common loop, or a single contact that lies
-/// on none.
+/// on no loop.
 struct Block {
   std::vector<int> contacts;
   std::vector<int> grains;
@@ -18,7 +18,7 @@ struct Block {
 
 /// Finds the blocks of a network, sets of contacts any two of which lie on a common loop, by depth-first search
 /// (Hopcroft and Tarjan). Several contacts between the same two grains, and contacts of a grain with its own image, are
-/// different contacts. All walls together count as one more grain, and the upper walls as periodic images of this
+/// different contacts. All walls together count as one additional grain, and the upper walls as periodic images of this
 /// grain.
 template <int Dim>
 class BlockSearch {
@@ -110,7 +110,7 @@ class BlockSearch {
   static CellCount<Dim> cells(const NetworkContact<Dim>& contact) {
     CellCount<Dim> cells = contact.image.template cast<std::int64_t>();
     if (!contact.on_wall()) return cells;
-    // the normal of a wall is along an axis, so that its components are 0, 1 or -1
+    // The normal of a wall is along an axis, and its components are 0, 1 or -1.
     constexpr double kAlong = 0.5;
     for (int a = 0; a < Dim; ++a) cells[a] += contact.normal()[a] > kAlong;
     return cells;
@@ -137,8 +137,8 @@ std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
     for (const int grain : blocks[b].grains) of[grain].push_back(b);
   std::vector<int> n_left(n_nodes);
   for (int i = 0; i < n_nodes; ++i) n_left[i] = static_cast<int>(of[i].size());
-  // A joint is a grain that a block shares with other remaining blocks. Blocks and joints form trees, so that a block
-  // with at most one joint is a tip.
+  // A joint is a grain that a block shares with other remaining blocks. Blocks and joints form trees; a block with at
+  // most one joint is therefore a tip.
   std::vector<int> n_joints(blocks.size(), 0);
   std::vector<int> tips;
   const auto is_tip = [&](int b) { return !blocks[b].winds && !blocks[b].held && n_joints[b] <= 1; };
@@ -153,7 +153,7 @@ std::vector<bool> hanging(const std::vector<Block>& blocks, int n_nodes) {
     if (gone[tip]) continue;
     gone[tip] = true;
     for (const int grain : blocks[tip].grains) {
-      // If a single block remains at a grain, the grain is no longer a joint of this block. As long as two blocks
+      // If a single block remains at a grain, the grain is no longer a joint of this block. If two or more blocks
       // remain, the grain still joins them.
       if (--n_left[grain] != 1) continue;
       const int last = *std::find_if(of[grain].begin(), of[grain].end(), [&](int b) { return !gone[b]; });

@@ -6,19 +6,19 @@
 
 namespace floc {
 
-/// Contacts of a network that can carry an electric current or a stress through the periodic cell, judged only from
-/// which grains are in contact.
+/// Contacts of a network that can carry an electric current or a stress through the periodic cell, determined from the
+/// list of grains in contact alone.
 struct Percolation {
   /// For each contact, whether it is in the scalar backbone: whether it carries current if every contact is a resistor
   /// and a voltage is applied across the periodic cell or between opposite walls. This is decided block by block. A
   /// block is a set of contacts any two of which lie on a common loop. If a block contains a loop around the cell or
-  /// from wall to wall, every contact of the block lies on such a loop (Zaslavsky's lemma on theta graphs), and carries
-  /// current for almost all resistances.
+  /// from wall to wall, every contact of the block lies on such a loop (Zaslavsky's lemma on theta graphs) and carries
+  /// current for almost all values of the resistances.
   std::vector<bool> scalar_backbone;
   /// For each contact, whether it is in a dead end: a part of the network that hangs on a single grain, or on a single
   /// contact with a wall, and contains no loop around the cell. No strain of the cell changes the forces in a dead end.
-  /// A contact may also be neither in a dead end nor in the scalar backbone. It then connects two parts that both wind
-  /// around the cell, and carries no current but may carry a moment.
+  /// Some contacts are neither in a dead end nor in the scalar backbone. Such a contact connects two parts that both
+  /// wind around the cell. It carries no current, but may carry a moment.
   std::vector<bool> dead_end;
   /// largest number of independent lattice vectors along which a connected part of the network winds around the cell
   int n_directions = 0;

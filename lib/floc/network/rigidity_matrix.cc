@@ -7,7 +7,7 @@
 namespace floc {
 namespace {
 
-/// Returns the two axes of a shear strain, which are numbered in Voigt's order: 23, 13, 12 in 3D; 12 in 2D.
+/// Returns the two axes of a shear strain. Shear strains are numbered in Voigt's order: 23, 13, 12 in 3D; 12 in 2D.
 template <int Dim>
 constexpr std::array<int, 2> shear_pair(int shear) {
   if constexpr (Dim == 2) return {0, 1};

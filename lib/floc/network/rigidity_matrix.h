@@ -17,7 +17,7 @@ constexpr int n_strains(StrainSet set) {
   return set == StrainSet::diagonal ? Dim : kSymmetric<Dim>;
 }
 
-/// Returns the strain tensor in which one strain unknown is 1 and the others are 0; shortening is positive.
+/// Returns the strain tensor in which one strain unknown is 1 and all other unknowns are 0; shortening is positive.
 /// @param column  number of this strain unknown in the order of StrainSet
 template <int Dim>
 Mat<Dim> unit_strain(int column);
@@ -29,7 +29,7 @@ Mat<Dim> unit_strain(int column);
 /// balances.
 template <int Dim>
 struct ContactRows {
-  /// columns for the unknowns of i; if i = j, those of j are added
+  /// columns for the unknowns of i; if i = j, they also contain the columns for the unknowns of j
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_i;
   Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>> on_j;  ///< columns for the unknowns of j; zero if i = j
   /// columns for the strains, in the order of StrainSet::full
@@ -44,7 +44,7 @@ using RowStiffness = Eigen::Matrix<double, kDofs<Dim>, 1>;
 template <int Dim>
 ContactRows<Dim> contact_rows(const NetworkContact<Dim>& contact);
 
-/// Returns the relative motion at a contact (rows as in ContactRows) if the two walls of an axis are together displaced
+/// Returns the relative motion at a contact (rows as in ContactRows) if the two walls of an axis are displaced together
 /// by 1 along this axis; one column per axis. Only the overlap with a wall of this axis changes.
 template <int Dim>
 Eigen::Matrix<double, kDofs<Dim>, Dim> rows_on_walls(const NetworkContact<Dim>& contact);
@@ -92,7 +92,7 @@ ContactRows<Dim> translation_rows(ContactRows<Dim> rows);
 
 /// Returns the geometric stiffness of the normal force F_N for the rows of translation_rows(): -F_N/r along the
 /// tangents, with the distance r of the centres of the two grains (force/length). It is zero at a wall, whose normal
-/// does not turn.
+/// does not rotate.
 template <int Dim>
 RowStiffness<Dim> row_prestress(const NetworkContact<Dim>& contact);
 
@@ -103,7 +103,7 @@ template <int Dim>
 Eigen::SparseMatrix<double> rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);
 
 /// Returns R = sqrt(k) G for the contact stiffnesses k and the rigidity matrix G; R^T R is the stiffness matrix K. A
-/// soft mode computed from R loses only half as many digits to rounding as one computed from K.
+/// soft mode computed from R loses only half as many digits to rounding as a mode computed from K.
 /// @pre no stiffness is negative (attractions across a gap have a negative stiffness)
 template <int Dim>
 Eigen::SparseMatrix<double> scaled_rigidity_matrix(const ContactNetwork<Dim>& network, StrainSet strains);

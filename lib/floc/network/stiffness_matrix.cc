@@ -10,8 +10,8 @@ namespace floc {
 namespace {
 
 /// Adds the symmetric part of the geometric stiffness that follows from the tangential force and the moments of a
-/// contact. It is zero at a wall, which does not turn, and across a gap, where there is neither a tangential force nor
-/// a moment.
+/// contact. It is zero at a wall, which does not rotate, and across a gap, where there is neither a tangential force
+/// nor a moment.
 template <int Dim>
 void add_shear_prestress(const NetworkContact<Dim>& c, StrainSet strains, SymmetricSum<kDofs<Dim>>& sum) {
   if (c.on_wall() || c.distant) return;

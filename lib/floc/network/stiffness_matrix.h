@@ -10,14 +10,14 @@ namespace floc {
 struct StiffnessOptions {
   StrainSet strains = StrainSet::diagonal;
   /// Adds, for each contact, the geometric stiffness -(F_N/r)(1 - n n) of the normal force F_N, with the distance r of
-  /// the centres and the normal n. The geometric terms of the tangential force are left out, so that the matrix is the
-  /// exact derivative of the forces only if no contact carries a tangential force.
+  /// the centres and the normal n. The geometric terms of the tangential force are left out; the matrix is therefore
+  /// the exact derivative of the forces only if no contact carries a tangential force.
   bool prestress = false;
   /// Adds unknowns of the boundary after the strains: for each axis between walls, the common displacement of the two
   /// walls divided by wall_shift_unit().
   bool wall_shifts = false;
   /// Adds the symmetric part of the geometric stiffness that follows from the tangential forces and the moments of
-  /// contacts. With `prestress` too, the quadratic form of the matrix is the second-order work of all forces and
+  /// contacts. If `prestress` is also set, the quadratic form of the matrix is the second-order work of all forces and
   /// moments.
   bool shear_prestress = false;
 };
@@ -37,7 +37,7 @@ struct StiffnessMatrix {
 };
 
 /// Assembles the stiffness matrix K in compressed columns. For each pair of grains in contact it stores a full block,
-/// zeros included, so that the pattern does not depend on the stiffnesses.
+/// including zeros. The pattern therefore does not depend on the stiffnesses.
 template <int Dim>
 StiffnessMatrix stiffness_matrix(const ContactNetwork<Dim>& network, const StiffnessOptions& options);
 

@@ -12,7 +12,7 @@ namespace floc {
 /// Stiffness matrix of bodies with `Size` unknowns each, to which add_contact() adds one contact after another. The
 /// block of the unknowns of the bodies is stored as its lower triangle in compressed columns. The columns of a body
 /// contain its diagonal block, from the diagonal down, then one block for each neighbour with a higher number. Zeros
-/// are stored too, so that the pattern does not depend on the stiffnesses.
+/// are stored, too; the pattern therefore does not depend on the stiffnesses.
 template <int Size>
 class SymmetricSum {
  public:

@@ -86,8 +86,8 @@ void TangentMatrix<Dim>::lay_out(const ContactGraph& graph) {
   matrix_.resize(order, order);
   matrix_.resizeNonZeros(kDofs<Dim> * (kDofs<Dim> * static_cast<int>(neighbour_.size()) + n * n_boundary_) +
                          n_boundary_ * order);
-  // Row indices ascend in each column, as compressed storage requires. The blocks of a grain are stored in full, zeros
-  // included, so that the pattern does not depend on values; the columns of the boundary contain all rows.
+  // Row indices ascend in each column, as compressed storage requires. The blocks of a grain are stored in full,
+  // including zeros, and the columns of the boundary contain all rows; the pattern therefore does not depend on values.
   int at = 0;
   for (int column = 0; column < order; ++column) {
     matrix_.outerIndexPtr()[column] = at;

@@ -21,15 +21,15 @@ struct BoundaryColumns {
   /// Displacement of j relative to i if a boundary unknown is 1: Dim rows, one column per boundary unknown.
   Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, kMaxColumns> displacement;
   /// Change of the load on each boundary unknown (rows) if j is displaced by 1 relative to i along an axis (columns)
-  /// while the force of the contact stays constant. It is zero for a displacement of a wall. For a strain it is a
-  /// component of the force, because the load on a strain is proportional to the vector from i to j.
+  /// and the force of the contact is constant. It is zero for a displacement of a wall. For a strain it is a component
+  /// of the force, because the load on a strain is proportional to the vector from i to j.
   Eigen::Matrix<double, Eigen::Dynamic, Dim, 0, kMaxColumns, Dim> follow;
 };
 
-/// Tangent matrix of a Newton iteration: minus the derivative of the forces on grains and boundary with respect to the
-/// unknowns of grains and boundary, so that its sign is that of a stiffness. It is not symmetric. For each contact it
-/// contains G^T D G, where G gives the motion at the contact from the unknowns and D is the stiffness of the contact,
-/// and all geometric terms, also those of tangential forces and rolling moments.
+/// Tangent matrix of a Newton iteration, with the sign of a stiffness: minus the derivative of the forces on grains and
+/// boundary with respect to the unknowns of grains and boundary. It is not symmetric. For each contact it contains G^T
+/// D G, where G gives the motion at the contact from the unknowns and D is the stiffness of the contact. It also
+/// contains all geometric terms, including those of tangential forces and rolling moments.
 ///
 /// The unknowns are the translations of each grain and its rotations times its size, then the unknowns of the boundary.
 /// The loads are the forces on each grain and the moments divided by its size, then the loads on the boundary. The
@@ -46,7 +46,8 @@ class TangentMatrix {
   void reset(double regularisation);
 
   /// Adds a contact of two round grains. The lever arms are constant shares of the vector between the centres of the
-  /// grains. The tangential spring turns with this vector, and about it with the mean rotation of the two grains.
+  /// grains. The tangential spring rotates with this vector, and about this vector with the mean rotation of the two
+  /// grains.
   /// @param d         derivatives of the forces of the contact with respect to the relative motion at the contact
   /// @param boundary  effect of the unknowns of the boundary on the contact
   void add(const NetworkContact<Dim>& contact, const ConsistentStiffness<Dim>& d,

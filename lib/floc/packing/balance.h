@@ -15,11 +15,12 @@ struct Balance {
   std::vector<RotationVector<Dim>> moment;
 };
 
-/// Returns the mean of the elastic (repulsive) forces of the contacts that carry one (force); 0 if none does.
+/// Returns the mean of the elastic (repulsive) forces of the contacts with a positive elastic force (force); 0 if there
+/// are none.
 template <int Dim>
 double mean_repulsive_force(const Packing<Dim>& packing);
 
-/// Returns the net force and moment on every grain: those of its contacts, and its weight if the packing has gravity.
+/// Returns the net force and moment on every grain, from its contacts and, if the packing has gravity, its weight.
 template <int Dim>
 Balance<Dim> net_forces(const Packing<Dim>& packing);
 
@@ -35,7 +36,7 @@ Mat<Dim> static_stress(const Packing<Dim>& packing);
 /// cell.matrix is the displacement of the periodic image of j that touches i; for a wall, s is the touched point. This
 /// stress differs from static_stress() by the sum over all grains of F_i^(a) x_i^(b), divided by the volume, where F_i
 /// is the net force on the grain at x_i; this sum vanishes in equilibrium. Under gravity g, the sum of -m_i g^(a)
-/// x_i^(b), divided by the volume, is added, so that the same holds.
+/// x_i^(b), divided by the volume, is added, with the masses m_i; the two stresses then also agree in equilibrium.
 template <int Dim>
 Mat<Dim> boundary_stress(const Packing<Dim>& packing);
 

@@ -19,8 +19,8 @@ struct Ball {
 
 /// Returns Ri/(Ri + Rj), the lever arm of the first of two touching balls of radii Ri and Rj divided by the distance of
 /// their centres. The contact point divides the line between the centres in proportion to the radii (docs/physics.md,
-/// "Kinematics of a contact"). A wall counts as a ball of radius 0, so that the result is 1: the arm reaches to the
-/// wall.
+/// "Kinematics of a contact"). A wall counts as a ball of radius 0: the result is then 1, because the arm reaches to
+/// the wall.
 inline double lever_share(double radius_i, double radius_j) {
   return radius_i / (radius_i + radius_j);
 }

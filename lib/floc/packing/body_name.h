@@ -15,7 +15,8 @@ std::int64_t body_number(const Packing<Dim>& packing, int body) {
   return packing.is_wall(body) ? body : packing.grains.name(body);
 }
 
-/// Returns the name of a wall in messages and lists of contacts: "x-" is the lower wall across x, "x+" the upper one.
+/// Returns the name of a wall in messages and lists of contacts: "x-" for the lower wall of the x axis, "x+" for the
+/// upper wall.
 template <int Dim>
 std::string wall_name(const Wall<Dim>& wall) {
   return std::string(1, "xyz"[wall.axis]) + (wall.side < 0 ? "-" : "+");
@@ -36,7 +37,7 @@ std::string body_name(const Packing<Dim>& packing, int body) {
   return packing.is_wall(body) ? wall_name(packing.wall(body)) : std::to_string(packing.grains.name(body));
 }
 
-/// Returns the two bodies of a contact in words.
+/// Returns the names of the two bodies of a contact, for messages.
 template <int Dim>
 std::string pair_name(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Grains<Dim>& g = packing.grains;

@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// One interaction of a packing: two surfaces that touch, by the criterion of the contact law, or that attract
-/// each other across a gap (a distant attraction). The normal force is positive in compression; the shear force
-/// and the rolling moment act on grain i.
+/// One interaction of a packing: two surfaces that touch, by the criterion of the contact law, or that attract each
+/// other across a gap (a distant attraction). The normal force is positive in compression. The shear force and the
+/// rolling moment act on grain i.
 template <int Dim>
 struct Contact {
   int i = 0;  ///< index of the first grain
@@ -39,12 +39,12 @@ struct Contact {
   bool sliding = false;         ///< whether the tangential force has reached its cap
   bool rolling_yield = false;   ///< whether the rolling moment has reached its cap
   bool twisting_yield = false;  ///< whether the twisting moment has reached its cap
-  /// Features that meet at a contact of shapes with corners: a vertex and a face, two edges, ...; for round grains, the
-  /// default.
+  /// Kind of features that meet at a contact of shapes with corners: a vertex and a face, two edges, ...; kVertexFace
+  /// for round grains.
   ContactType type = ContactType::kVertexFace;
   bool distant = false;  ///< whether the surfaces do not touch but attract each other across a gap
-  /// Whether the contact acts whatever its gap, with forces and stiffnesses that are data and do not follow from the law: a
-  /// bond.
+  /// Whether the contact is a bond: it acts at any gap, and its forces and stiffnesses are data that do not follow from
+  /// the law.
   bool bonded = false;
   /// History of the contact under its law, arranged as in HistoryLayout.
   ContactHistory<Dim> history = ContactHistory<Dim>::Zero();

@@ -25,7 +25,7 @@ bool same_pair(const Pair& p, const Pair& q) {
   return p.i == q.i && p.j == q.j && p.image == q.image;
 }
 
-/// Returns a pair of grains with the grains exchanged: i, j and image change; forces and other members do not.
+/// Returns a pair of grains with the grains exchanged. Only i, j and image change, not forces or other members.
 template <class Pair>
 Pair swapped(Pair pair) {
   std::swap(pair.i, pair.j);
@@ -33,8 +33,8 @@ Pair swapped(Pair pair) {
   return pair;
 }
 
-/// Returns whether a pair of grains is in its canonical form. Of the forms (i, j) and (j, i) of a pair, lists store the
-/// canonical one: i < j or, for a grain and its own image, the first non-zero component of the image is positive.
+/// Returns whether a pair of grains has the canonical one of its two forms (i, j) and (j, i), which lists store: i < j
+/// or, for a grain and its own image, a positive first non-zero component of the image.
 template <class Pair>
 bool is_canonical(const Pair& pair) {
   if (pair.i != pair.j) return pair.i < pair.j;

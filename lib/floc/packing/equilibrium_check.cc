@@ -14,7 +14,8 @@ std::string equilibrium_faults(const State<Dim>& state) {
   std::string faults;
   const auto check = [&](const std::string& what, double value, double limit) {
     if (!(value < limit))
-      faults += fmt::format("{}{} is {:.3g}, limit {:.3g}", faults.empty() ? "" : "; ", what, value, limit);
+      faults += fmt::format("{}{} is {:.3g}, but the limit is {:.3g}", faults.empty() ? "" : "; ", what, value,
+                            limit);
   };
   // The index of the grain with the largest residual is negative in a packing without grains.
   const auto name = [&](int grain) { return grain < 0 ? grain : state.packing.grains.name(grain); };

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Returns the largest diameter of the grains of a packing (length), written a in formulas; 0 if there are no grains.
+/// Returns the largest diameter of the grains of a packing (length), called a in formulas; 0 if there are no grains.
 /// @param radius  radius of each grain (length)
 inline double largest_diameter(const std::vector<double>& radius) {
   return radius.empty() ? 0.0 : 2.0 * *std::max_element(radius.begin(), radius.end());
@@ -26,12 +26,14 @@ double smaller_radius(const Packing<Dim>& packing, const Contact<Dim>& contact) 
   return packing.is_wall(contact.j) ? radius[contact.i] : std::min(radius[contact.i], radius[contact.j]);
 }
 
-/// Returns the mean diameter of grains (length). @pre there are grains
+/// Returns the mean diameter of grains (length).
+/// @pre there are grains
 inline double mean_diameter(const std::vector<double>& radius) {
   return 2.0 * std::accumulate(radius.begin(), radius.end(), 0.0) / static_cast<double>(radius.size());
 }
 
-/// Returns the largest mass of a grain (mass). @pre there are grains
+/// Returns the largest mass of a grain (mass).
+/// @pre there are grains
 template <int Dim>
 double largest_mass(const Grains<Dim>& grains) {
   return *std::max_element(grains.mass.begin(), grains.mass.end());
@@ -43,7 +45,7 @@ double total_mass(const Grains<Dim>& grains) {
   return std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0);
 }
 
-/// Returns the volume of all grains, the area of disks (length^Dim). Overlaps count twice.
+/// Returns the volume of all grains, in 2D the area of all disks (length^Dim). Overlaps count twice.
 template <int Dim>
 double total_volume(const Grains<Dim>& grains) {
   double volume = 0.0;
@@ -62,9 +64,9 @@ inline bool similar_sizes(const std::vector<double>& radius) {
   return *most <= kSimilarSizes * *least;
 }
 
-/// Returns the length in units of which the skin of neighbour lists is given: the largest diameter or, if the grains
-/// are not similar in size, the smallest diameter. A skin that is thin for the largest grains would contain whole
-/// layers of the smallest grains.
+/// Returns the unit of length for the skin of neighbour lists: the largest diameter or, if the grains are not similar
+/// in size, the smallest diameter. A skin that is thin for the largest grains would contain whole layers of the
+/// smallest grains.
 inline double skin_length_unit(const std::vector<double>& radius) {
   return similar_sizes(radius) ? largest_diameter(radius)
                                : 2.0 * *std::min_element(radius.begin(), radius.end());

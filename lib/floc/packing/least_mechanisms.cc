@@ -6,8 +6,8 @@
 namespace floc {
 namespace {
 
-/// Returns for each grain whether it keeps at least two contacts when grains with fewer contacts are removed
-/// repeatedly, together with their contacts.
+/// Returns, for each grain, whether at least two of its contacts remain after grains with fewer contacts have been
+/// removed repeatedly, together with their contacts.
 template <int Dim>
 std::vector<bool> held_grains(const Packing<Dim>& packing) {
   std::vector<bool> held(packing.grains.size(), true);

@@ -6,8 +6,7 @@
 
 namespace floc {
 
-/// Simple shear imposed on the periodic cell: the component along the first axis that the lattice vector of another
-/// axis is given.
+/// Simple shear imposed on the periodic cell: one lattice vector gets a given component along the first axis.
 struct ImposedOffset {
   int axis;       ///< axis of the lattice vector, counted from 0; never 0
   double offset;  ///< component of the lattice vector along the first axis (length)
@@ -31,7 +30,7 @@ struct LoadTarget {
   /// Whether zero stress is imposed on every axis.
   bool unloaded() const { return !any_strained() && stress.isZero(0.0); }
   /// Returns the stress on each axis, which determines the force scale: the imposed stress or, if a side length is
-  /// imposed on the axis, the stress that the packing carries.
+  /// imposed on the axis, the carried stress.
   /// @param carried  stress that the packing carries
   Vec<Dim> stress_with(const Mat<Dim>& carried) const {
     Vec<Dim> out = stress;

@@ -32,8 +32,8 @@ Manifold<Dim> manifold_of(const Packing<Dim>& packing, const Contact<Dim>& conta
 
 namespace {
 
-/// Returns the geometry of a contact of two shapes: of the contact point that has the key of the contact. If no point
-/// has this key, as the features that meet have changed, the point nearest to the recorded one is taken.
+/// Returns the geometry of a contact of two shapes, at the contact point with the key of the contact. If no point has
+/// this key, because the features that meet have changed, the point nearest to the recorded point is taken.
 template <int Dim>
 ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   ContactGeometry<Dim> at;
@@ -42,7 +42,7 @@ ContactGeometry<Dim> locate_shapes(const Packing<Dim>& packing, const Contact<Di
   const Manifold<Dim> manifold = manifold_of(packing, contact, at.branch, reach);
   const ManifoldPoint<Dim>* found = manifold.with_key(static_cast<std::uint32_t>(contact.key));
   if (!found) found = manifold.nearest(contact.arm_i);
-  if (!found) {  // the bodies are further apart than their sizes
+  if (!found) {  // the bodies are too far apart for a contact point
     at.normal = at.branch.normalized();
     at.gap = reach;
     at.arm_i = 0.5 * at.branch;

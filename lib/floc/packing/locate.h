@@ -9,7 +9,7 @@
 /// from arrays (relaxation/pair_arrays.h).
 namespace floc {
 
-/// Geometry of the contact of two bodies i and j, which follows from their positions and shapes.
+/// Geometry of the contact of two bodies i and j, computed from their positions and shapes.
 template <int Dim>
 struct ContactGeometry {
   /// Vector from the centre of i to the centre of the image of j, or to the nearest point of a wall (length).
@@ -21,7 +21,7 @@ struct ContactGeometry {
 };
 
 /// Returns the geometry of the contact of two balls whose centres are the ends of a branch vector (length).
-/// @param radius_j  radius of the second ball; 0: the branch ends on a wall
+/// @param radius_j  radius of the second ball; 0 if the branch ends on a wall
 template <int Dim>
 ContactGeometry<Dim> locate_balls(const DoubleDoubleVec<Dim>& branch, double radius_i, double radius_j);
 

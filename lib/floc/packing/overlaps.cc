@@ -14,7 +14,7 @@ namespace {
 /// Factor by which the solid fraction may exceed the largest solid fraction of hard grains without a warning. It allows
 /// for crystals that are compressed by some tenths of a percent.
 constexpr double kCompressedCrystal = 1.01;
-/// Relative difference below which two radii count as equal; it covers rounding.
+/// Relative difference below which two radii count as equal. It allows for rounding.
 constexpr double kEqual = 1e-9;
 
 std::string small_overlaps_rule(const Law& law) {
@@ -88,9 +88,10 @@ void require_small_overlaps(const std::string& place, const Packing<Dim>& packin
   if (!packing.law.is_for_small_overlaps()) return;
   const Overlaps found = measure_overlaps(packing);
   if (found.mean > kDeepestMean)
-    throw InputError(place, fmt::format("contacts overlap by {:.3g} of a radius in the mean, but at most {} of "
-                                        "a radius is allowed: {}",
-                                        found.mean, kDeepestMean, small_overlaps_rule(packing.law)));
+    throw InputError(place,
+                     fmt::format("the mean overlap of the contacts is {:.3g} of a radius, but at most {} of "
+                                 "a radius is allowed: {}",
+                                 found.mean, kDeepestMean, small_overlaps_rule(packing.law)));
 }
 
 #define FLOC_INSTANTIATE(Dim)                                \

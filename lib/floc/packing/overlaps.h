@@ -10,9 +10,9 @@ namespace floc {
 /// overlaps the contact circle between spheres exceeds a third of the radius, and the contacts of a grain affect each
 /// other.
 inline constexpr double kDeepOverlap = 0.1;
-/// Mean overlap, divided by the smaller radius of the two grains, beyond which a packing is refused. At the largest
-/// pressure P that a scene file may impose, (E~/P)^(2/3) = 30 with E~ = E/(1 - nu^2) (Young's modulus E, Poisson's
-/// ratio nu), the mean overlap is 0.11.
+/// Mean overlap, divided by the smaller radius of the two grains, beyond which a packing is rejected. Scene files may
+/// impose pressures P up to (E~/P)^(2/3) = 30, with E~ = E/(1 - nu^2), Young's modulus E and Poisson's ratio nu; at
+/// this pressure, the mean overlap is 0.11.
 inline constexpr double kDeepestMean = 0.12;
 
 /// Statistics of the overlaps of all contacts whose surfaces touch. Each overlap is divided by the smaller radius of
@@ -26,8 +26,8 @@ struct Overlaps {
 template <int Dim>
 Overlaps measure_overlaps(const Packing<Dim>& packing);
 
-/// Returns the largest solid fraction of equal hard grains: that of the triangular lattice of disks (2D) or the
-/// face-centred cubic lattice of spheres (3D).
+/// Returns the largest solid fraction of equal hard grains, which is that of the triangular lattice of disks (2D) or of
+/// the face-centred cubic lattice of spheres (3D).
 constexpr double densest_of_equal(int dim) {
   return dim == 2 ? 0.906899682117109 : 0.740480489693061;
 }
@@ -38,8 +38,8 @@ constexpr double densest_of_equal(int dim) {
 template <int Dim>
 std::string overlap_warning(const Packing<Dim>& packing);
 
-/// Returns a question for messages about large overlaps: "is K_N = 10 consistent with the units of lengths and
-/// forces?".
+/// Returns a question about units, for messages about large overlaps: "is K_N = 10 consistent with the units of lengths
+/// and forces?".
 std::string question_of_units(const Law& law);
 
 /// Requires that the overlaps in a packing are small if its contact law holds only for small overlaps.

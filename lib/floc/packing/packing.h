@@ -46,8 +46,8 @@ struct Grains {
   std::vector<double> mass;  ///< mass of each grain (mass)
   std::vector<Orientation<Dim>> orientation;
   std::vector<RotationVector<Dim>> angular_velocity;  ///< angular velocity of each grain (radians/time)
-  /// Identifiers that another program gave to the grains, used in messages and tables; empty: the indices are
-  /// used.
+  /// Identifiers that another program gave to the grains, used in messages and tables. If empty, messages and tables
+  /// use the indices of the grains.
   std::vector<std::int64_t> id;
   /// Shapes of the grains; null if all grains are disks or spheres. Copies of a packing share one table of shapes.
   std::shared_ptr<const std::vector<Shape<Dim>>> shapes;
@@ -80,17 +80,20 @@ struct Grains {
 
   /// Whether all grains are disks or spheres.
   bool are_round() const { return shapes == nullptr; }
-  /// Returns the shape of grain i at its position and orientation. @pre !are_round()
+  /// Returns the shape of grain i at its position and orientation.
+  /// @pre !are_round()
   PlacedShape<Dim> placed(int i) const;
   /// Returns the area (2D) or volume (3D) of grain i (length^Dim).
   double volume(int i) const;
-  /// Returns the moment of inertia of a disk or sphere about its centre (mass * length^2). @pre are_round()
+  /// Returns the moment of inertia of a disk or sphere about its centre (mass * length^2).
+  /// @pre are_round()
   double inertia(int i) const { return Ball<Dim>{radius[i]}.inertia(mass[i]); }
   /// Returns the inertia tensor of grain i about its centre of mass, in the axes of space (mass * length^2).
   Mat<kRotations<Dim>> inertia_tensor(int i) const;
 };
 
-/// Returns the rotation matrix of an orientation: it takes vectors from the axes of the grain to the axes of space.
+/// Returns the rotation matrix of an orientation. It transforms vectors from the axes of the grain to the axes of
+/// space.
 inline Mat<2> rotation_matrix(double angle) {
   return Eigen::Rotation2Dd(angle).toRotationMatrix();
 }
@@ -101,13 +104,14 @@ inline Mat<3> rotation_matrix(const Eigen::Quaterniond& orientation) {
 /// Mechanical state of a packing: cell, walls, grains, contact laws and contacts.
 template <int Dim>
 struct Packing {
-  /// Periodic cell. An axis between walls is not periodic; the side of the cell is then normal to the walls and
-  /// as long as their distance.
+  /// Periodic cell. An axis between walls is not periodic; the side of the cell is then normal to the walls, and its
+  /// length is the distance of the walls.
   Cell<Dim> cell;
   Grains<Dim> grains;
   Law law;                             ///< contact law between grains
   std::vector<Contact<Dim>> contacts;  ///< contacts, sorted by (i, j, image, key) with i <= j
-  /// Both ends of each axis that is not periodic: the lower end first, axes ascending; empty if all axes are periodic.
+  /// Both ends of each axis that is not periodic: the lower end, then the upper end, in ascending order of the axes;
+  /// empty if all axes are periodic.
   std::vector<Wall<Dim>> walls;
   Law wall_law;  ///< contact law between grains and walls
   /// Acceleration due to gravity, which acts on every grain as a body force (length/time^2); zero along periodic axes.
@@ -123,7 +127,7 @@ struct Packing {
   const Law& law_of(const Contact<Dim>& contact) const { return is_wall(contact.j) ? wall_law : law; }
 };
 
-/// Returns whether an axis of the cell lies between two ends, walls or open ones, so that it is not periodic.
+/// Returns whether an axis of the cell is not periodic and lies between two ends, which are walls or open.
 template <int Dim>
 bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   for (const Wall<Dim>& wall : walls)
@@ -131,7 +135,7 @@ bool between_walls(const std::vector<Wall<Dim>>& walls, int axis) {
   return false;
 }
 
-/// Returns whether the packing is open at an end of an axis.
+/// Returns whether one of the ends of an axis is open.
 template <int Dim>
 bool is_open_along(const std::vector<Wall<Dim>>& walls, int axis) {
   for (const Wall<Dim>& wall : walls)
@@ -139,7 +143,7 @@ bool is_open_along(const std::vector<Wall<Dim>>& walls, int axis) {
   return false;
 }
 
-/// Returns whether the packing is open at an end of any axis.
+/// Returns whether any end of any axis is open.
 template <int Dim>
 bool is_open(const std::vector<Wall<Dim>>& walls) {
   for (const Wall<Dim>& wall : walls)
@@ -147,8 +151,8 @@ bool is_open(const std::vector<Wall<Dim>>& walls) {
   return false;
 }
 
-/// Returns the cell in which to search for neighbours whose centres are closer than `reach` (length). The cell
-/// is widened along axes between walls, so that no grain is close to an image on the other side of a wall.
+/// Returns the cell in which to search for neighbours whose centres are closer than `reach` (length). The cell is
+/// widened along axes between walls, where no grain may be close to a periodic image.
 template <int Dim>
 Cell<Dim> search_cell(Cell<Dim> cell, const std::vector<Wall<Dim>>& walls, double reach);
 

@@ -15,10 +15,9 @@ template <int Dim>
 void require_elastic(const Packing<Dim>& packing, const std::string& what,
                      const std::string& place = "packing") {
   if (packing.law.is_rigid())
-    throw InputError(
-        place, "the contacts of this packing are rigid and have no stiffness; " + what +
-                   " only for elastic contacts, which floc run and floc convert give a packing by another "
-                   "contact law");
+    throw InputError(place, "the contacts of this packing are rigid and have no stiffness; " + what +
+                                " only for elastic contacts. floc run and floc convert can give a packing "
+                                "elastic contacts by another contact law");
 }
 
 /// Requires a packing of disks or spheres.

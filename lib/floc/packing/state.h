@@ -13,8 +13,8 @@
 
 namespace floc {
 
-/// Stage of a load path in which the axes are loaded differently from each other (such as an oedometric test), with the
-/// sides and stresses of the packing at the start of the stage, to which all steps of the stage refer.
+/// Reference of a stage of a load path that loads the axes differently (such as an oedometric test): the sides and
+/// stresses of the packing at the start of the stage, to which all steps of the stage refer.
 struct StageReference {
   /// Kind of the stage, "oedometric", "triaxial", ...; empty if the state belongs to no such stage.
   std::string control;
@@ -34,22 +34,24 @@ struct PathPosition {
   std::string branch;        ///< branch of the load path: "assembly", "load", "unload", ...
   double time = 0.0;         ///< simulated time since the start of the run (time unit of the scene file)
   std::int64_t n_steps = 0;  ///< number of time steps since the start of the run
-  std::string ending;  ///< how the relaxation ended: "static", "polished", "dynamic", ...; empty if not known
+  std::string ending;  ///< ending of the relaxation: "static", "polished", "dynamic", ...; empty if not known
   StageReference turn;
-  StepCounts counts =
-      {};  ///< time steps of contact dynamics that led to the state; all zero for elastic contacts
+  /// counts of the time steps of contact dynamics that led to the state; all zero for elastic contacts
+  StepCounts counts = {};
 };
 
 /// Origin of a state: the program, the seed and the state file from which the run continued. It contains no date or
 /// time, so that repeated runs give identical files.
 struct Provenance {
-  std::string program;  ///< "floc 0.1.0", or the program that a converted packing came from
+  /// program that made the state: "floc 0.1.0", or the program from which a packing was converted
+  std::string program;
   std::string commit;
   std::string compiler;
   std::uint64_t seed = 0;
-  std::uint64_t stream_state = 0;  ///< state of the random stream, with which the run continues
-  std::string parent_sha256;  ///< hash of the state file that the run continued from; empty for the first state
-  std::string source;         ///< file that a converted packing came from
+  std::uint64_t stream_state = 0;  ///< state of the random stream with which the run continues
+  /// hash of the state file from which the run continued; empty for the first state
+  std::string parent_sha256;
+  std::string source;  ///< file from which a packing was converted
 };
 
 /// Saved state of a run: all data that determine how the run continues from it, and all data that an analysis
@@ -69,22 +71,22 @@ struct State {
   Mat<Dim> stress = Mat<Dim>::Zero();  ///< static_stress() of the packing when it was saved
   Residuals residuals;                 ///< residuals reached when the state was saved
   int n_negative = -1;  ///< number of negative eigenvalues of the stiffness matrix; -1: not determined
-  /// For a contact law with liquid bridges, number of bridges that would form or break if the liquid were distributed
-  /// once more; -1: not determined. It is above 0 if the pairs that have bridges were still changing after many
-  /// distributions of the liquid; the bridges then kept their volumes.
+  /// Number of liquid bridges that would form or break if the liquid were distributed once more; -1 if not determined,
+  /// or without liquid. It is above 0 if the pairs with bridges were still changing after many distributions of the
+  /// liquid; the bridges then kept their volumes.
   int n_bridges_unsettled = -1;
-  /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read.
-  /// When a state is saved, the forces of its contacts on the walls are recorded instead.
+  /// Forces on the walls, in the order of the walls, as recorded in the file from which the state was read. When a
+  /// state is saved, the forces of its contacts on the walls are recorded in their place.
   std::vector<double> wall_force = {};
-  /// Step that begins at the state, if the state is one of motion (path.ending is "moving"); absent at rest.
+  /// Time step that begins at the state, if the state is in motion (path.ending is "moving"); absent at rest.
   std::optional<MotionRecord> motion = {};
   PathPosition path;
   std::string scene;  ///< text of the scene file of the run; empty for converted packings
   Provenance provenance;
 };
 
-/// Returns the stress on the axis along which the load path drives a state, from the stress on each axis. It is the mean
-/// over the axes if the state belongs to no stage that drives one of them.
+/// Returns the stress on the axis along which the load path drives a state, from the stress on each axis. If the state
+/// belongs to no stage that drives an axis, the mean over the axes is returned.
 template <int Dim>
 double stress_on_driven_axis(const State<Dim>& state, const Vec<Dim>& stress) {
   return state.path.turn.empty() ? stress.mean() : stress[state.path.turn.axis];

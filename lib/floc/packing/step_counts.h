@@ -7,9 +7,10 @@ namespace floc {
 /// Counts of the time steps that contact dynamics has made (contact_dynamics.h).
 struct StepCounts {
   std::int64_t n_steps = 0;
-  std::int64_t n_sweeps = 0;      ///< number of sweeps over all contacts in these steps
-  std::int64_t n_unfinished = 0;  ///< number of steps that ended at the largest number of sweeps
-  double deepest_overlap = 0.0;   ///< deepest overlap of all steps, over the diameter of the smaller grain
+  std::int64_t n_sweeps = 0;  ///< number of sweeps over all contacts in these steps
+  /// number of steps that ended at the largest number of sweeps, without reaching the tolerance
+  std::int64_t n_unfinished = 0;
+  double deepest_overlap = 0.0;  ///< deepest overlap in any step, divided by the diameter of the smaller grain
 };
 
 }  // namespace floc

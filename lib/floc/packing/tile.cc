@@ -65,7 +65,7 @@ Packing<Dim> tiled(const Packing<Dim>& packing, const Vec<Dim, int>& copies) {
   repeat(out.grains.angular_velocity, n_tiles);
   repeat(out.grains.shape, n_tiles);
   repeat(out.grains.scale, n_tiles);
-  if (n_tiles > 1) out.grains.id.clear();  // several grains would share each identifier
+  if (n_tiles > 1) out.grains.id.clear();  // otherwise several grains would share each identifier
   out.contacts.clear();
   out.contacts.reserve(n_tiles * packing.contacts.size());
   const ContactHistory<Dim> parity = swap_parity<Dim>(packing.law);

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// End of the packing along an axis of the cell that is not periodic: a rigid plane with grains on one side of it, or an
-/// open end, where the packing ends in free space. A rigid plane moves only along its normal and can be the second body
-/// of a contact: the indices of walls follow the indices of the grains, in the order of Packing::walls.
+/// End of the packing along an axis of the cell that is not periodic: a rigid plane with grains on one side of it, or
+/// an open end, where the packing ends in free space. A rigid plane moves only along its normal and can be the second
+/// body of a contact: the indices of walls follow the indices of the grains, in the order of Packing::walls.
 template <int Dim>
 struct Wall {
   int axis;               ///< axis normal to the wall, counted from 0
@@ -14,8 +14,8 @@ struct Wall {
   double position;        ///< position of the wall on its axis (length)
   double velocity = 0.0;  ///< velocity of the wall along its axis (length/time)
   double mass = 0.0;      ///< mass of the wall (mass); infinite if forces do not move the wall
-  /// Whether the packing is open at this end: there is no plane, `position` only bounds the grains, and no grain touches
-  /// it.
+  /// Whether this end of the packing is open: there is no plane, `position` is only an outer limit of the grains, and
+  /// grains do not touch it.
   bool open = false;
 
   /// Returns the unit vector normal to the wall that points from the grains to the wall.

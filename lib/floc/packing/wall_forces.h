@@ -26,8 +26,8 @@ double wall_area(const Packing<Dim>& packing, int axis);
 template <int Dim>
 std::vector<double> wall_forces(const Packing<Dim>& packing);
 
-/// Returns the mean pressure of the grains on the two walls of each axis, on the one wall of an axis with one open end,
-/// and zero along an axis without walls (force/length^(Dim-1)).
+/// Returns the mean pressure of the grains on the two walls of each axis (force/length^(Dim-1)). If one end of the axis
+/// is open, it is the pressure on the one wall; along an axis without walls it is zero.
 template <int Dim>
 Vec<Dim> wall_pressure(const Packing<Dim>& packing);
 

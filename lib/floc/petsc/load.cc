@@ -10,12 +10,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Directories in which floc's PETSc module may be, relative to that of the program: in the build tree, and as
-/// installed.
+/// Directories in which floc's PETSc module may be, relative to the directory of the program: in the build tree, and
+/// after installation.
 constexpr const char* kPlaces[] = {".", FLOC_PETSC_MODULE_FROM_PROGRAM};
 
-/// Returns the path of floc's PETSc module. If the module is in none of the directories kPlaces, this is its file name
-/// alone, which the dynamic loader then looks for in its own directories.
+/// Returns the path of floc's PETSc module. If the module is in none of the directories kPlaces, the path is its file
+/// name alone, and the dynamic loader looks for it in its own directories.
 fs::path module_path() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none).parent_path();

@@ -11,8 +11,8 @@ struct ParallelSolution {
   bool converged = false;
   std::string failure;  ///< reason why the iteration did not converge, as a sentence; empty if it converged
   int iterations = 0;
-  /// Estimates (Ritz values) of the smallest and the largest eigenvalue of M^-1 A, where M is the preconditioner.
-  /// Eigenvectors that do not contribute to b are not seen. 0 if no step was taken.
+  /// Estimates (Ritz values) of the smallest and the largest eigenvalue of M^-1 A, where M is the preconditioner; 0 if
+  /// no step was taken. The estimates miss eigenvectors that do not contribute to b.
   double smallest_ratio = 0.0;
   double largest_ratio = 0.0;
 };
@@ -23,7 +23,7 @@ struct ParallelSolution {
 /// members are collective unless stated otherwise: all processes have to call them in the same order.
 ///
 /// Members throw std::runtime_error with PETSc's message on the process that failed. The other processes may then wait
-/// for it, so that abort() has to be called.
+/// for this process; abort() has to be called to end them.
 class ParallelSolver {
  public:
   virtual ~ParallelSolver() = default;

@@ -1,4 +1,4 @@
-// Module that floc loads to solve with PETSc. No other source file includes PETSc's headers or links it.
+// Module that floc loads to solve with PETSc. No other source file includes PETSc's headers or uses PETSc directly.
 #include <petscksp.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Conjugate gradients are stopped after kMostSteps steps, or after kPatience steps in which the norm of the residual
-/// has not fallen below its smallest value so far.
+/// Conjugate gradients are stopped after kMostSteps steps, or after kPatience successive steps without a new smallest
+/// norm of the residual.
 constexpr PetscInt kMostSteps = 20000;
 constexpr PetscInt kPatience = 2000;
 
@@ -48,7 +48,7 @@ class Owned {
   T object_ = nullptr;
 };
 
-/// Makes a PETSc vector use an existing array as long as this object exists, so that no entry is copied.
+/// Makes a PETSc vector use an existing array while this object exists, without copying entries.
 class Lent {
  public:
   Lent(Vec vector, const double* values) : vector_(vector) { check(VecPlaceArray(vector, values)); }
@@ -60,8 +60,8 @@ class Lent {
   Vec vector_;
 };
 
-/// State of the convergence test of a solution: the reduction of the residual that is wanted, the first and the
-/// smallest norm of the residual, and the step with the smallest norm.
+/// State of the convergence test of a solution: the required reduction of the residual, the first and the smallest norm
+/// of the residual, and the step with the smallest norm.
 struct Progress {
   double reduction = 0.0;
   double first = 0.0;
@@ -98,7 +98,7 @@ std::string words_for(KSPConvergedReason reason, PetscInt steps) {
              after;
     case KSP_DIVERGED_DTOL:
     case KSP_DIVERGED_ITS:
-      return "the forces that do not balance no longer decrease" + after;
+      return "the unbalanced forces no longer decrease" + after;
     default:
       return std::string("PETSc gave up (") + KSPConvergedReasons[reason] + ")" + after;
   }
@@ -231,8 +231,8 @@ class PetscSolver final : public ParallelSolver {
     for (Vec& vector : vectors) check(VecDestroy(&vector));
   }
 
-  /// Sets up conjugate gradients and their preconditioner. The environment variable PETSC_OPTIONS overrides what is set
-  /// here.
+  /// Sets up conjugate gradients and their preconditioner. The environment variable PETSC_OPTIONS overrides these
+  /// settings.
   void make_method() {
     check(KSPCreate(PETSC_COMM_WORLD, method_.fill()));
     check(KSPSetOperators(method_, matrix_, matrix_));

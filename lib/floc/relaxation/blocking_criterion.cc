@@ -11,7 +11,7 @@ std::string in_words(const Unmet& unmet) {
   const auto against = [&unmet](const char* what) {
     return fmt::format("{} {:.2e} (limit {:.0e})", what, unmet.value, unmet.limit);
   };
-  // There is no default case, so that the compiler warns of a criterion without a text.
+  // // The switch has no default case, so the compiler warns if a criterion has no text.
   switch (unmet.demand) {
     case Demand::none:
       return "";
@@ -32,11 +32,11 @@ std::string in_words(const Unmet& unmet) {
           "the grains still move: their mean kinetic energy, in units of force scale times largest diameter, "
           "is");
     case Demand::wall_load:
-      return "a wall has not yet borne half of its pressure";
+      return "a wall has never yet borne half of its imposed pressure";
     case Demand::pressure:
-      return against("walls do not yet bear their imposed pressure: the relative difference is");
+      return against("walls do not yet bear their imposed pressure: the largest relative difference is");
     case Demand::energy_ratio:
-      return against("the ratio of kinetic to elastic energy is still");
+      return against("the ratio of kinetic to elastic energy is not yet small: it is");
     case Demand::mechanisms:
       return fmt::format(
           "the structure that carries the load still has {:.0f} mechanisms (motions without stiffness)",
@@ -46,7 +46,7 @@ std::string in_words(const Unmet& unmet) {
           "the packing is at rest but not stable: its stiffness matrix has {:.0f} negative eigenvalues",
           unmet.value);
     case Demand::liquid:
-      // Even if no bridge forms or breaks, the volumes of the bridges may still change.
+      // If no bridge forms or breaks, the volumes of the bridges may still change.
       return unmet.value > 0.0 ? fmt::format(
                                      "liquid still moves: {:.0f} bridges would form or break if the liquid "
                                      "were shared out once more",

@@ -16,8 +16,8 @@ enum class Imposed {
   rate,    ///< the strain component changes at a given rate; at rate zero it is fixed
 };
 
-/// Strain ramp: smooth change of the lengths of some axes of the cell, which are at rest at the beginning and at the
-/// end. With t = time/duration, the logarithmic strain of an axis is proportional to 3 t^2 - 2 t^3 (docs/physics.md,
+/// Strain ramp: smooth change of the lengths of some axes of the cell, with zero rate at the beginning and at the end.
+/// With t = time/duration, the logarithmic strain of an axis is proportional to 3 t^2 - 2 t^3 (docs/physics.md,
 /// "Boundary control"). A lattice vector may be sheared: its offset (component along the first axis) is then a linear
 /// function of 3 t^2 - 2 t^3, too.
 template <int Dim>
@@ -74,11 +74,11 @@ struct BoundaryControl {
   /// each component that moves at a strain rate: the strain rate, shortening positive (1/time); for a shear component
   /// it is the rate of the engineering shear strain gamma.
   Eigen::Matrix<double, kSymmetric<Dim>, 1> target = Eigen::Matrix<double, kSymmetric<Dim>, 1>::Zero();
-  double mass =
-      0.0;  ///< inertia M of each component of the lattice vectors, when it is accelerated by a stress (mass)
+  /// inertia M of each component of the lattice vectors, when it is accelerated by a stress (mass)
+  double mass = 0.0;
   /// Largest strain rate of components that follow a stress (1/time).
   double rate_cap = std::numeric_limits<double>::infinity();
-  StrainRamp<Dim> ramp;  ///< strain ramp of axes that move at a strain rate; it replaces their `target`
+  StrainRamp<Dim> ramp;  ///< strain ramp of some axes; for these axes it replaces `target`
   /// Mean stress that sets the scale of forces; if absent, the mean of the imposed stresses (force/length^(Dim-1)).
   std::optional<double> reference_stress;
 
@@ -99,9 +99,9 @@ struct BoundaryControl {
     return control;
   }
 
-  /// Returns a control that imposes a stress on some axes and fixes the axes with an imposed length and the shear
-  /// components.
-  /// @param stress  stress imposed on each axis, or carried by it if a length is imposed
+  /// Returns a control that imposes a stress on some axes, and fixes the shear components and the axes whose length is
+  /// imposed.
+  /// @param stress  stress on each axis: imposed, or carried if the length is imposed
   static BoundaryControl imposing(const LoadTarget<Dim>& load, const Vec<Dim>& stress, double mass,
                                   double rate_cap = std::numeric_limits<double>::infinity()) {
     BoundaryControl control = normal_stress(stress, mass, rate_cap);
@@ -153,8 +153,8 @@ constexpr std::array<int, 2> component_axes(int k) {
   return k == 3 ? std::array{1, 2} : k == 4 ? std::array{0, 2} : std::array{0, 1};
 }
 
-/// Returns the index of the strain component that shears the planes normal to `axis` along the first axis. @pre axis >
-/// 0
+/// Returns the index of the strain component that shears the planes normal to `axis` along the first axis.
+/// @pre axis > 0
 template <int Dim>
 constexpr int shear_component(int axis) {
   return Dim == 2 ? 2 : 6 - axis;

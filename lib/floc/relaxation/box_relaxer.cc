@@ -20,14 +20,14 @@
 namespace floc {
 namespace {
 
-/// Largest change of the void ratio during the final phase of a relaxation (power control). Beyond it, the packing
-/// moves freely again.
+/// Largest change of the void ratio during the final phase of a relaxation (power control). After a larger change, the
+/// packing moves freely again.
 constexpr double kFinishVoidRatio = 1e-3;
-/// Longest duration of the final phase of a relaxation (power control), in time units T (compaction_time()). After it,
-/// the state is recorded as it is, if the scene accepts states that are not equilibria.
+/// Longest duration of the final phase of a relaxation (power control), in time units T (compaction_time()). If the
+/// scene accepts states that are not equilibria, the state at that time is recorded as it is.
 constexpr double kLongestFinish = 60.0;
-/// Ratio of the distance between two walls to their distance at the start. Beyond it, the walls count as lost if no
-/// grain touches them.
+/// Largest ratio of the distance between two walls to their distance at the start. Beyond this ratio, the walls count
+/// as lost if no grain touches them.
 constexpr double kLargestExpansion = 4.0;
 /// Distance between two walls below which a box counts as closed, in largest diameters. Overlaps are small, so that
 /// grains do not fit into a smaller box.
@@ -56,8 +56,8 @@ CompactionProgress parsed(const std::string& text) {
       kBoxMembers);
 }
 
-/// Returns the height of a homogeneous bed with the centre of mass of the grains (length): twice the height of this centre
-/// above the floor.
+/// Returns twice the height of the centre of mass of the grains above the floor (length), which is the height of a
+/// homogeneous bed with this centre of mass.
 template <int Dim>
 double height_of_bed(const Packing<Dim>& packing, const Wall<Dim>& floor) {
   const Grains<Dim>& g = packing.grains;
@@ -66,8 +66,8 @@ double height_of_bed(const Packing<Dim>& packing, const Wall<Dim>& floor) {
   return 2.0 * sum / total_mass(g);
 }
 
-/// Returns the void ratio of a packing. A bed with a free surface counts as a homogeneous one of the same centre of mass, since
-/// single grains above the bed say nothing about it.
+/// Returns the void ratio of a packing. A bed with a free surface counts as a homogeneous bed with the same centre of
+/// mass, so that single grains above the bed have little influence.
 template <int Dim>
 double void_ratio(const Packing<Dim>& packing) {
   double volume = packing.cell.volume();
@@ -78,7 +78,8 @@ double void_ratio(const Packing<Dim>& packing) {
   return volume / total_volume(packing.grains) - 1.0;
 }
 
-/// Moves each open end to the surface of the grain that reaches furthest, and gives the cell the side between the ends.
+/// Moves each open end of the cell to the surface of the outermost grain, and sets the side of the cell to the distance
+/// between its two ends.
 template <int Dim>
 void fit_open_ends(Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
@@ -126,7 +127,7 @@ BoxRelaxer<Dim>::BoxRelaxer(const RelaxationOptions& options, Packing<Dim> packi
   if (load.any_strained())
     throw InputError(
         "packing",
-        "the packing has walls, so that each axis needs a pressure, but a length is imposed on an axis");
+        "the load imposes a length on an axis, but a packing with walls needs a pressure on every axis");
   measure();
   if (progress_.skin == 0.0)
     progress_.skin = options.skin ? *options.skin * largest_diameter(packing_.grains)
@@ -148,8 +149,7 @@ bool BoxRelaxer<Dim>::under_pressure(int axis) const {
 }
 
 /// Returns the control of the walls for the next chunk of time steps: a strain rate for walls that still move at the
-/// speed given by the scene, and the imposed pressure for all other walls. Walls of infinite mass do not move under a
-/// pressure.
+/// speed given by the scene, and the imposed pressure for all other walls. Walls of infinite mass stay at rest.
 template <int Dim>
 BoundaryControl<Dim> BoxRelaxer<Dim>::control() {
   BoundaryControl<Dim> control = BoundaryControl<Dim>::fixed();
@@ -173,7 +173,7 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   advance_observed(*dynamics, kStepsPerChunk, finishing ? Motion::power_control : Motion::free, observer_,
                    progress_.time, time_step_);
   if (!dynamics->finite()) {
-    // The packing is still in its state at the beginning of the chunk of time steps, but its contacts have been moved
+    // The packing still has its state from the beginning of the chunk of time steps, but its contacts have been moved
     // into the object `dynamics` and have to be found again.
     find_contacts(packing_);
     measure();
@@ -193,8 +193,8 @@ RelaxationStatus BoxRelaxer<Dim>::advance() {
   if (std::string words = lost(); !words.empty()) return give_up("lost", std::move(words));
   const RelaxationStatus status = finishing ? check_finish() : check_motion();
   if (status != RelaxationStatus::running) return status;
-  // If the scene sets a longest time, the state at that time is recorded as it is. If the final phase of the relaxation
-  // (power control) has begun by then, this phase goes on: check_finish() limits its duration.
+  // If the scene sets a longest time, the state at that time is recorded as it is. A final phase of the relaxation
+  // (power control) that has begun by then continues; check_finish() limits its duration.
   if (options_.compaction.longest) {
     if (finishing || progress_.time <= *options_.compaction.longest * time_unit_) return status;
     return stop_here();
@@ -219,7 +219,7 @@ RelaxationStatus BoxRelaxer<Dim>::give_up(const char* ending, std::string words)
   return RelaxationStatus::gave_up;
 }
 
-/// Returns the reason, in words, why grains and walls no longer form a packing; empty if they do.
+/// Returns the reason why grains and walls no longer form a packing; empty if they do.
 template <int Dim>
 std::string BoxRelaxer<Dim>::lost() const {
   const Grains<Dim>& g = packing_.grains;
@@ -233,8 +233,8 @@ std::string BoxRelaxer<Dim>::lost() const {
             g.name(i), wall.axis + 1);
   const double a = largest_diameter(g);
   const std::vector<double> force = wall_forces(packing_);
-  // Walls that move under the forces on them close the box if the grains cannot bear the pressure, and move away
-  // without end if no grain touches them.
+  // Walls move under the forces on them. If the grains cannot bear the pressure, the walls close the box; if no grain
+  // touches the walls, they move away without end.
   for (std::size_t w = 0; w < packing_.walls.size(); ++w) {
     const int axis = packing_.walls[w].axis;
     const double side = packing_.cell.matrix(axis, axis);
@@ -246,8 +246,9 @@ std::string BoxRelaxer<Dim>::lost() const {
     if (follows_forces(packing_.walls[w]) && force[w] == 0.0 &&
         side > kLargestExpansion * progress_.start_side[axis])
       return fmt::format(
-          "the walls across axis {} run away: no grain touches them at a distance of {:.4g}, which was {:.4g} "
-          "at the beginning; choose a higher pressure, or grains that move less at the beginning",
+          "the walls across axis {} move apart without end: their distance is {:.4g}, at the beginning it was "
+          "{:.4g}, and no grain touches them; choose a higher pressure, or grains that move less at the "
+          "beginning",
           axis + 1, side, progress_.start_side[axis]);
   }
   return "";
@@ -303,8 +304,8 @@ bool BoxRelaxer<Dim>::has_ended() {
 
 /// Begins the final phase of the relaxation (power control) once the compaction has ended and no mechanism is left. A
 /// packing with mechanisms (motions without stiffness) moves on until more contacts support it, since power control
-/// would freeze it in its present state. If the ratio of energies ends the compaction, a state with mechanisms is
-/// recorded as it is.
+/// would stop its motion in an unsupported state. If the ratio of energies ends the compaction, a state with mechanisms
+/// is recorded as it is.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::check_motion() {
   if (!has_ended()) return RelaxationStatus::running;
@@ -334,7 +335,7 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
     if (!stability_.may_be_stable()) {
       unmet_ = {Demand::stability, static_cast<double>(*stability_.n_negative)};
     } else if (const LiquidChange change = share_liquid_once_more(); !change.nothing()) {
-      // The liquid has been shared out anew. Where that has changed bridges, the packing is not at equilibrium yet.
+      // The liquid has been shared out anew. If this has changed bridges, the packing is not yet in equilibrium.
       unmet_ = {Demand::liquid, static_cast<double>(change.n_changed())};
     } else {
       n_mechanisms_ = least_mechanisms(packing_);
@@ -346,8 +347,8 @@ RelaxationStatus BoxRelaxer<Dim>::check_finish() {
   return long_enough && may_stop() ? stop_here() : RelaxationStatus::running;
 }
 
-/// Returns how the liquid bridges would change if the liquid were shared out once more among the pairs of grains. The
-/// packing itself is not changed. Without liquid, all changes are zero.
+/// Returns the changes of the liquid bridges that another sharing of the liquid among the pairs of grains would cause.
+/// The packing itself is not changed. Without liquid, all changes are zero.
 template <int Dim>
 LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   if (!holds_liquid(packing_)) return {};
@@ -357,8 +358,8 @@ LiquidChange BoxRelaxer<Dim>::share_liquid_once_more() {
   return change;
 }
 
-/// Ends the relaxation with the present state, which need not be an equilibrium. If check_finish() has determined the
-/// stability of this state at rest, the report contains it.
+/// Ends the relaxation with the present state, which need not be an equilibrium. The report contains the stability of
+/// this state if check_finish() has determined it at rest.
 template <int Dim>
 RelaxationStatus BoxRelaxer<Dim>::stop_here() {
   n_mechanisms_ = least_mechanisms(packing_);
@@ -386,11 +387,12 @@ RelaxationReport BoxRelaxer<Dim>::report() const {
   report.time = progress_.time;
   report.n_steps = progress_.n_steps;
   report.blocking =
-      words_.empty() ? fmt::format(
-                           "t = {:.1f} T, kinetic over elastic energy {:.1e}, wall pressures off by {:.1e} of "
-                           "their targets, force residual {:.1e}",
-                           progress_.time / time_unit_, energy_ratio_, residuals_.stress, residuals_.force)
-                     : words_;
+      words_.empty()
+          ? fmt::format(
+                "t = {:.1f} T, ratio of kinetic to elastic energy {:.1e}, relative error of the wall pressures "
+                "{:.1e}, force residual {:.1e}",
+                progress_.time / time_unit_, energy_ratio_, residuals_.stress, residuals_.force)
+          : words_;
   return report;
 }
 

@@ -23,8 +23,8 @@ struct CompactionProgress {
   std::vector<double> start_side;  ///< sides of the box when the relaxation began (length)
   /// Void ratio at the end of each recent chunk of time steps, the oldest first.
   std::vector<double> void_ratio;
-  /// For each axis: sign of (pressure - target pressure) while its walls move at their given speed; 0 once the walls
-  /// bear their pressure.
+  /// For each axis: sign of (pressure - imposed pressure) while its walls move at their given speed; 0 once the walls
+  /// bear their imposed pressure.
   std::vector<double> closing_sign;
   /// Whether every wall has borne half of its pressure at some time, so that the compaction may end.
   bool armed = false;
@@ -87,7 +87,7 @@ class BoxRelaxer final : public Equilibrator<Dim> {
   Residuals residuals_;
   double energy_ratio_ = 0.0;
   Stability stability_;  ///< stability of the packing, determined once the residuals are within tolerance
-  Unmet unmet_;          ///< first criterion, other than the residuals, that is not met
+  Unmet unmet_;          ///< first criterion of equilibrium, other than the residuals, that is not met
   int n_mechanisms_ = -1, n_bridges_unsettled_ = -1;
   std::string ending_, words_;
   double time_step_;

@@ -101,10 +101,10 @@ void CellMotion<Dim>::kick_walls(double half_step) {
   walls_.kick(half_step, control_, area);
 }
 
-/// Returns the generalised forces on the components of the lattice that follow a stress. Their work in a small strain
-/// of these components is the work of W - V Sigma, where W is the sum of the momentum fluxes and of forces times branch
-/// vectors, V the volume and Sigma the imposed stress. If all components follow a stress, the force is the upper part
-/// of (W - V Sigma) h^-T, with h the lattice matrix.
+/// Returns the generalised forces that accelerate the components of the lattice that follow a stress. Their work in a
+/// small strain of these components is the work of W - V Sigma, where W is the sum of the momentum fluxes and of forces
+/// times branch vectors, V the volume and Sigma the imposed stress. If all components follow a stress, the force is the
+/// upper part of (W - V Sigma) h^-T, with h the lattice matrix.
 template <int Dim>
 Mat<Dim> CellMotion<Dim>::lattice_force(const std::vector<BlockSums<Dim>>& sums) const {
   Mat<Dim> work = Mat<Dim>::Zero();
@@ -182,8 +182,8 @@ void CellMotion<Dim>::impose_rates() {
   if (any) lattice_rate_ = upper_product<Dim>(gradient, lattice_);
 }
 
-/// Moves the boundary over a time step. In reduced coordinates s, the grains move by s' = h^-1 v, with v the peculiar
-/// velocity and h the lattice matrix; h is taken in the middle of the step, which keeps the scheme symmetric in time.
+/// Moves the boundary over a time step. The reduced coordinates s of a grain change by s' = h^-1 v, with v the peculiar
+/// velocity and h the lattice matrix in the middle of the step, which keeps the scheme symmetric in time.
 template <int Dim>
 Drift<Dim> CellMotion<Dim>::drift(double time_step) {
   const Mat<Dim> middle = lattice_ + 0.5 * time_step * lattice_rate_;
@@ -201,7 +201,7 @@ Drift<Dim> CellMotion<Dim>::drift(double time_step) {
 template <int Dim>
 Kick<Dim> CellMotion<Dim>::kick_of_grains(double half_step) const {
   // The acceleration of a grain is v' = F/m - h' h^-1 v, with F its force, m its mass, v its peculiar velocity and h
-  // the lattice matrix; the second term is taken in the middle of the half step.
+  // the lattice matrix. The second term is taken in the middle of the half step.
   const Mat<Dim> drag = 0.5 * half_step * strain_rate_;
   const Mat<Dim> one = Mat<Dim>::Identity();
   const Mat<Dim> gain = right_quotient<Dim>(one, Mat<Dim>(one + drag));

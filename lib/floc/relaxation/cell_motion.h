@@ -42,7 +42,7 @@ class CellMotion {
   Vec<Dim, int> wrap(Vec<Dim>& position) const;
   /// Returns the boundary in the form that force kernels (compiled loops over pairs) read. It contains pointers to the
   /// arrays of the walls, which are valid for the lifetime of this object.
-  /// @param slip_time  time over which the present relative velocities of the grains stretch the contact springs (time)
+  /// @param slip_time  time for which the contact springs are stretched at the present relative velocities (time)
   PairCell<Dim> pair_cell(double slip_time) const;
 
   /// Lists, for each wall, the pairs of a grain with this wall; to be called after new lists of pairs have been built.
@@ -59,8 +59,8 @@ class CellMotion {
   /// Moves the lattice and the walls over a time step, and returns the coefficients by which this step changes the
   /// positions of the grains.
   Drift<Dim> drift(double time_step);
-  /// Returns the coefficients by which the grains are accelerated over half a step; they include the drag that the
-  /// present deformation of the lattice exerts on peculiar velocities.
+  /// Returns the coefficients of the acceleration of the grains over half a step. They include the drag on peculiar
+  /// velocities that the deformation of the lattice causes.
   Kick<Dim> kick_of_grains(double half_step) const;
 
   /// Returns twice the kinetic energy of the components of the lattice that follow a stress; 0 if no component follows
@@ -71,7 +71,7 @@ class CellMotion {
 
  private:
   Vec<Dim> sides() const;
-  /// Whether component (a, b) of the boundary belongs to the lattice, and not to walls.
+  /// Whether component (a, b) of the boundary belongs to the lattice, and not to a wall.
   bool belongs_to_lattice(int a, int b) const { return !walls_.bounds(a) && !walls_.bounds(b); }
   Mat<Dim> lattice_force(const std::vector<BlockSums<Dim>>& sums) const;
   void kick_lattice(double half_step, const std::vector<BlockSums<Dim>>& sums);

@@ -6,7 +6,7 @@
 
 namespace floc {
 
-/// Options that change, for one stage of a run (such as the assembly or a stage of the load path), how the packing
+/// Options for one stage of a run (such as the assembly or a stage of the load path) that change how the packing
 /// responds to its load. Members that are set replace the members of RelaxationOptions during that stage.
 struct CellResponse {
   std::optional<double> inertial_number_cap;
@@ -15,15 +15,15 @@ struct CellResponse {
   /// Cap on the strain rate |L'/L| of the cell, in 1/T0 (RelaxationOptions::strain_rate_cap); at most one of
   /// inertial_number_cap and this cap is set.
   std::optional<double> strain_rate_cap = {};
-  /// RelaxationOptions::softening during that stage.
+  /// Value that replaces RelaxationOptions::softening during this stage.
   std::optional<double> softening = {};
   /// Rate at which rigid grains are strained (ContactDynamicsOptions::inertial_number).
   std::optional<double> inertial_number = {};
 
   bool has_cap() const { return inertial_number_cap || strain_rate_cap; }
 
-  /// Returns this response with its unset members taken from `other`. If a cap of either kind is set here, neither cap
-  /// is taken from `other`.
+  /// Returns this response with its unset members taken from `other`. If this response sets either of the two caps, no
+  /// cap is taken from `other`.
   CellResponse or_else(const CellResponse& other) const {
     CellResponse out = *this;
     if (!has_cap()) {

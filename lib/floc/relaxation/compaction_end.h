@@ -8,8 +8,9 @@ namespace floc {
 /// units of T = sqrt(m/(P a^(Dim-2))), with m the mass and a the diameter of the largest grain and P the pressure.
 struct CompactionEnd {
   enum class Criterion {
-    /// The void ratio has changed by less than kSettledVoidRatio in the time kSettledTime (in T), every wall bears its
-    /// pressure, and the structure that carries the pressure has no mechanism (motion without stiffness).
+    /// The void ratio has changed by less than kSettledVoidRatio during the time kSettledTime (in units of T), every
+    /// wall bears its pressure, and the structure that carries the pressure has no mechanism (motion without
+    /// stiffness).
     settled,
     /// The ratio of the kinetic energy of translations to the elastic energy is at most the number
     /// CompactionEnd::energy_ratio.
@@ -17,8 +18,8 @@ struct CompactionEnd {
   };
   Criterion criterion = Criterion::settled;
   double energy_ratio = 2e-7;  ///< ratio of kinetic to elastic energy that ends a compaction [SVI2024]
-  /// Longest duration of the compaction (in T), after which the state is recorded as it is; if absent, the relaxation
-  /// is given up after RelaxationOptions::max_time.
+  /// Longest duration of the compaction (in units of T), after which the state is recorded as it is; if absent, the
+  /// relaxation is given up after RelaxationOptions::max_time.
   std::optional<double> longest;
   /// Speed at which the walls of an axis move towards or away from each other until they bear their pressure
   /// (length/time); if absent, the pressure acts from the beginning.
@@ -26,7 +27,8 @@ struct CompactionEnd {
 
   static constexpr double kSettledVoidRatio = 1e-4;
   static constexpr double kSettledTime = 3.0;
-  /// Relative difference from the imposed pressure up to which a wall counts as bearing it.
+  /// Relative difference between the measured and the imposed pressure up to which a wall counts as bearing its
+  /// pressure.
   static constexpr double kSettledPressure = 1e-3;
 };
 

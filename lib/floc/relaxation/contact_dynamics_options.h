@@ -5,31 +5,34 @@
 
 namespace floc {
 
-/// Forces with which a packing of rigid grains at rest is recorded. In general many sets of forces balance the grains.
+/// Choice of the forces that are recorded for a packing of rigid grains at rest, because in general many sets of forces
+/// balance the grains.
 enum class RigidForces {
-  closest,    ///< the balanced forces closest to those of the last time step
-  canonical,  ///< the balanced forces of least elastic energy, which do not depend on the history
+  closest,    ///< the balanced forces that are closest to the forces of the last time step
+  canonical,  ///< the balanced forces with the least elastic energy, which do not depend on the history
   stepped,    ///< the forces of the last time step
 };
 
-/// Keywords of a scene for RigidForces, in their order.
+/// Keywords for RigidForces in scenes (input files), in the order of the enumerators.
 inline constexpr std::array kRigidForcesKeywords = {"closest", "canonical", "none"};
 
 /// Numerical settings of contact dynamics, the implicit time integration of rigid grains (docs/numerics.md).
 struct ContactDynamicsOptions {
   /// Longest time step in units of T = sqrt(m/(P a^(Dim-2))), with the mass m and the diameter a of the largest grain
-  /// and the pressure P. It is halved as long as grains move too far in a step.
+  /// and the pressure P. The step is halved until no grain moves too far in it.
   double time_step = 0.05;
-  /// Error of the impulses of a time step, over the mean normal impulse, at which the sweeps over the contacts end.
+  /// Error of the impulses of a time step, divided by the mean normal impulse, at which the sweeps over the contacts
+  /// end.
   double sweep_tolerance = 1e-3;
-  /// Largest number of sweeps over the contacts in a time step. A step that needs more counts as unfinished.
+  /// Largest number of sweeps over the contacts in a time step. A step that does not reach the tolerance within them
+  /// counts as unfinished.
   int max_sweeps = 2000;
   /// Rate of imposed strains in units of 1/T: the largest rate of a length |L'/L|, or of a shear strain.
   double inertial_number = 1e-2;
   double restitution = 0.0;  ///< coefficient of restitution of normal impacts, from 0 to 1
   RigidForces forces = RigidForces::closest;
-  /// Largest gap or overlap of a contact that carries a force, over the diameter of its smaller grain; absent: 1e-4 for
-  /// disks and spheres, 1e-3 for grains with corners.
+  /// Largest gap or overlap of a contact that carries a force, divided by the diameter of the smaller grain. If absent:
+  /// 1e-4 for disks and spheres, 1e-3 for grains with corners.
   std::optional<double> gap_tolerance;
 };
 

@@ -17,55 +17,62 @@
 namespace floc {
 namespace {
 
-/// Number of time steps by which a relaxation advances at once.
+/// Number of time steps in one call of advance().
 constexpr int kSteps = 20;
-/// Number of calm steps after which the motion counts as ended. In a calm step the root mean square velocity is at most
-/// kCalmVelocity, in units of d/T, and the strain rate of the cell at most kCalmRate, over its cap. The relative error of
-/// the stress is then kCalmRate, too.
+/// Number of successive calm steps after which the motion counts as ended. T is the time unit, d the largest diameter.
+/// In a calm step the root mean square velocity is at most kCalmVelocity d/T, and the strain rate of the cell at most
+/// kCalmRate times its cap; the relative error of the stress is then at most kCalmRate, too.
 constexpr int kCalmSteps = 40;
 constexpr double kCalmRate = 0.03;
 constexpr double kCalmVelocity = 6e-3;
-/// Factor of both for polyhedra without friction, which move on for long as their corners take turns in contact.
+/// Factor by which kCalmRate and kCalmVelocity are larger for frictionless polyhedra, whose motion decays slowly
+/// because their corners alternate in contact.
 constexpr double kJitter = 4.0;
-/// Rate of approach below which impacts are not elastic, over the velocity a/T^2 dt that the pressure gives to a grain in a
-/// time step.
+/// Rate of approach below which impacts are inelastic, in units of a dt/T^2, the velocity that the pressure gives to a
+/// grain in a time step dt, with a the largest diameter and T the time unit.
 constexpr double kSlowImpact = 2.0;
-/// Factor by which the tolerance of the sweeps is larger while a gas is compressed, and stress over the imposed stress up
-/// to which a packing counts as a gas.
+/// Factor by which the tolerance of the sweeps is larger while a gas is compressed.
 constexpr double kGasTolerance = 10.0;
+/// Largest mean stress of a packing that counts as a gas, divided by the mean imposed stress.
 constexpr double kGasStress = 0.3;
-/// Longest and shortest time step of grains at rest in units of T, and number of sweeps in it at first and at most.
+/// Longest and shortest time step of the phase `resting`, in units of T.
 constexpr double kLongestRest = 0.5;
 constexpr double kShortestRest = 1e-3;
+/// Largest number of sweeps in a time step of the phase `resting`: its first value, and its upper bound.
 constexpr int kRestingSweeps = 300;
 constexpr int kMostRestingSweeps = 9600;
-/// Number of steps at rest after which steps are solved all at once if there are not more grains than this, the longest time step of those in units of T, and the
-/// largest gap of a contact that carries a force after them, over the diameter of the smaller grain.
+/// Number of steps of the phase `resting` after which the contacts of a step are solved all at once instead of by
+/// sweeps.
 constexpr int kSweptSteps = 2600;
+/// Largest number of grains of a packing with friction, or with round grains, whose contacts are solved all at once.
 constexpr int kMostGrainsAtOnce = 1000;
+/// Longest time step that is solved all at once, in units of T, without and with separating plates.
 constexpr double kLongestAtOnce = 3.0;
 constexpr double kLongestWithPlates = 30.0;
+/// Largest gap of a contact that carries a force after steps that are solved all at once, divided by the diameter of
+/// the smaller grain.
 constexpr double kGapAtOnce = 1e-6;
-/// Error of the impulses at which the sweeps of a step at rest end, over the mean normal impulse.
+/// Error of the impulses at which the sweeps of a step of the phase `resting` end, divided by the mean normal impulse.
 constexpr double kRestingTolerance = 1e-8;
-/// Largest net force on a grain, over the mean normal force, at which balanced forces are sought: for round grains and
-/// for grains with corners.
+/// Largest net force on a grain up to which balanced forces are sought, divided by the mean normal force: for round
+/// grains and for grains with corners.
 constexpr double kNearBalanceRound = 1e-3;
 constexpr double kNearBalanceAngular = 3e-2;
-/// Number of steps at rest between two searches for balanced forces, and after which they are sought in any case.
+/// Number of steps of the phase `resting` between two searches for balanced forces. After another such number of steps,
+/// they are sought even if the net forces are large.
 constexpr int kStepsBetweenTrials = 50;
-/// Number of steps at rest after which the relaxation is given up.
+/// Number of steps of the phase `resting` after which the relaxation is given up.
 constexpr int kMostRestingSteps = 3000;
-/// Default gap tolerance over the diameter of the smaller grain, for round grains and for grains with corners.
+/// Default value of ContactDynamicsOptions::gap_tolerance for round grains and for grains with corners.
 constexpr double kGapToleranceRound = 1e-4;
 constexpr double kGapToleranceAngular = 1e-3;
-/// Number of steps for which a packing in balance has to stay in place when it is free to move, and largest displacement of a
-/// grain in them, over its diameter and the gap tolerance.
+/// Number of steps in which a packing with balanced forces moves freely to test whether it is stable.
 constexpr int kFreeSteps = 50;
+/// Largest displacement of a grain in these steps, divided by its diameter and by the gap tolerance.
 constexpr double kStaysWithin = 10.0;
-/// Force of a contact, over the mean normal force, below which the contact carries no force.
+/// Largest force of a contact that counts as carrying no force, divided by the mean normal force.
 constexpr double kCarries = 1e-9;
-/// Share of Coulomb's limit by which a tangential force may lie below it and still count as sliding.
+/// Largest difference of a sliding tangential force from Coulomb's limit, divided by this limit.
 constexpr double kAtLimit = 1e-9;
 
 /// Function that calls visit(name, member) for every member of a ContactDynamicsProgress, with the name that the member
@@ -89,7 +96,8 @@ constexpr auto kMembers = [](auto& p, const auto& visit) {
   visit("obstacle", p.obstacle);
 };
 
-/// Returns the root mean square velocity of the mass of all grains. Light grains may fly about in holes for long.
+/// Returns the root mean square velocity, weighted with the masses of the grains, since light grains may fly about in
+/// voids for a long time.
 template <int Dim>
 double rms_velocity(const Grains<Dim>& grains) {
   double sum = 0.0, mass = 0.0;
@@ -114,9 +122,9 @@ void stop(Packing<Dim>& packing) {
   for (Wall<Dim>& wall : packing.walls) wall.velocity = 0.0;
 }
 
-/// Returns the stress imposed on each axis, and the mean of these on axes with an imposed length. Scales of time and force
-/// belong to it, since the stress that is carried fluctuates in motion.
-/// @throws InputError if no stress is imposed, or one is not positive
+/// Returns the stress on each axis that sets the scales of time and force: the imposed stress or, on an axis with an
+/// imposed length, the mean of the imposed stresses. The stress carried by such an axis fluctuates during motion.
+/// @throws InputError if no stress is imposed, or an imposed stress is not positive
 template <int Dim>
 Vec<Dim> imposed_stress(const LoadTarget<Dim>& load) {
   double sum = 0.0;
@@ -124,21 +132,24 @@ Vec<Dim> imposed_stress(const LoadTarget<Dim>& load) {
   for (int a = 0; a < Dim; ++a) {
     if (load.strained(a)) continue;
     if (!(load.stress[a] > 0.0))
-      throw InputError("load", "rigid grains need a positive pressure: without one, no force is determined");
+      throw InputError("load",
+                       "rigid grains need a positive stress on every axis without an imposed length, because "
+                       "it sets the scale of their forces");
     sum += load.stress[a], ++n;
   }
   if (n == 0)
     throw InputError(
         "load",
-        "the lengths of all axes are imposed: rigid grains need a stress on one axis at least, because "
-        "their forces have no scale otherwise");
+        "the lengths of all axes are imposed, but rigid grains need a stress on at least one axis, because "
+        "it sets the scale of their forces");
   Vec<Dim> out = load.stress;
   for (int a = 0; a < Dim; ++a)
     if (load.strained(a)) out[a] = sum / n;
   return out;
 }
 
-/// Gives all contacts the adhesion of the law, and removes those across a gap that have not adhered: they carry nothing.
+/// Gives all contacts the adhesion of the law, and removes contacts that have a gap and have not adhered, since they
+/// carry no force.
 template <int Dim>
 void hold_adhesion(Packing<Dim>& packing) {
   std::erase_if(packing.contacts, [&](const Contact<Dim>& c) {
@@ -169,8 +180,8 @@ ContactDynamicsRelaxer<Dim>::ContactDynamicsRelaxer(const RelaxationOptions& opt
   measure();
 }
 
-/// Returns whether the steps at rest are solved all at once: from the start for frictionless grains with corners, and
-/// otherwise if sweeps have not led to balance.
+/// Returns whether the contacts of a step of the phase `resting` are solved all at once: from the start for
+/// frictionless grains with corners, otherwise after kSweptSteps steps with sweeps that have not led to balance.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
   if (progress_.phase != ContactDynamicsProgress::resting) return false;
@@ -180,7 +191,7 @@ bool ContactDynamicsRelaxer<Dim>::solves_at_once() const {
          (progress_.resting_steps >= kSweptSteps && grains.size() <= kMostGrainsAtOnce);
 }
 
-/// Returns whether the steps at rest have separating plates.
+/// Returns whether steps are solved with separating plates between the grains (separating_plates.h).
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::has_plates() const {
   return solves_at_once() && are_smooth_polyhedra(packing_);
@@ -213,7 +224,8 @@ BoundaryLoad<Dim> ContactDynamicsRelaxer<Dim>::boundary_load() const {
   load.stress = imposed_;
   for (int a = 0; a < Dim; ++a) load.under_stress[a] = !load_.strained(a);
   load.cell_mass = options_.cell_mass;
-  // The drag of a cap would bear a part of the stress on sides that dilate.
+  // While the cell is strained there is no cap, since the drag of a cap would bear a part of the stress on sides that
+  // dilate.
   if (progress_.phase != ContactDynamicsProgress::straining)
     load.strain_rate_cap = strain_rate_cap(options_, packing_, imposed_);
   return load;
@@ -225,8 +237,9 @@ double ContactDynamicsRelaxer<Dim>::gap_tolerance() const {
                                                                                       : kGapToleranceAngular);
 }
 
-/// Returns whether the motion of the packing has nearly ended. The rate of the cell shows whether the stress is balanced:
-/// it is proportional to the difference from the imposed stress, and the errors of single impulses cancel in it.
+/// Returns whether the motion of the packing has nearly ended. The strain rate of the cell shows whether the stress is
+/// balanced: it is proportional to the difference between the stress and the imposed stress, and errors of single
+/// impulses cancel in it.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
   const double jitter = are_smooth_polyhedra(packing) ? kJitter : 1.0;
@@ -236,8 +249,8 @@ bool ContactDynamicsRelaxer<Dim>::is_calm(const Packing<Dim>& packing) const {
          packing.cell.rate().diagonal().cwiseAbs().maxCoeff() < jitter * kCalmRate * cap;
 }
 
-/// Makes time steps. Grains are then moved into the cell, so that a relaxation that was stopped continues from the same
-/// positions.
+/// Makes time steps and then moves the grains into the cell, so that a relaxation that was interrupted continues from
+/// the same positions.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   const ContactDynamicsSettings chosen = settings();
@@ -248,13 +261,15 @@ void ContactDynamicsRelaxer<Dim>::make_steps(int n_steps) {
   for (int k = 0; k < n_steps; ++k) {
     if (progress_.phase == ContactDynamicsProgress::straining && !impose_strain(motion)) break;
     motion.step(at_rest && (!chosen.at_once || chosen.plates));
-    if (!at_rest) progress_.time += motion.last_step();  // steps at rest are no motion in time
+    // Steps of the phase `resting` do not count as simulated time.
+    if (!at_rest) progress_.time += motion.last_step();
     progress_.calm_steps = is_calm(motion.packing()) ? progress_.calm_steps + 1 : 0;
     if (observer_.callback && k + 1 < n_steps) observer_.callback(motion.packing(), progress_.time);
   }
   progress_.n_steps += motion.counts().n_steps;
   progress_.n_sweeps += motion.counts().n_sweeps;
-  // Steps at rest are limited to few sweeps on purpose, since the next step goes on from their impulses.
+  // The number of sweeps in steps of the phase `resting` is limited on purpose, since the next step starts from their
+  // impulses. These steps therefore do not count as unfinished.
   if (!at_rest) progress_.n_unfinished += motion.counts().n_unfinished;
   progress_.deepest_overlap = std::max(progress_.deepest_overlap, motion.counts().deepest_overlap);
   progress_.time_step = motion.time_step();
@@ -280,7 +295,8 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::advance() {
                                                          : RelaxationStatus::running;
 }
 
-/// Makes steps of grains at rest, and seeks balanced forces when the net forces are small or after many steps.
+/// Makes steps of the phase `resting`. Then seeks balanced forces, if the net forces are small or have not been tried
+/// for many steps.
 template <int Dim>
 RelaxationStatus ContactDynamicsRelaxer<Dim>::rest() {
   make_steps(kSteps);
@@ -307,8 +323,8 @@ double ContactDynamicsRelaxer<Dim>::near_balance() const {
   return packing_.grains.are_round() ? kNearBalanceRound : kNearBalanceAngular;
 }
 
-/// Returns the largest gap of the contacts whose force exceeds the errors of the balance, or the deepest overlap of all
-/// contacts if it is larger, over the diameter of the smaller grain.
+/// Returns the largest gap of a contact that carries a force, or the deepest overlap of any contact if that is larger,
+/// divided by the diameter of the smaller grain. A force counts if it exceeds the errors of the balance.
 template <int Dim>
 double ContactDynamicsRelaxer<Dim>::largest_gap() const {
   const double least = near_balance() * mean_repulsive_force(packing_);
@@ -319,17 +335,18 @@ double ContactDynamicsRelaxer<Dim>::largest_gap() const {
   return largest;
 }
 
-/// Replaces the forces of the last step by forces that balance all grains exactly, if there are such forces.
+/// Replaces the forces of the last step by forces that balance all grains exactly. Returns false if there are no such
+/// forces.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   const double tolerance = gap_tolerance();
   const double reached_gap = solves_at_once() ? std::min(tolerance, kGapAtOnce) : tolerance;
   if (const double gap = largest_gap(); gap > reached_gap) {
     progress_.obstacle = fmt::format(
-        "a contact that carries a force has a gap of {:.2g} of the smaller diameter, or two grains overlap by "
+        "a contact that carries a force has a gap of {:.2g} smaller diameters, or two grains overlap by "
         "this much, but the tolerance is {:.2g}",
         gap, reached_gap);
-    // Errors of the impulses move the grains in proportion to the square of the time step.
+    // Errors of the impulses move the grains by distances proportional to the square of the time step.
     if (!solves_at_once()) progress_.rest_length = std::max(0.5 * progress_.rest_length, kShortestRest);
     return false;
   }
@@ -342,7 +359,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     if (options_.contact_dynamics.forces != RigidForces::stepped) set_balanced_forces(rested);
   } catch (const NoResult& reason) {
     progress_.obstacle = reason.what();
-    // A grain still moves. Without friction, many sweeps are needed to resolve its slow motion.
+    // A grain still moves, so the steps become longer. Without friction, many sweeps are needed to resolve a slow
+    // motion.
     progress_.rest_length = std::min(2.0 * progress_.rest_length, kLongestRest);
     progress_.rest_sweeps = std::min(2 * progress_.rest_sweeps, kMostRestingSweeps);
     return false;
@@ -354,7 +372,7 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
     return false;
   }
   if (!stays_in_place(rested)) {
-    progress_.obstacle = "the balance is unstable: grains that are free to move leave their places";
+    progress_.obstacle = "the balance is unstable: grains leave their places when the packing is free to move";
     progress_.phase = ContactDynamicsProgress::moving;
     progress_.calm_steps = 0;
     progress_.time_step = 0.0;
@@ -369,8 +387,8 @@ bool ContactDynamicsRelaxer<Dim>::find_balanced_forces() {
   return true;
 }
 
-/// Returns whether the grains that carry forces stay in place when the packing is free to move for some steps. Balanced
-/// forces alone do not exclude an unstable packing.
+/// Returns whether the grains that carry forces stay in place when the packing is free to move for some steps. This
+/// test is needed because a packing with balanced forces may be unstable.
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::stays_in_place(const Packing<Dim>& rested) const {
   std::vector<bool> carries(rested.grains.size(), false);
@@ -443,7 +461,7 @@ RelaxationReport ContactDynamicsRelaxer<Dim>::report() const {
   else
     report.blocking = fmt::format(
         "the grains still move: their root mean square velocity is {:.2g} of the largest diameter per time "
-        "unit T, and the largest strain rate of the cell {:.2g} per T",
+        "unit T, and the largest strain rate of the cell is {:.2g} per T",
         rms_velocity(packing_.grains) * time_unit_ / largest_diameter(packing_.grains),
         packing_.cell.rate().diagonal().cwiseAbs().maxCoeff() * time_unit_);
   return report;

@@ -23,36 +23,37 @@ struct ContactDynamicsProgress {
   int phase = moving;
   std::int64_t n_steps = 0;   ///< number of time steps so far
   std::int64_t n_sweeps = 0;  ///< number of sweeps over all contacts so far
-  std::int64_t n_unfinished =
-      0;                   ///< number of time steps that ended before their impulses were within tolerance
-  double time = 0.0;       ///< simulated time so far (time)
-  double time_step = 0.0;  ///< next time step (time); 0 before the first step
-  double last_step = 0.0;  ///< last time step (time); 0 before the first step
-  double deepest_overlap = 0.0;  ///< deepest overlap so far, over the diameter of the smaller grain
+  /// number of time steps that ended before their impulses were within tolerance
+  std::int64_t n_unfinished = 0;
+  double time = 0.0;             ///< simulated time so far (time)
+  double time_step = 0.0;        ///< next time step (time); 0 before the first step
+  double last_step = 0.0;        ///< last time step (time); 0 before the first step
+  double deepest_overlap = 0.0;  ///< deepest overlap so far, divided by the diameter of the smaller grain
   int calm_steps = 0;            ///< number of time steps since the packing last moved or was out of balance
   int resting_steps = 0;         ///< number of time steps of the phase `resting`
-  int next_trial = 0;  ///< number of steps of the phase `resting` at which balanced forces are sought next
-  double rest_length = 0.0;  ///< longest time step of the phase `resting` (T)
-  int rest_sweeps = 0;       ///< largest number of sweeps in a time step of the phase `resting`
-  /// Sides of the cell, and offset of the lattice vector that a shear tilts, before the strain (length).
+  int next_trial = 0;            ///< value of resting_steps from which on balanced forces are sought again
+  double rest_length = 0.0;      ///< longest time step of the phase `resting`, in units of T
+  int rest_sweeps = 0;           ///< largest number of sweeps in a time step of the phase `resting`
+  /// Sides of the cell before the strain (length).
   std::vector<double> side_before;
   double offset_before = 0.0;
-  std::string obstacle;  ///< reason why no balanced forces were found last; empty before the first trial
+  std::string obstacle;  ///< reason why the last search found no balanced forces; empty before the first search
 };
 
 /// Brings a packing of rigid grains to equilibrium under a stress on each axis of its cell, in three phases:
 /// 1. The grains move under the load (contact_dynamics.h) until, for 40 steps, the root mean square velocity is below
-/// 6e-3 d/T and the strain rate of the cell below 3 % of its cap, with the largest diameter d and the time unit T =
-/// sqrt(m/(P d^(Dim-2))).
-/// 2. All velocities are set to zero before each step, until the net forces are small. Steps of frictionless grains with
-/// corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
+/// 6e-3 d/T and the strain rate of the cell is below 3 % of its cap. Here d is the largest diameter, T = sqrt(m/(P
+/// d^(Dim-2))) the time unit, m the mass of the largest grain and P the pressure.
+/// 2. All velocities are set to zero before each step, until the net forces are small. Steps of frictionless grains
+/// with corners, and of all grains that sweeps have not brought to rest, are solved at once (rigid/implicit_step.h).
 /// 3. With the grains held, forces are sought that balance all grains and the stress and satisfy Coulomb's conditions
-/// (rigid/static_forces.h). If there are none, some grain still moves, and phase 2 goes on.
-/// Sides of the cell with an imposed length that do not change are held, and the stress on them follows.
+/// (rigid/static_forces.h). If there are no such forces, some grain still moves, and phase 2 continues.
+/// Sides of the cell whose imposed length equals their present length do not move; the stress on them results from the
+/// forces.
 ///
-/// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a constant
-/// rate (ContactDynamicsOptions::inertial_number), and the packing at the imposed strain is recorded as it moves, with the
-/// forces of the time step that begins there (MotionRecord).
+/// If the load changes a length or shears the cell, the relaxation is a motion instead: the cell is strained at a
+/// constant rate (ContactDynamicsOptions::inertial_number), and the packing is recorded in motion at the imposed
+/// strain, with the forces of the time step that begins in this state (MotionRecord).
 template <int Dim>
 class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
  public:
@@ -96,7 +97,8 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   RelaxationOptions options_;
   Packing<Dim> packing_;
   LoadTarget<Dim> load_;
-  /// Stress imposed on each axis, and the mean of these on axes with an imposed length (force/length^(Dim-1)).
+  /// Stress on each axis that sets the scales of time and force: the imposed stress or, on axes with an imposed length,
+  /// the mean of the imposed stresses (force/length^(Dim-1)).
   Vec<Dim> imposed_;
   Vec<Dim> target_;  ///< stress on each axis, imposed or carried (force/length^(Dim-1))
   ContactDynamicsProgress progress_;
@@ -104,7 +106,9 @@ class ContactDynamicsRelaxer final : public Equilibrator<Dim> {
   Residuals residuals_;
   std::string ending_;
   std::optional<MotionRecord> motion_;
-  double time_unit_;  ///< T = sqrt(m/(P d^(Dim-2))) (time)
+  /// time unit T = sqrt(m/(P d^(Dim-2))), with the mass m and the diameter d of the largest grain and the pressure P
+  /// (time)
+  double time_unit_;
   MotionObserver<Dim> observer_;
 };
 

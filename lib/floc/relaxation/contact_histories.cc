@@ -15,7 +15,7 @@ ContactHistories<Dim>::ContactHistories(Packing<Dim>& packing, const GrainArrays
     const bool swap = !on_wall && pair.j < pair.i;
     histories_.push_back({swap ? swapped(pair) : pair, on_wall, swap, c.history});
   }
-  // The assignment = {} would not free the memory of the contacts.
+  // The assignment `packing.contacts = {}` would not free the memory of the contacts.
   packing.contacts = std::vector<Contact<Dim>>();
 }
 

@@ -17,8 +17,8 @@ class ContactHistories {
   /// @param grains  arrays of the grains of the packing
   ContactHistories(Packing<Dim>& packing, const GrainArrays<Dim>& grains);
 
-  /// Returns all contacts except the first of any two bodies with several contacts: first the contacts between grains,
-  /// then those with walls.
+  /// Returns the contacts of pairs of bodies with several contacts, except the first contact of each pair: first the
+  /// contacts between grains, then the contacts with walls.
   PairLists<Dim> further_contacts() const;
   /// Copies the stored history variables of the contacts into the lists of pairs, and computes the parameters of their
   /// liquid bridges.

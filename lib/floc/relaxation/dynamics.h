@@ -37,11 +37,11 @@ enum class Motion {
 /// Explicit time integration of a packing under its contact law, in the order half kick, drift, forces, half kick
 /// (velocity Verlet). The lattice vectors are degrees of freedom, and velocities are peculiar velocities (relative to
 /// the affine motion of the lattice). The scheme is of second order. Dashpot forces are computed from the velocities of
-/// half a step earlier, and the damping coefficients are corrected for that lag. This is stable up to twice the time
-/// step that velocities predicted for the present time would allow, and it causes no error in the restitution. Results
-/// depend only on the initial packing and the number of steps. They are identical, bit for bit, for any neighbour
-/// lists, skin, number of threads and vector instructions, since the forces on every grain are summed in the order of
-/// its neighbours.
+/// half a step earlier, and the damping coefficients are corrected for that lag, which causes no error in the
+/// restitution. Dashpot forces from predicted present velocities would be stable only up to half of this time step.
+/// Results depend only on the initial packing and the number of steps. The forces on every grain are summed in the
+/// order of its neighbours, so results are bitwise identical for any neighbour lists, skin, number of threads and
+/// vector instructions.
 template <int Dim>
 class Dynamics {
  public:
@@ -65,8 +65,8 @@ class Dynamics {
   virtual double skin() const = 0;
 };
 
-/// Makes the object that integrates the motion of a packing in time. @pre the cell matrix is lower triangular, radii
-/// and masses are positive, settings.time_step > 0
+/// Makes the object that integrates the motion of a packing in time.
+/// @pre the cell matrix is lower triangular, radii and masses are positive, settings.time_step > 0
 template <int Dim>
 std::unique_ptr<Dynamics<Dim>> make_dynamics(const Packing<Dim>& packing, const BoundaryControl<Dim>& control,
                                              const DynamicsSettings& settings);
@@ -91,10 +91,10 @@ template <int Dim>
 double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_times, double pressure = 0.0);
 
 /// Returns the longest time step for a cell that follows a stress (time): RelaxationOptions::time_step times 1/w, where
-/// w is the largest frequency at which the cell vibrates against the packing in it. It is given by w^2 = sum of K
-/// r_a^2/(M L_a^2) over the contacts of a close packing. Here K is the contact stiffness, r_a the component of the
-/// branch vector along axis a, and L_a the side of the cell. This time step is shorter than time_step_of() only if the
-/// cell weighs less than a grain or two, or some tens of grains in 3D.
+/// w is the largest frequency at which the cell vibrates against the packing in it: w^2 is the sum of K r_a^2/(M L_a^2)
+/// over the contacts of a close packing. Here K is the contact stiffness, r_a the component of the branch vector along
+/// axis a, and L_a the side of the cell. This time step is shorter than time_step_of() only if the cell mass is below
+/// the mass of one or two grains, or of some tens of grains in 3D.
 /// @param cell_mass  M, inertia of a component of the lattice (mass)
 template <int Dim>
 double cell_time_step_of(const Packing<Dim>& packing, double cell_mass, double time_step_in_contact_times,

@@ -9,7 +9,8 @@
 namespace floc {
 namespace {
 
-/// Ratio of the largest displacement of an undamped spring under a sudden load to its displacement in equilibrium.
+/// Ratio of the largest elongation of an undamped spring under a suddenly applied load to its elongation in
+/// equilibrium.
 constexpr double kOvershoot = 2.0;
 
 template <class T>
@@ -17,8 +18,9 @@ T extrapolated(const T& start, const T& end) {
   return start + kOvershoot * (end - start);
 }
 
-/// Whether all springs of a contact stay below their caps on the straight path from one state to another, and if the
-/// path is continued by its own length (kOvershoot). @pre the surfaces touch
+/// Whether all springs of a contact stay below their caps on the straight path from one state to another, extended
+/// beyond the second state by its own length (kOvershoot).
+/// @pre the surfaces touch
 template <int Dim>
 bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   Contact<Dim> beyond = to;
@@ -27,8 +29,8 @@ bool sticks(const Law& law, const Contact<Dim>& from, const Contact<Dim>& to) {
   return !mobilised(law, beyond, 0.0).any() && !to.is_mobilised();
 }
 
-/// Whether the history variables of the law of the normal force are the same in two states of a contact, so that this
-/// law has dissipated no energy between them.
+/// Whether the history variables of the law of the normal force are equal in two states of a contact. The law has then
+/// dissipated no energy between the two states.
 template <int Dim>
 bool remembers_same_overlap(const Contact<Dim>& from, const Contact<Dim>& to) {
   constexpr int n = HistoryLayout<Dim>::kNormalRoom;

@@ -28,23 +28,24 @@ struct RelaxationReport {
   /// Number of mechanisms (motions without stiffness) of the structure that carries the load between walls; -1 if
   /// mechanisms were not counted. A state with mechanisms is not an equilibrium.
   int n_mechanisms = -1;
-  /// Word for the end of the relaxation. After a success: "polished" (equilibrium by Newton steps after dynamics),
+  /// Keyword for the end of the relaxation. After a success: "polished" (equilibrium by Newton steps after dynamics),
   /// "dynamic" (by dynamics alone), "static" (by Newton steps alone) or "stopped" (packing between walls, recorded
-  /// without equilibrium); of rigid grains "closest", "canonical" or "stepped" (RigidForces), or "moving" (recorded in
-  /// motion at an imposed strain). After a failure: "diverged" (the time step was too large), "lost" (grains and walls no
-  /// longer form a packing), "unloaded" (at its imposed lengths the packing carries no stress) or "closed" (the imposed
-  /// lengths are too short). Empty while the relaxation runs, and if it was given up because it took too long.
+  /// without equilibrium); for rigid grains "closest", "canonical" or "stepped" (RigidForces), or "moving" (recorded in
+  /// motion at an imposed strain). After a failure: "diverged" (the time step was too large), "lost" (grains and walls
+  /// no longer form a packing), "unloaded" (at its imposed lengths the packing carries no stress) or "closed" (the
+  /// imposed lengths are too short). Empty while the relaxation runs, and if it was given up because it took too long.
   std::string ending;
-  std::string blocking;  ///< criterion of the equilibrium that the packing does not meet, in words
+  std::string blocking;  ///< description of a criterion of equilibrium that the packing does not meet
   /// Decay rate of the force residual (1/time), positive if the residual falls; computed only while the residual is
   /// above its tolerance.
   double decay_rate = 0.0;
-  std::string phase;                        ///< present phase: "moving" or "finishing"
-  double time = 0.0;                        ///< simulated time of this relaxation so far (time)
-  std::int64_t n_steps = 0;                 ///< number of time steps of this relaxation so far
-  std::optional<MotionRecord> motion = {};  ///< step from a packing that is recorded in motion
-  StepCounts
-      counts;  ///< time steps of contact dynamics of this relaxation so far; all zero for elastic contacts
+  std::string phase;         ///< present phase: "moving" or "finishing"
+  double time = 0.0;         ///< simulated time of this relaxation so far (time)
+  std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
+  /// record of a packing in motion: the time step that begins in the recorded state
+  std::optional<MotionRecord> motion = {};
+  /// counts of the time steps of contact dynamics in this relaxation so far; all zero for elastic contacts
+  StepCounts counts;
 };
 
 /// Takes a packing to equilibrium under a load, in chunks of time steps. Between two chunks, the packing and progress()

@@ -11,7 +11,7 @@
 namespace floc {
 namespace {
 
-/// Coordinate of a grain from which on the motion counts as diverged, in units of the shortest side of the cell. The
+/// Coordinate of a grain beyond which the motion counts as diverged, in units of the shortest side of the cell. The
 /// search for neighbours can represent coordinates ten times as large.
 constexpr double kFurthest = 1e8;
 
@@ -106,8 +106,8 @@ void ExplicitDynamics<Dim>::begin_step() {
   lists_.add_step(cell_, sweep_.sums(), step_.kick, step_.drift, 0.5 * dt_ * gravity_.norm());
 }
 
-// The weight is added to the velocities, not to the forces, so that the loops over pairs do not know of it. Along axes with
-// gravity the boundary is at rest or between walls, where the kick of the boundary leaves velocities as they are.
+// The weight changes the velocities and is not one of the forces, so that the loops over pairs need no term for it.
+// Along axes with gravity the boundary is at rest or consists of walls, and its kick does not change velocities.
 template <int Dim>
 void ExplicitDynamics<Dim>::fall(int thread) {
   sweep_.for_each_block(thread, [&](int block) {
@@ -126,8 +126,8 @@ void ExplicitDynamics<Dim>::end_step(Motion motion) {
   if (motion == Motion::power_control) stop_if_slowing();
 }
 
-/// Returns twice the kinetic energy of the grains (energy). With gravity it is computed from the velocities, as the sums of
-/// the sweep do not contain the last half step of the fall.
+/// Returns twice the kinetic energy of the grains (energy). With gravity it is computed from the velocities, since the
+/// sums of the sweep lack the change of velocity by gravity in the last half step.
 template <int Dim>
 double ExplicitDynamics<Dim>::twice_kinetic_energy_of_grains() const {
   if (!has_gravity()) return sweep_.twice_kinetic_energy();
@@ -141,7 +141,7 @@ double ExplicitDynamics<Dim>::twice_kinetic_energy_of_grains() const {
   return twice;
 }
 
-/// Stops grains and boundary if their kinetic energy has fallen in the last step.
+/// Sets the velocities of grains and boundary to zero if their kinetic energy has fallen in the last step.
 template <int Dim>
 void ExplicitDynamics<Dim>::stop_if_slowing() {
   double twice_kinetic = twice_kinetic_energy_of_grains();
@@ -172,13 +172,13 @@ void ExplicitDynamics<Dim>::refresh_forces() {
     sweep_.compute(thread, interactions_, step_, std::nullopt, Rotation::at_end);
   for (int thread = 0; thread < sweep_.n_threads(); ++thread)
     sweep_.sum_shared(thread, interactions_, step_, Rotation::at_end);
-  // This kick was made with a time step of zero, so that it has given no upper bound of the speeds in the next step.
+  // This kick had a time step of zero and has given no upper bound of the speeds in the next step.
   lists_.motion().forget();
   if (interactions_.with_walls()) cell_.sum_forces_on_walls(interactions_.on_walls());
 }
 
-/// Builds new lists of neighbours if the motion measured since the lists were built requires it. @pre the motion of all
-/// blocks has been measured
+/// Builds new lists of neighbours if the motion since the last lists requires it.
+/// @pre the motion of all blocks has been measured
 template <int Dim>
 void ExplicitDynamics<Dim>::renew_stale_lists() {
   lists_.motion().take_measured();

@@ -38,7 +38,7 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void begin_step();
   void end_step(Motion motion);
   void stop_if_slowing();
-  /// Changes the velocities of the grains by those of a fall over half a time step, for the blocks of grains of one thread.
+  /// Adds to the velocities of the grains of one thread the change by gravity in half a time step.
   void fall(int thread);
   bool has_gravity() const { return !gravity_.isZero(0.0); }
   double twice_kinetic_energy_of_grains() const;
@@ -47,10 +47,12 @@ class ExplicitDynamics final : public Dynamics<Dim> {
   void refresh_forces();
 
   void renew_stale_lists();
-  /// @param further  for each interaction, all contacts except the first of any two bodies with several contacts
+  /// Builds new lists of pairs.
+  /// @param further  for each interaction, the contacts of bodies with several contacts, except the first contact of
+  /// each pair of bodies
   void build_lists(const PairLists<Dim>& further);
   void share_liquid();
-  /// Returns the gap across which grains interact (length).
+  /// Returns the largest gap across which grains interact (length).
   double range() const { return interactions_.between_grains().range(); }
 
   Law law_, wall_law_;

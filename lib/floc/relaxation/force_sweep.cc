@@ -8,8 +8,8 @@ namespace floc {
 namespace {
 
 /// Largest number of blocks of grains whose pairs a thread computes before it sums their forces. A pass over pairs has
-/// a fixed cost, so that very small groups of blocks are slower. With 4000 spheres, groups of 16 blocks are 4 % faster
-/// than single blocks, as fast as groups of 4 blocks, and faster than one group of all blocks.
+/// a fixed cost, so very small groups of blocks are slower. With 4000 spheres, groups of 16 blocks are 4 % faster than
+/// single blocks and as fast as groups of 4 blocks; one group of all blocks is slower.
 constexpr int kMaxBlocksOfGroup = 16;
 
 template <int Dim>

@@ -30,8 +30,8 @@ struct GrainStep {
 template <int Dim>
 class ForceSweep {
  public:
-  /// @param needs_virial  for each component of the virial: whether it accelerates the lattice, so that it has to be
-  /// computed
+  /// @param needs_virial  for each component of the virial: whether it has to be computed because it accelerates the
+  /// lattice
   ForceSweep(const GrainArrays<Dim>& grains, int n_threads, const Mat<Dim, bool>& needs_virial);
 
   int n_threads() const { return plan_.n_threads(); }
@@ -54,19 +54,19 @@ class ForceSweep {
   /// @param stands  stage (Rotation) at which the previous step has left the rotation of the grains
   void drift_all(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                  Rotation stands) const;
-  /// Kicks and moves the grains of those shared blocks (blocks that pairs of several threads read) that are assigned to
-  /// a thread.
+  /// Kicks and moves the grains of the shared blocks (blocks that pairs of several threads read) that are assigned to a
+  /// thread.
   void drift_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                     Rotation stands) const;
-  /// Computes the forces of the pairs of all blocks that belong to a thread. On the grains of those of its blocks that
-  /// are not shared (read by pairs of this thread only), it also sums the forces, and kicks these grains.
+  /// Computes the forces of the pairs of all blocks that belong to a thread. For blocks of this thread that are not
+  /// shared (that pairs of this thread alone read), it also sums the forces on each grain and kicks the grain.
   /// @param undrifted  set if the blocks that are not shared have not yet drifted in this step: the stage at which the
   /// previous step has left the rotation of their grains. Each of these blocks then drifts just before the first pairs
   /// read it.
   /// @param to  stage at which this step leaves the rotation of the grains
   void compute(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step,
                std::optional<Rotation> undrifted, Rotation to);
-  /// Sums the forces on each grain of those shared blocks (blocks that pairs of several threads read) that are assigned
+  /// Sums the forces on each grain of the shared blocks (blocks that pairs of several threads read) that are assigned
   /// to a thread, and kicks the grain.
   /// @pre all threads have computed the forces of their pairs
   void sum_shared(int thread, const Interactions<Dim>& interactions, const GrainStep<Dim>& step, Rotation to);

@@ -15,11 +15,11 @@ namespace {
 /// the largest mass and F1 the force scale. At this rate, a strain of 1e-3 takes a short time compared with the time in
 /// which a packing settles. If the scene sets a lower cap on the strain rate, that cap applies.
 constexpr double kRampInertialNumber = 1e-3;
-/// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress: no
+/// Reduced pressure (reduced_pressure()) below which axes with an imposed length count as carrying no stress. No
 /// packing is in equilibrium at so small a pressure.
 constexpr double kNoPressure = 1e-12;
-/// Side below which a cell counts as closed, in diameters of the largest grain. Overlaps are small, so that grains do
-/// not fit into a smaller cell.
+/// Side below which a cell counts as closed, in largest diameters. Overlaps are small, so grains do not fit into a
+/// smaller cell.
 constexpr double kClosed = 0.5;
 
 }  // namespace
@@ -73,8 +73,8 @@ double Relaxer<Dim>::mean_carried_stress() const {
   return sum / n;
 }
 
-/// Returns the reason, in words, why the imposed lengths are too short for grains with small overlaps; empty if they
-/// are long enough.
+/// Returns an error message if the imposed lengths are too short for grains with small overlaps; empty if they are long
+/// enough.
 template <int Dim>
 std::string Relaxer<Dim>::overfilled_cell_error() const {
   const double a = largest_diameter(packing_.grains);
@@ -88,7 +88,7 @@ std::string Relaxer<Dim>::overfilled_cell_error() const {
     }
     if (load_.side[k] < kClosed * a)
       return fmt::format(
-          "the cell closes: axis {} is to be {:.4g} long, which is too short for the largest grain, whose "
+          "the cell closes: the imposed length of axis {} is {:.4g}, too short for the largest grain, whose "
           "diameter is {:.4g}; impose a smaller strain",
           k + 1, load_.side[k], a);
     volume *= load_.side[k] / side;
@@ -96,8 +96,8 @@ std::string Relaxer<Dim>::overfilled_cell_error() const {
   const double phi = solid_fraction(packing_) * packing_.cell.volume() / volume;
   if (!all_strained || phi <= 1.0) return "";
   return fmt::format(
-      "the cell closes: at the imposed lengths the grains would fill {:.4g} times its volume; impose a smaller "
-      "strain",
+      "the cell closes: at the imposed lengths the volume of the grains is {:.4g} times that of the cell; "
+      "impose a smaller strain",
       phi);
 }
 

@@ -35,7 +35,7 @@ class Interaction {
   void refresh_bridges() { pairs_.refresh_bridges(*law_); }
   const PairView<Dim>& view() const { return arrays_; }
   /// Returns pointers to the arrays of the pairs, for kernels that write the rows (force and moments) of the pairs to
-  /// another place than set_rows() has set.
+  /// an address other than that of set_rows().
   /// @param row  address of the row of the pair with index `with_row`, followed by the rows of later pairs
   PairView<Dim> view(double* row, int with_row) const {
     PairView<Dim> pairs = arrays_;
@@ -58,8 +58,7 @@ class Interaction {
   void compute(const PairView<Dim>& pairs, int first, int last, const GrainView<Dim>& grains,
                const PairCell<Dim>& cell) const;
 
-  /// Copies the history variables of a contact into the history variables of its pair (load_history()), or back
-  /// (history()).
+  /// Copies the history variables of a contact into those of its pair (load_history()), or back (history()).
   /// @param swapped  whether the first grain of the pair is the second grain of the contact
   void load_history(int pair, const ContactHistory<Dim>& history, bool swapped);
   ContactHistory<Dim> history(int pair, bool swapped) const;
@@ -83,8 +82,8 @@ class Interaction {
 };
 
 /// Makes the contact laws of the interactions of a packing from their parameters. For each pair, kernels write a row of
-/// numbers: the force and, with friction, the moments. The rows of all interactions have to have one layout. If any law
-/// has friction, each law without friction therefore gets a friction spring with a coefficient of zero.
+/// numbers: the force and, with friction, the moments. All rows must have one layout, so if any law has friction, each
+/// law without friction gets a friction spring with a coefficient of zero.
 /// @param parameters  parameters of the law between grains, then of the law between grains and walls if there are any
 std::vector<std::shared_ptr<const ComposedLaw>> laws_of_same_rows(const std::vector<Law>& parameters);
 

@@ -43,7 +43,7 @@ double LiquidBridges<Dim>::reach(const GrainArrays<Dim>& grains, const CellMotio
   return reach;
 }
 
-/// Computes how the liquid of the packing is shared out among the listed pairs.
+/// Computes the share of the liquid that each listed pair gets.
 template <int Dim>
 LiquidShares LiquidBridges<Dim>::shares(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell,
                                         const PairArrays<Dim>& pairs) const {

@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Writes a structure as one line of JSON, from which its numbers are read back without loss.
-/// `for_each_member(structure, visit)` calls visit(name, member) for every member; it serves both writing and reading,
-/// so that the two cannot differ.
+/// Writes a structure as one line of JSON, from which its numbers can be read back without loss.
+/// @param for_each_member  function that calls visit(name, member) for every member; it serves both writing and
+/// reading, so the two formats cannot differ
 template <class Structure, class ForEachMember>
 std::string members_as_json(const Structure& structure, const ForEachMember& for_each_member) {
   nlohmann::json json;
@@ -20,7 +20,7 @@ std::string members_as_json(const Structure& structure, const ForEachMember& for
 /// Reads a structure that members_as_json() wrote.
 /// @param place  place of the text, named in the error message
 /// @param problem  beginning of the error message if the text does not hold the structure
-/// @throws InputError(place) if a member is missing or its type does not fit
+/// @throws InputError(place) if a member is missing or has another type
 template <class Structure, class ForEachMember>
 Structure members_from_json(const std::string& text, const std::string& place, const std::string& problem,
                             const ForEachMember& for_each_member) {

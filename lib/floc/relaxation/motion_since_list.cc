@@ -10,7 +10,7 @@
 namespace floc {
 namespace {
 
-/// Upper bound of the rounding error that one step adds to a displacement, divided by the largest coordinate of a
+/// Upper bound of the rounding error that one step adds to a displacement, divided by the largest coordinate of any
 /// grain.
 constexpr double kRoundings = 32.0 * std::numeric_limits<double>::epsilon();
 
@@ -85,8 +85,8 @@ void MotionSinceList<Dim>::forget() {
 template <int Dim>
 double MotionSinceList<Dim>::shrinking() const {
   if (stretch_.isDiagonal(0.0)) return std::max(0.0, 1.0 - stretch_.diagonal().minCoeff());
-  // With F the deformation gradient of the lattice, a line r becomes F r, with |F r| >= |r| - |(F - 1) r|, and |(F - 1)
-  // r| is at most |r| times the Frobenius norm of F - 1.
+  // Let F be the deformation gradient of the lattice. A line r becomes F r, with |F r| >= |r| - |(F - 1) r|, and |(F -
+  // 1) r| is at most |r| times the Frobenius norm of F - 1.
   return (stretch_ - Mat<Dim>::Identity()).norm();
 }
 

@@ -18,7 +18,7 @@ class MotionSinceList {
   MotionSinceList(int n_blocks, const CellMotion<Dim>& cell)
       : lattice_(cell.lattice()), walls_(cell.walls().walls()), measured_(n_blocks, 0.0) {}
 
-  /// Starts to measure the motion from the present positions of the bodies, at which new lists are built.
+  /// Begins to measure the motion, from the present positions of the bodies, at which new lists are built.
   /// @param skin  distance that each grain may move before new lists have to be built (length)
   /// @param shortest_skin  lower bound of the distances in `skin` (length)
   void begin(const GrainArrays<Dim>& grains, const CellMotion<Dim>& cell, const std::vector<double>& skin,
@@ -32,8 +32,8 @@ class MotionSinceList {
   /// Measures the motion of a block of grains since the lists were built. Several threads may do this at once for
   /// different blocks.
   void measure(int block, const StepKernels<Dim>& kernels, const GrainView<Dim>& grains);
-  /// Replaces the upper bound of the motion of the grains by the largest motion measured in any block. @pre all blocks
-  /// have been measured
+  /// Replaces the upper bound of the motion of the grains by the largest motion measured in any block.
+  /// @pre all blocks have been measured
   void take_measured();
   /// Sets the upper bound of the motion of the grains to infinity, so that the motion has to be measured before the
   /// lists are used again.
@@ -51,7 +51,8 @@ class MotionSinceList {
   /// Returns pointers to the arrays of the grains, in the form that kernels (compiled loops over grains or pairs) read.
   /// They are valid until the next lists are built.
   GrainView<Dim> view_of(GrainArrays<Dim>& grains) const { return grains.view(x_, inverse_skin_squared_); }
-  /// Frees the positions at which the lists were built. @pre no step follows
+  /// Frees the positions at which the lists were built.
+  /// @pre no step follows
   void release() { x_ = {}; }
 
  private:

@@ -12,7 +12,7 @@ namespace {
 /// 100 000 grains).
 constexpr double kListCost = 23.0;
 /// Smallest ratio of the skin of a grain to the skin of the fastest grains. (The skin of a grain is the distance that
-/// it may move before new neighbour lists are built.) Grains at rest need a skin, too, since they may be hit.
+/// it may move before new neighbour lists are built.) Grains at rest need a skin, too, since other grains may hit them.
 constexpr double kMinSkinShare = 0.25;
 /// Smallest skin (extra distance up to which pairs are listed) of a neighbour list, in units of skin_length_unit().
 constexpr double kMinSkin = 1e-4;
@@ -39,8 +39,8 @@ double NeighborLists<Dim>::min_skin() const {
   return kMinSkin * skin_unit_;
 }
 
-/// Returns the time spent on building the present lists, divided by the time of the steps made with them. The skin is
-/// optimal if this share equals the share of the time of a step that is spent on listed pairs that are too far apart to
+/// Returns the time spent on building the present lists, divided by the time of all steps made with them. The skin is
+/// optimal if this ratio equals the share of the time of a step that is spent on listed pairs that are too far apart to
 /// interact.
 template <int Dim>
 double NeighborLists<Dim>::cost_share() const {
@@ -90,7 +90,7 @@ void NeighborLists<Dim>::adapt_skin(const CellMotion<Dim>& cell, const Interacti
   if (cost > share_out_of_range_)
     skin_ = std::min((cost > 4.0 * share_out_of_range_ ? 2.0 : 1.25) * skin_, 0.5 * largest_diameter_);
   // A skin twice as wide as the distance by which bodies have moved is wide enough for lists that are used for as many
-  // steps as the present ones.
+  // steps as the present lists.
   if (cost < 0.5 * share_out_of_range_)
     skin_ = std::max(std::min(0.8 * skin_, 2.0 * consumed_skin(cell, between_grains.range())), min_skin());
 }
@@ -136,7 +136,7 @@ std::vector<double> NeighborLists<Dim>::skins_of_grains(const GrainArrays<Dim>& 
     speed[k] = std::sqrt(squared);
   }
   const double fastest = speed.empty() ? 0.0 : *std::max_element(speed.begin(), speed.end());
-  // Whether speeds can be compared; false if the motion diverges.
+  // Speeds cannot be compared if the motion has diverged.
   const bool comparable = fastest > 0.0 && std::isfinite(fastest);
   std::vector<double> skin(grains.size());
   for (int k = 0; k < grains.size(); ++k)

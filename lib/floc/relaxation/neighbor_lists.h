@@ -12,8 +12,8 @@ namespace floc {
 /// Rule for the width of the skin, the extra distance up to which pairs are put on the lists of neighbours (Verlet
 /// lists).
 enum class SkinRule {
-  /// The skin is chosen so that building the lists takes about as much time as the computation of those listed pairs
-  /// that are too far apart to interact.
+  /// The skin is chosen to make the time of building the lists about equal to the time spent on listed pairs that are
+  /// too far apart to interact.
   balances_costs,
   follows_reach,  ///< the skin is a fixed share of the range of the interaction between grains
 };
@@ -35,8 +35,7 @@ class NeighborLists {
   /// bound of the motion, or because the lists contain too many pairs that are too far apart to interact.
   /// @param range  gap across which grains interact (length)
   bool stale(const CellMotion<Dim>& cell, double range) const;
-  /// Returns a first guess of the skin for a new object of this class that continues this motion and builds its first
-  /// lists at once (length).
+  /// Returns a first guess of the skin for another object of this class that continues the present motion (length).
   double skin_to_continue_with(const CellMotion<Dim>& cell, double range) const;
 
   const MotionSinceList<Dim>& motion() const { return motion_; }

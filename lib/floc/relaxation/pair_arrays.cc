@@ -56,8 +56,8 @@ PairArrays<Dim>::PairArrays(const std::vector<NeighborPair<Dim>>& pairs, Partner
       composed.any);
 }
 
-/// Reserves memory for the pairs. Without this, an array that grows while it is filled would take twice its memory for
-/// a moment.
+/// Reserves memory for the pairs. Without this, an array that grows while it is filled would for a moment take twice
+/// its final memory.
 template <int Dim>
 void PairArrays<Dim>::reserve(std::size_t n_pairs) {
   i_.reserve(n_pairs), j_.reserve(n_pairs);
@@ -83,7 +83,7 @@ void PairArrays<Dim>::add_numbers(double radius_i, double radius_j, double dampi
 }
 
 /// Returns the reduced quantity p q/(p + q) of each pair, where p and q are the values of a quantity, such as the
-/// radius or the mass, for its two bodies. For a wall q is infinite; for pairs that are padding p = q.
+/// radius or the mass, for its two bodies. For a wall q is infinite; for padding pairs p = q.
 /// @param of_grain  value of the quantity for each grain
 template <int Dim>
 typename PairArrays<Dim>::Component PairArrays<Dim>::reduced(std::span<const double> of_grain) const {

@@ -19,17 +19,17 @@ struct ComposedLaw;
 
 /// Corrects a damping coefficient c for the lag of the dashpot force, which acts kDashpotLag time steps too late. With
 /// time steps dt and the effective mass m_eff, the lag multiplies the damping by exp(lag c dt/(2 m_eff)), to second
-/// order in dt; the returned coefficient compensates this factor. For example, with a lag of half a step and steps of a
-/// tenth of sqrt(m/K_N), with m the mass of a grain and K_N the normal stiffness, a restitution of 0.015 would come out
-/// as 0.006 without the correction. A coefficient that follows the contact stiffness varies during the motion and is
-/// not corrected.
+/// order in dt; the returned coefficient compensates this factor. For example, with a lag of half a step and time steps
+/// of 0.1 sqrt(m/K_N), where m is the mass of a grain and K_N the normal stiffness, a nominal restitution of 0.015
+/// would be 0.006 without the correction. A coefficient that follows the contact stiffness varies during the motion and
+/// is not corrected.
 inline double lagging_damping(double coefficient, double effective_mass, double time_step) {
   return coefficient * std::exp(-0.5 * kDashpotLag * coefficient * time_step / effective_mass);
 }
 
 /// Neighbouring pairs of bodies in the form that the force loop reads, with one array per component: pairs of grains
 /// with indices i <= j, or pairs of a grain i and a wall j. Grains form blocks of kGrainBlock, and a pair belongs to
-/// the block of its first grain. The pairs are sorted, so that those of a block are contiguous. The pairs of each group
+/// the block of its first grain. The pairs are sorted, and the pairs of a block are contiguous. The pairs of each group
 /// of blocks are padded to whole vector registers with pairs that do not interact: a grain and an image of itself far
 /// away, or a grain and a wall, whose force is not summed. If all grains are equal, numbers that follow from their
 /// sizes are stored once for all pairs.
@@ -57,8 +57,8 @@ class PairArrays {
   int i(int p) const { return i_[p]; }
   int j(int p) const { return j_[p]; }
   NeighborPair<Dim> key(int p) const;
-  /// Returns the pairs whose key is not 0. Each stands for a second or later contact between two bodies whose first
-  /// contact has the key 0.
+  /// Returns the pairs whose key is not 0: the second and later contacts between two bodies, whose first contact has
+  /// the key 0.
   std::vector<NeighborPair<Dim>> further_contacts() const;
   double radii(int p) const { return radii_[p & own_numbers_]; }
   /// Returns the index of a pair in these arrays; -1 if they do not contain the pair.

@@ -11,8 +11,8 @@ namespace floc {
 /// Method by which a relaxation finds the equilibrium.
 enum class Finish {
   /// Newton steps from the previous state, if dynamics (time integration of the motion) would end in the same state.
-  /// Otherwise dynamics until motion has stopped, then power control (Motion::power_control), and Newton steps if they
-  /// succeed.
+  /// Otherwise dynamics until motion has stopped, then power control (Motion::power_control) and, where they succeed,
+  /// Newton steps.
   automatic,
   dynamic,  ///< time integration of the motion and power control only, without Newton steps
   /// Like `automatic`, but any equilibrium that the first Newton steps find is accepted, even if dynamics would end in
@@ -21,9 +21,9 @@ enum class Finish {
 };
 
 /// Kinetic energy, in units of its tolerance, up to which a packing counts as being at rest if only its mechanisms
-/// (motions without stiffness) move. Without load, a packing with soft modes keeps moving at an energy that nothing
-/// dissipates, while hardly a contact closes or opens. In an observed case the energy was 70 times the tolerance, and 6
-/// of 2200 contacts were gained in 400 time units.
+/// (motions without stiffness) move. Without load, a packing with soft modes keeps moving, since nothing dissipates its
+/// energy, while hardly any contact closes or opens. In an observed case the energy was 70 times the tolerance, and 6
+/// contacts were added to 2200 in 400 time units.
 inline constexpr double kMechanismEnergy = 100.0;
 
 /// Numerical settings of a relaxation. Unless stated otherwise, stresses, rates and masses are in the units of the
@@ -33,10 +33,10 @@ struct RelaxationOptions {
   Finish finish = Finish::automatic;
   /// Time step in units of sqrt(m_min/K_N), with m_min the smallest mass of a grain and K_N the normal stiffness. A
   /// triangular crystal of equal disks whose tangential stiffness equals K_N is unstable from 2/sqrt(24) = 0.408 on, at
-  /// any restitution, because of its rolling modes; other modes are stable up to longer steps. The time step changes
-  /// the restitution of impacts: with the default step and grains of diameters from 1 to 2, a nominal restitution of
-  /// 0.015 becomes on average 0.015 for two of the largest grains, 0.018 for a largest and a smallest grain, and 0.025
-  /// for two of the smallest.
+  /// any restitution, because of its rolling modes. All other modes are stable up to longer steps. The time step
+  /// changes the restitution of impacts: with the default step and grains of diameters from 1 to 2, a nominal
+  /// restitution of 0.015 becomes on average 0.015 for two of the largest grains, 0.018 for a largest and a smallest
+  /// grain, and 0.025 for two of the smallest.
   double time_step = 0.36;
   /// Mass M with which the sides of the cell resist acceleration by stresses, divided by the total mass of the grains.
   /// It influences the density of packings that are assembled.
@@ -55,11 +55,11 @@ struct RelaxationOptions {
   /// of these units.
   double max_time = 1e4;
   int threads = 1;
-  /// Factor by which the durations are multiplied for which a packing has to be steady before its motion counts as
-  /// stopped. A smaller factor saves time, but a collapse that only pauses may then count as ended.
+  /// Factor that multiplies the durations for which a packing has to be steady before its motion counts as stopped. A
+  /// smaller factor saves time, but a collapse that only pauses may then count as ended.
   double patience = 1.0;
-  /// Factor by which the springs of the contacts are softer while the grains rearrange, >= 1 (SoftRelaxer). Every
-  /// equilibrium is found with the springs of the contact law itself.
+  /// Factor by which the stiffness of the contact springs is reduced while the grains rearrange, >= 1 (SoftRelaxer).
+  /// Every equilibrium is found with the springs of the contact law itself.
   double softening = 1.0;
   ContactDynamicsOptions contact_dynamics;  ///< settings for rigid contacts
   CompactionEnd compaction;                 ///< criterion that ends the compaction of a packing between walls

@@ -27,9 +27,8 @@ constexpr auto kProgressMembers = [](auto& p, const auto& visit) {
   visit("force_residual", p.force_residual);
 };
 
-/// Function that calls visit(name, member) for those members of a RelaxationProgress that are written to checkpoints
-/// only if they are not zero. They were added in later versions of floc, and checkpoints without them keep the old
-/// format.
+/// Function that calls visit(name, member) for members of a RelaxationProgress that checkpoints contain only if they
+/// are not zero. They were added in later versions of floc, and checkpoints without them keep the old format.
 constexpr auto kLaterMembers = [](auto& p, const auto& visit) {
   visit("liquid_trials", p.liquid_trials);
   visit("steady_stretches", p.steady_chunks);

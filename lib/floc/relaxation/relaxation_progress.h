@@ -37,9 +37,8 @@ struct RelaxationProgress {
   /// Solid fraction at the beginning of the final phase of the relaxation (power control and Newton steps).
   double finishing_since_phi = 0.0;
   int finishing_chunks = 0;
-  int liquid_trials = 0;  ///< number of equilibria given up because liquid would still move
-  /// Number of the chunk of time steps, counted from the beginning of the final phase of the relaxation, at which
-  /// Newton refinement is tried next.
+  int liquid_trials = 0;  ///< number of equilibria that were rejected because liquid would still move
+  /// Number of chunks of time steps of the final phase of the relaxation after which Newton refinement is tried next.
   int next_refinement = 0;
   /// 1 if the last attempt at Newton refinement failed although the residuals were within tolerance, otherwise 0.
   int refused_within = 0;

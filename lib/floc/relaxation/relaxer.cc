@@ -34,10 +34,9 @@ constexpr double kSteadyContactsWindow = 20.0;
 /// diameter, and the longest time under load was two times kSteadyContactsWindow.
 constexpr double kVibrationPath = 2.0;
 constexpr double kVibrationWindows = 5.0;
-/// Duration in time units for which the density has to be steady before only chains of freely rolling grains can be in
-/// motion. Such chains swing between their ends without damping, with a kinetic energy above its tolerance. The
-/// duration is twice as long as any whole load step in the shipped scenes. In this time the solid fraction may drift by
-/// kFinishPhi.
+/// Duration, in time units, of a steady density after which only chains of freely rolling grains can still move. Such
+/// chains swing between their ends without damping, with a kinetic energy above its tolerance. The duration is twice
+/// that of the longest load step in the shipped scenes. Meanwhile the solid fraction may drift by kFinishPhi.
 constexpr double kMechanismWindow = 200.0;
 /// Number of Newton iterations after which it is decided whether a load step is elastic. The first iteration gives the
 /// elastic response.
@@ -55,10 +54,10 @@ constexpr double kDefaultInertialNumber = 1e-3;
 /// Largest number of times that an equilibrium is given up because its liquid bridges change when the liquid is shared
 /// out once more.
 constexpr int kLiquidTrials = 20;
-/// kRefinementResidual: force residual below which Newton refinement of the packing is tried, because it is known to
-/// succeed there. kRefinementPause: shortest pause after a failed attempt, in chunks of time steps; the pause grows
-/// with the duration of the final phase of the relaxation.
+/// Force residual below which Newton refinement of the packing is tried, because it is known to succeed there.
 constexpr double kRefinementResidual = 5e-3;
+/// Shortest pause after a failed Newton refinement, in chunks of time steps. The pause grows with the duration of the
+/// final phase of the relaxation.
 constexpr int kRefinementPause = 8;
 
 template <int Dim>
@@ -68,9 +67,9 @@ double first_skin(const RelaxationOptions& options, const Grains<Dim>& grains) {
 
 /// Returns the mean kinetic energy per grain, to which only grains with contacts contribute (energy). The energy of
 /// each grain is divided by the energy scale of the grain, relative to the scale of the packing. The energy of a grain
-/// without contacts is left out, since its motion is not a motion of the packing. A sphere also keeps its spin about
-/// its single contact, or about the line through its two contacts; the rotation of a sphere with fewer than three
-/// contacts is therefore left out, too.
+/// without contacts is left out, since it does not belong to the packing. The rotation of a sphere with fewer than
+/// three contacts is left out, too: nothing damps its spin about a single contact, or about the line through two
+/// contacts.
 template <int Dim>
 double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales<Dim>& scales) {
   std::vector<int> n_contacts(packing.grains.size(), 0);
@@ -92,9 +91,9 @@ double energy_of_connected_grains(const Packing<Dim>& packing, const GrainScales
   }
 }
 
-/// Estimate of the computing time of the motion from one equilibrium to the next: number of time steps, and computing
-/// time per step and contact on one core (seconds; docs/performance.md, "Steps").
+/// Estimate of the number of time steps of the motion from one equilibrium to the next.
 constexpr double kSettlingSteps = 5000.0;
+/// Computing time per time step and contact on one core, in seconds (docs/performance.md, "Steps").
 constexpr double kSecondsPerContact = 8e-8;
 
 /// Returns a fingerprint of the set of pairs of grains that touch (FNV-1a hash).
@@ -208,9 +207,9 @@ RelaxationStatus Relaxer<Dim>::advance() {
   return status;
 }
 
-/// Whether the difference between the stress and its target has changed sign on each axis since the start, or is within
-/// tolerance. Without this test, a packing under a small increment of load would count as being in equilibrium before
-/// it has moved.
+/// Whether, on each axis, the difference between the stress and its target has changed sign since the start or is
+/// within tolerance. Without this test, a packing under a small increment of load would count as being in equilibrium
+/// before it has moved.
 template <int Dim>
 bool Relaxer<Dim>::responded_to_load() {
   const Vec<Dim> imbalance = stress_.diagonal() - target_;
@@ -227,14 +226,14 @@ bool Relaxer<Dim>::density_is_steady() {
   std::vector<double>& phi = progress_.solid_fraction;
   phi.push_back(solid_fraction(packing_));
   const std::size_t window = chunks_in(kSteadyWindow) + 1;
-  // More than one entry is dropped if the time step has grown, since fewer chunks of time steps then fill the window.
+  // More than one entry is removed if the time step has grown, since fewer chunks of time steps then fill the window.
   while (phi.size() > window) phi.erase(phi.begin());
   const auto [low, high] = std::minmax_element(phi.begin(), phi.end());
   return phi.size() == window && *high - *low < kSteadyPhi && carried_stress_is_steady(window);
 }
 
-/// Whether the stress carried by the axes with an imposed length is steady. This is tested because at imposed lengths a
-/// steady density does not show that the grains have stopped rearranging.
+/// Whether the stress carried by the axes with an imposed length is steady. At imposed lengths the density is constant
+/// and does not show whether the grains have stopped rearranging.
 template <int Dim>
 bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   if (!load_.any_strained()) return true;
@@ -245,8 +244,8 @@ bool Relaxer<Dim>::carried_stress_is_steady(std::size_t window) {
   return carried.size() == window && *high - *low < kSteadyStress * stress_scale();
 }
 
-/// Returns the scale to which changes of the carried stress are compared, F1/a^(D-1) (force/length^(Dim-1)), with F1
-/// the force scale, a the largest diameter and D the dimension.
+/// Returns the unit in which changes of the carried stress are measured, F1/a^(D-1) (force/length^(Dim-1)), with F1 the
+/// force scale, a the largest diameter and D the dimension.
 template <int Dim>
 double Relaxer<Dim>::stress_scale() const {
   const ForceScale scale = force_scale(packing_, target_);
@@ -264,8 +263,9 @@ bool Relaxer<Dim>::contacts_are_steady() {
   return progress_.unchanged_chunks >= static_cast<int>(chunks_in(kSteadyContactsWindow));
 }
 
-/// Whether grains with this mean kinetic energy (energy) can only be vibrating about their positions, because no
-/// contact has opened or closed for long enough (kVibrationPath).
+/// Whether grains with this mean kinetic energy can only be vibrating about their positions, because no contact has
+/// opened or closed for long enough (kVibrationPath).
+/// @param energy  mean kinetic energy of a grain (energy)
 template <int Dim>
 bool Relaxer<Dim>::vibrates(double energy) const {
   const double time = progress_.unchanged_chunks * kStepsPerChunk * time_step_;
@@ -330,7 +330,7 @@ RelaxationStatus Relaxer<Dim>::check_motion() {
   return RelaxationStatus::running;
 }
 
-/// Returns the criterion that a packing in motion does not meet, so that it is not yet steady.
+/// Returns the first criterion of a steady packing that the moving packing does not meet; Demand::none if it is steady.
 template <int Dim>
 Unmet Relaxer<Dim>::unsteadiness(bool responded) const {
   if (!responded) return {Demand::response, residuals_.stress, options_.tolerance.stress};
@@ -350,7 +350,7 @@ RelaxationStatus Relaxer<Dim>::check_finish() {
   unmet_ = {};
   ++progress_.finishing_chunks;
   // The final phase of the relaxation (power control and Newton steps) is only meant to remove the rest of the motion.
-  // If density or stress change by more than their limits, the packing has rearranged, and it moves freely until its
+  // If density or stress change by more than their limits, the packing has rearranged. It then moves freely until its
   // motion has stopped once more.
   const bool other_stress =
       load_.any_strained() &&
@@ -390,8 +390,8 @@ bool Relaxer<Dim>::is_stable(const Packing<Dim>& packing, Stability& found) {
   return found.may_be_stable();
 }
 
-/// Whether Newton steps are expected to take no more computing time than the dynamics of this relaxation has taken so
-/// far, or will take. In 2D this is always the case.
+/// Whether Newton steps are expected to take no more computing time than the dynamics of this relaxation has taken, or
+/// is expected to take. In 2D this is always the case.
 template <int Dim>
 bool Relaxer<Dim>::newton_is_cheaper() const {
   if (Dim == 2) return true;
@@ -415,8 +415,7 @@ bool Relaxer<Dim>::refine_by_newton() {
 }
 
 /// Solves the equations of static equilibrium under the load of this relaxation, starting from a packing.
-/// @param ramp  strain ramp from the lengths of `start` to the imposed lengths; axes that are not on the ramp keep
-/// their lengths
+/// @param ramp  strain ramp from the lengths of `start` to the imposed lengths; axes without a ramp keep their lengths
 template <int Dim>
 StaticSolution<Dim> Relaxer<Dim>::solve_from(const Packing<Dim>& start, const StrainRamp<Dim>& ramp,
                                              const StaticSolverOptions& options) const {
@@ -431,7 +430,7 @@ template <int Dim>
 bool Relaxer<Dim>::solve_without_motion() {
   const bool any = options_.finish == Finish::statics;
   // If the tangential stiffness depends on the load, the tangential forces depend on the whole loading path, not only
-  // on its end, so that Newton steps may give other forces than dynamics.
+  // on its end, and Newton steps may give other forces than dynamics.
   if (!any && packing_.law.friction_follows_load()) return false;
   if (!any && !newton_is_cheaper()) return false;
   StaticSolverOptions trial;
@@ -466,7 +465,7 @@ bool Relaxer<Dim>::liquid_rests(const Packing<Dim>& equilibrium, bool go_on) {
 }
 
 /// Accepts a static solution as the equilibrium if it is within tolerance and stable (docs/physics.md, "Equilibrium").
-/// A static solution may be unstable: with a tail of the adhesion, a grain that could roll onto its neighbour may be at
+/// A static solution may be unstable: with a long-range adhesion, a grain that could roll onto its neighbour may be at
 /// a saddle of the energy.
 template <int Dim>
 bool Relaxer<Dim>::accept_if_equilibrium(StaticSolution<Dim> solution, const char* ending, bool go_on) {
@@ -511,7 +510,7 @@ RelaxationReport Relaxer<Dim>::report() const {
   if (ending_ == "diverged") report.blocking = "the motion diverged because run.time_step is too large";
   if (ending_ == "unloaded")
     report.blocking =
-        "every contact has opened: at the imposed lengths the packing carries no stress (stress zero)";
+        "at the imposed lengths the packing carries no stress: every contact has opened (stress zero)";
   if (ending_ == "closed") report.blocking = overfilled_cell_error();
   const std::vector<double>& history = progress_.force_residual;
   if (by_force && history.size() > 1 && history.front() > 0.0 && history.back() > 0.0)

@@ -38,7 +38,7 @@ int first_pair(const PairArrays<Dim>& pairs, const SweepPlan& plan, int group) {
 template <int Dim>
 std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& plan) {
   std::vector<int> slots;
-  // For each group of blocks: memory slots that become free once the forces on the blocks of this group have been
+  // For each group of blocks: memory slots that become free after the forces on the blocks of this group have been
   // summed.
   std::vector<std::vector<int>> left(plan.n_groups());
   int n_slots = 0;
@@ -68,9 +68,10 @@ std::vector<int> slots_of_groups(const PairArrays<Dim>& pairs, const SweepPlan& 
 int row_place(std::int64_t pair, int row_size) {
   const std::int64_t most = std::numeric_limits<int>::max() / row_size;
   if (pair > most)
-    throw InputError("packing",
-                     "the packing has more than " + std::to_string(most) +
-                         " pairs of neighbouring grains, the largest number for which forces can be computed");
+    throw InputError(
+        "packing",
+        "the packing has more than " + std::to_string(most) +
+            " pairs of neighbouring grains, which is the largest number for which floc can compute forces");
   return static_cast<int>(pair * row_size);
 }
 
@@ -125,10 +126,10 @@ int RowSums<Dim>::place_of_row(const Lists& lists, const SweepPlan& plan, std::s
   return first_row_[group] + (pair - first_pair(*lists[0], plan, group)) * row_size_;
 }
 
-/// Returns the places of the rows (forces and moments) of the pairs of each grain, in the order of the pairs. Grains
-/// that pad the last block have no pairs.
-/// @param grain_of  function of a list and of the index of a pair in it that returns the grain to which the pair is
-/// assigned
+/// Returns the places of the rows (forces and moments) of the pairs of each grain, in the order of the pairs. The
+/// grains that pad the last block have no pairs.
+/// @param grain_of  function that returns the grain to which a pair is assigned, from a list of pairs and the index of
+/// the pair in this list
 template <int Dim>
 template <class GrainOf>
 typename RowSums<Dim>::RowsOfGrains RowSums<Dim>::rows_of(const Lists& lists, const SweepPlan& plan,

@@ -12,15 +12,15 @@ namespace floc {
 /// beginning of that array.
 /// @param pair  number of rows before this row
 /// @param row_size  number of doubles in a row
-/// @throws InputError if the place does not fit an int, which happens with more than 537 million pairs under a law with
-/// friction
+/// @throws InputError if the place exceeds the largest int; with friction, this happens with more than 537 million
+/// pairs
 int row_place(std::int64_t pair, int row_size);
 
 /// Memory for the rows (force and moments of each pair) that the passes over pairs write, and plans by which the rows
 /// are summed for each grain. The rows of a grain are summed in this order: first those of the pairs in which it is the
 /// first grain, then those of the pairs in which it is the second grain, each in the order of the lists and of the
 /// pairs in a list. The rows of pairs of grains are kept until they are summed; then their memory is reused for a later
-/// group of pairs of the same thread, so that the memory is small and stays in the caches.
+/// group of pairs of the same thread, which keeps the memory small and in the caches.
 template <int Dim>
 class RowSums {
  public:
@@ -57,11 +57,10 @@ class RowSums {
   void plan_crossings(const PairArrays<Dim>& pairs);
 
   int row_size_ = 0;  ///< number of doubles in the row (force and moments) of a pair
-  // The following members are places in the array rows_, counted in doubles.
-  /// Place of a row of zeros, which stands for the missing rows of a grain with fewer pairs than others.
+  /// Index in rows_ of the first number of a row of zeros, which replaces the missing rows of grains with few pairs.
   int zero_row_ = 0;
   int first_row_with_walls_ = 0;
-  /// Place of the row (force and moments) of the first pair of each group of blocks of grains.
+  /// Index in rows_ of the row (force and moments) of the first pair of each group of blocks of grains.
   std::vector<int> first_row_;
   AlignedVector<double> rows_;
   std::vector<BlockSumsPlan> plans_;

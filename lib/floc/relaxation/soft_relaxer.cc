@@ -14,20 +14,23 @@
 namespace floc {
 namespace {
 
-/// Largest ratio of two stiffnesses between which springs change in one step of the stage `restoring`, and the number of
-/// time steps under power control after each step.
+/// Largest ratio by which the stiffness changes in one step of the stage `restoring`.
 constexpr double kLevelRatio = 4.0;
+/// Number of time steps under power control after each step of the stage `restoring`.
 constexpr int kStepsOfLevel = 500;
-/// Skin of the neighbour lists during these time steps, in largest diameters (smallest ones of very unequal grains).
+/// Skin of the neighbour lists in the stage `restoring`, in units of skin_length_unit(): the largest diameter or, if
+/// grains differ much in size, the smallest.
 constexpr double kSkin = 0.02;
-/// Change of the solid fraction, relative, from which on a packing collapses: kCollapse plus kElasticStrains times the
-/// mean overlap of its contacts over their diameters, which elastic strains are proportional to.
+/// A packing collapses if the relative change of its solid fraction exceeds kCollapse plus kElasticStrains times the
+/// mean relative overlap of its contacts, to which elastic strains are proportional.
 constexpr double kCollapse = 1e-3;
 constexpr double kElasticStrains = 10.0;
-/// Largest number of collapses on soft springs in one relaxation. After that, the packing moves on the springs of its
+/// Largest number of collapses on soft springs in one relaxation. Later collapses happen with the springs of the
 /// contact law.
 constexpr int kMostCollapses = 8;
 
+/// Function that calls visit(name, member) for every member of a SoftProgress, with the name that the member has in
+/// checkpoints.
 constexpr auto kSoftMembers = [](auto& p, const auto& visit) {
   visit("soft_stage", p.stage);
   visit("level", p.level);
@@ -46,7 +49,7 @@ SoftProgress soft_progress(const std::string& text) {
                                          kSoftMembers);
 }
 
-/// Returns the mean overlap of the contacts of a packing, over the mean distance of their grains.
+/// Returns the mean overlap of the contacts of a packing divided by the mean sum of the two radii.
 template <int Dim>
 double mean_overlap(const Packing<Dim>& packing) {
   double overlap = 0.0, distance = 0.0;
@@ -88,13 +91,13 @@ SoftRelaxer<Dim>::SoftRelaxer(const RelaxationOptions& options, Packing<Dim> pac
   keep(relaxer());
 }
 
-/// Returns the number of steps in which springs become stiff again.
+/// Returns the number of steps in which the springs regain the stiffness of the contact law.
 template <int Dim>
 int SoftRelaxer<Dim>::n_levels() const {
   return std::max(1, static_cast<int>(std::ceil(std::log(options_.softening) / std::log(kLevelRatio))));
 }
 
-/// Returns the factor by which springs are softer at present than those of the contact law.
+/// Returns the stiffness of the springs of the contact law divided by that of the present springs.
 template <int Dim>
 double SoftRelaxer<Dim>::softening() const {
   if (progress_.stage == SoftProgress::stiff || progress_.level == n_levels()) return 1.0;
@@ -102,7 +105,7 @@ double SoftRelaxer<Dim>::softening() const {
   return std::pow(options_.softening, 1.0 - static_cast<double>(progress_.level) / n_levels());
 }
 
-/// Makes the relaxer of the packing with its present springs; the packing is moved out of this object.
+/// Makes a relaxer for the packing with its present springs. The packing is moved out of this object.
 template <int Dim>
 Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
   RelaxationProgress progress;
@@ -116,7 +119,7 @@ Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
   if (progress_.stage != SoftProgress::stiff) {
     options.finish = Finish::dynamic;  // Newton steps would solve for an equilibrium of the soft springs
   } else if (progress_.n_collapses > 0 && progress_.relaxation.empty()) {
-    // The motion that remains after the springs have been restored is removed at once.
+    // Power control removes the motion that remains after the springs have been restored.
     progress.phase = RelaxationProgress::finishing;
     progress.finishing_since_phi = progress_.begun_phi;
     progress.next_refinement = 1;
@@ -128,7 +131,7 @@ Relaxer<Dim> SoftRelaxer<Dim>::relaxer() {
   return out;
 }
 
-/// Takes the packing and the results of a relaxer that relaxer() made, back.
+/// Takes the packing and the results back from a relaxer that relaxer() made.
 template <int Dim>
 void SoftRelaxer<Dim>::keep(Relaxer<Dim> relaxer) {
   report_ = relaxer.report();
@@ -151,14 +154,15 @@ RelaxationStatus SoftRelaxer<Dim>::advance() {
   return progress_.stage == SoftProgress::restoring ? restore() : move();
 }
 
-/// Whether a packing with the springs of its contact law has changed its density by more than elastic strains do.
+/// Whether the density of a packing with the springs of its contact law has changed by more than elastic strains can
+/// explain.
 template <int Dim>
 bool SoftRelaxer<Dim>::collapses() const {
   const double change = std::abs(solid_fraction(packing_) / progress_.begun_phi - 1.0);
   return change > kCollapse + kElasticStrains * mean_overlap(packing_);
 }
 
-/// Gives a packing with the springs of its contact law soft springs with the same forces.
+/// Replaces the springs of the contact law by soft springs that carry the same forces.
 template <int Dim>
 void SoftRelaxer<Dim>::soften() {
   change_softening(packing_, law_, 1.0, options_.softening);
@@ -167,7 +171,7 @@ void SoftRelaxer<Dim>::soften() {
   enter(SoftProgress::moving);
 }
 
-/// Makes the springs stiffer by one step, and lets the packing come to rest.
+/// Makes the springs stiffer by one step, and moves the packing until it has nearly come to rest.
 template <int Dim>
 RelaxationStatus SoftRelaxer<Dim>::restore() {
   const double from = softening();
@@ -184,7 +188,7 @@ RelaxationStatus SoftRelaxer<Dim>::restore() {
 }
 
 /// Moves the packing with its present springs under power control.
-/// @return whether it is still a packing; false if the motion diverged
+/// @return false if the motion diverged
 template <int Dim>
 bool SoftRelaxer<Dim>::come_to_rest() {
   const Vec<Dim>& stress = load_.stress;
@@ -209,8 +213,8 @@ bool SoftRelaxer<Dim>::come_to_rest() {
   return true;
 }
 
-/// Advances the relaxer of the stages `moving` and `stiff` by a chunk of time steps. On soft springs, motion ends when
-/// it has stopped.
+/// Advances the relaxer of the stages `moving` and `stiff` by a chunk of time steps. The stage `moving` ends when the
+/// motion has stopped.
 template <int Dim>
 RelaxationStatus SoftRelaxer<Dim>::move() {
   Relaxer<Dim> moving = relaxer();

@@ -15,26 +15,27 @@ struct SoftProgress {
   enum Stage {
     stiff,      ///< the packing has the springs of its contact law
     moving,     ///< the grains rearrange on soft springs
-    restoring,  ///< springs become stiff again in a few steps, with their forces
+    restoring,  ///< the springs regain their stiffness in a few steps, and keep their forces
   };
   int stage = stiff;
   int level = 0;             ///< number of steps of the stage `restoring` so far
-  int n_collapses = 0;       ///< number of times that the grains have begun to rearrange on soft springs
+  int n_collapses = 0;       ///< number of times that the springs have been softened
   double begun_phi = 0.0;    ///< solid fraction at the beginning of the stage `stiff`
   std::int64_t n_steps = 0;  ///< number of time steps of this relaxation so far
   double time = 0.0;         ///< simulated time of this relaxation so far (time)
-  std::string
-      relaxation;  ///< progress of the Relaxer of stage `stiff` or `moving`; empty before its first chunk
+  /// progress of the Relaxer of stage `stiff` or `moving`; empty before its first chunk
+  std::string relaxation;
 };
 
-/// Relaxer of a periodic packing whose collapses happen on springs that are softer by RelaxationOptions::softening, so
-/// that time steps are longer by its square root (docs/numerics.md, "Soft collapse"). A Relaxer takes the packing
-/// towards its equilibrium. If the solid fraction changes by more than elastic strains do, the springs become soft,
-/// and the grains move on them until they stop. The springs then become stiff again, and a Relaxer finishes the
-/// equilibrium. A packing without contacts moves on soft springs from the start.
+/// Relaxer of a periodic packing that collapses on soft springs: their stiffness is divided by
+/// RelaxationOptions::softening, and time steps are longer by the square root of this factor (docs/numerics.md, "Soft
+/// collapse"). A Relaxer takes the packing towards its equilibrium. If the solid fraction changes by more than elastic
+/// strains can explain, the springs become soft, and the grains move until they stop. The springs then become stiff
+/// again, and a Relaxer brings the packing to equilibrium. A packing without contacts moves on soft springs from the
+/// start.
 ///
 /// Between two chunks of time steps the packing has its own contact law, with the overlaps and elongations of the soft
-/// springs. Its forces are then larger than those of the soft springs by the softening.
+/// springs. Its forces are then those of the soft springs times the softening.
 template <int Dim>
 class SoftRelaxer final : public Equilibrator<Dim> {
  public:
@@ -75,7 +76,8 @@ class SoftRelaxer final : public Equilibrator<Dim> {
   MotionObserver<Dim> observer_;
 };
 
-/// Returns the progress, as text, of a relaxation whose packing moves on soft springs already, at its beginning.
+/// Returns the text of SoftRelaxer::progress() at the beginning of a relaxation whose packing already moves on soft
+/// springs.
 std::string progress_on_soft_springs();
 
 }  // namespace floc

@@ -12,11 +12,12 @@
 namespace floc {
 namespace {
 
-/// Weight of the squared relative displacement of two grains across the normal of their contact, in units of that along
-/// the normal.
+/// Weight of the squared relative displacement of two grains perpendicular to the normal of their contact, divided by
+/// the weight of the displacement along the normal.
 constexpr double kAcross = 1e-4;
-/// Relative accuracy of the displacements of the grains, and largest number of iterations in which they are found.
+/// Relative accuracy of the computed displacements of the grains.
 constexpr double kGapAccuracy = 1e-4;
+/// Largest number of iterations that compute these displacements.
 constexpr int kMostIterations = 5000;
 
 /// Multiplies the numbers in the histories of all contacts by a factor that depends on the unit of the number.
@@ -26,14 +27,13 @@ void multiply_histories(Packing<Dim>& packing, const Law& law, const FactorOfUni
     for (Contact<Dim>& c : packing.contacts) c.history.segment(q.begin, q.size) *= factor(q.declared.unit);
 }
 
-/// Constraint on the displacements of the two grains of a contact: the gap is to change by a given length.
+/// Condition on the displacements of the two grains of a contact: the gap changes by a given length.
 template <int Dim>
 struct GapChange {
   int i, j;
   Vec<Dim> normal, branch;
-  double
-      weight;  ///< stiffness of the contact, by which the squared error of the change is weighted (force/length)
-  double change;  ///< wanted change of the gap (length)
+  double weight;  ///< weight of the squared error of the change: stiffness of the contact (force/length)
+  double change;  ///< required change of the gap (length)
 };
 
 /// Displacements of the grains, and strain of the cell along each axis.
@@ -53,8 +53,9 @@ struct Displacement {
   }
 };
 
-/// Least squares problem for the displacements that change the gaps of all contacts as wanted. Where many displacements
-/// do, those with the least relative displacement across the normals are taken: its square has the weight kAcross.
+/// Least squares problem for the displacements that change the gaps of all contacts by required lengths. If many
+/// displacements do, the relative displacements perpendicular to the normals, whose squares have the weight kAcross,
+/// are least.
 template <int Dim>
 class GapChanges {
  public:
@@ -148,7 +149,7 @@ template <int Dim>
 void soften_in_place(Packing<Dim>& packing, const Law& law, double from, double to) {
   if (from == to) return;
   packing.law = to == 1.0 ? law : softened(law, to);
-  // A history that stores a force or a stiffness instead of an elongation changes with the stiffness.
+  // A history variable that is a force or a stiffness, and not an elongation, changes in proportion to the stiffness.
   multiply_histories(packing, law, [&](Unit unit) {
     return unit == Unit::force || unit == Unit::stiffness ? from / to : 1.0;
   });
@@ -160,8 +161,8 @@ void change_softening(Packing<Dim>& packing, const Law& law, double from, double
   const Displacement<Dim> displacement =
       GapChanges<Dim>(packing, std::pow(to / from, 1.0 / law.force_exponent())).solve();
   packing.law = to == 1.0 ? law : softened(law, to);
-  // A friction whose history is a force stores the stiffness of its last update beside it. Where this is zero, the next
-  // update leaves the force as it is (MindlinFriction::set_force()).
+  // A friction model whose history is a force also stores the stiffness of its last update. If this stiffness is zero,
+  // the next update does not change the force (MindlinFriction::set_force()).
   multiply_histories(packing, law, [&](Unit unit) {
     return unit == Unit::length || unit == Unit::angle ? to / from : unit == Unit::stiffness ? 0.0 : 1.0;
   });

@@ -4,17 +4,19 @@
 
 namespace floc {
 
-/// Gives a packing the contact law whose springs are softer by a factor `to`. Positions and the elongations of all
-/// springs stay, and forces change with the stiffness.
-/// @param packing  packing whose springs are softer than those of `law` by a factor `from`
+/// Divides the stiffness of all springs of a packing by a factor `to`, relative to a contact law. Positions and the
+/// elongations of all springs stay, and forces change with the stiffness.
+/// @param law  contact law relative to which springs are softer
+/// @param from  factor by which the springs of `packing` are softer than those of `law` at first
 template <int Dim>
 void soften_in_place(Packing<Dim>& packing, const Law& law, double from, double to);
 
-/// Gives a packing the contact law whose springs are softer by a factor `to`, and keeps its forces: the elongations of
-/// tangential, rolling and twisting springs follow their stiffness, and the grains and the cell are displaced so that
-/// every overlap, too, is the one of its force. Where contacts are so many that no displacement does this exactly, the
-/// squared errors of the normal forces, each over the stiffness of its contact, are least.
-/// @param packing  packing whose springs are softer than those of `law` by a factor `from`
+/// Divides the stiffness of all springs of a packing by a factor `to`, relative to a contact law, and keeps its forces:
+/// the elongations of tangential, rolling and twisting springs follow their stiffness, and the grains and the cell are
+/// displaced so that every overlap, too, belongs to its force. If there are too many contacts for an exact solution,
+/// the sum of the squared errors of the normal forces, each divided by the stiffness of its contact, is minimal.
+/// @param law  contact law relative to which springs are softer
+/// @param from  factor by which the springs of `packing` are softer than those of `law` at first
 template <int Dim>
 void change_softening(Packing<Dim>& packing, const Law& law, double from, double to);
 

@@ -26,14 +26,14 @@
 namespace floc {
 namespace {
 
-/// Regularisation, which keeps motions without stiffness from making the tangent matrix singular: stiffness that is
-/// added on the diagonal of the matrix, divided by the stiffness of the stiffest contact. It is far below the stiffness
+/// Regularisation: stiffness that is added on the diagonal of the tangent matrix, divided by the stiffness of the
+/// stiffest contact. It keeps motions without stiffness from making the matrix singular. It is far below the stiffness
 /// of the softest mode of a packing (5e-6) and far above rounding errors.
 constexpr double kRegularisation = 1e-10;
 
 /// State of the packing in a Newton iteration: the cell, the positions of the grains, and the residuals of the
-/// equations of equilibrium. For each candidate contact (contact, or pair that may come into contact) it holds the
-/// relative motion of the two surfaces since the start of the iterations, and the forces that result from it.
+/// equations of equilibrium. For each candidate contact (contact, or pair that may come into contact) the configuration
+/// holds the relative motion of the two surfaces since the start of the iterations, and the forces that result from it.
 template <int Dim>
 struct Configuration {
   std::vector<DoubleDoubleVec<Dim>> centre;
@@ -49,7 +49,7 @@ struct Configuration {
   /// result from `motion`.
   std::vector<Contact<Dim>> contacts;
   Eigen::VectorXd residual;
-  double worst = 0.0;  ///< largest residual, in units made of the force scale F1 and the largest diameter a
+  double worst = 0.0;  ///< largest residual, in the units of StaticSolverOptions::target
   int n_contacts = 0;
   int n_mobilised = 0;
 };
@@ -118,9 +118,9 @@ class StaticProblem {
 
   TangentLayout layout() const { return {kDofs<Dim>, n_strains()}; }
 
-  /// Returns the stress residual that cannot be removed, because each component of the lattice vectors is rounded to a
-  /// double (in the units of StaticSolverOptions::target). It is the stress caused by a strain of one rounding error,
-  /// where the elastic modulus is taken as two normal stiffnesses K_N, its upper bound in a packing of disks.
+  /// Returns the stress residual that rounding leaves, because each component of the lattice vectors is rounded to a
+  /// double (in the units of StaticSolverOptions::target). It is the stress caused by a strain of one rounding error.
+  /// The elastic modulus is estimated as two normal stiffnesses K_N, its upper bound in a packing of disks.
   double rounding_of_stress() const {
     return 2.0 * std::numeric_limits<double>::epsilon() * stiffness_ * scale_.length / scale_.force;
   }
@@ -151,8 +151,8 @@ class StaticProblem {
     // Strain of the lattice between its old and its new components. It differs slightly from `wanted`, since the new
     // components are rounded to doubles.
     const Mat<Dim> strain = strain_between(lattice, to.cell.matrix);
-    // The unknown of the equations is the strain times the largest diameter. The multiplication and the division below
-    // give the strain the rounding error of this unknown.
+    // The unknown of the equations is the strain times the largest diameter. Multiplying and dividing by this diameter
+    // gives the strain the rounding error of the unknown.
     const Mat<Dim> unknown = strain * scale_.length;
     const Mat<Dim> applied = (wanted.array() != 0.0).select(unknown / scale_.length, Mat<Dim>::Zero());
     for (int i = 0; i < n_grains(); ++i) {
@@ -206,9 +206,9 @@ class StaticProblem {
   }
 
   /// Whether two grains interact that are not a candidate contact. The candidates are all pairs that displacements
-  /// within the limits of the solver can bring together. Parts of the packing that no contact joins, however, have no
-  /// stiffness against each other, so that a step may move them by any distance. If no stress acts, this happens
-  /// between a cluster of grains and its own periodic images.
+  /// within the limits of the solver can bring together. However, parts of the packing that no contact joins have no
+  /// stiffness against each other, and a step may move them by any distance. Without stress, this happens between a
+  /// cluster of grains and its own periodic images.
   bool meets_others(const Configuration<Dim>& at) const {
     Packing<Dim> here;
     here.contacts = at.remembered;
@@ -465,8 +465,9 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
       break;
     }
     if (now.n_mobilised > options.largest_mobilised_share * now.n_contacts) {
-      solution.reason = fmt::format("springs of {} of {} contacts are at their caps: too many for Newton steps",
-                                    now.n_mobilised, now.n_contacts);
+      solution.reason = fmt::format(
+          "springs of {} of {} contacts are at their caps, too many for the Newton steps to converge",
+          now.n_mobilised, now.n_contacts);
       break;
     }
     problem.assemble(now, tangent);
@@ -482,7 +483,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
     Eigen::VectorXd step = *solved;
     double length = problem.largest_relative_displacement(now, step);
     if (!(length < 1e3)) {
-      solution.reason = "the packing has a motion without stiffness";
+      solution.reason = "the packing has a mechanism (a motion without stiffness)";
       break;
     }
     if (length > options.largest_step) {
@@ -499,7 +500,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
     }
     travelled += length;
     if (next.worst >= now.worst || travelled > options.largest_displacement) {
-      solution.reason = next.worst >= now.worst ? "the residual no longer falls along the Newton step"
+      solution.reason = next.worst >= now.worst ? "a Newton step no longer reduces the residual"
                                                 : "the equilibrium is too far from the initial state";
       break;
     }
@@ -508,7 +509,7 @@ StaticSolution<Dim> solve_statics(const Packing<Dim>& start, const BoundaryContr
   solution.converged = now.worst <= target_residual;
   if (solution.converged && problem.meets_others(now)) {
     solution.converged = false;
-    solution.reason = "grains that were too far apart to be considered come into contact";
+    solution.reason = "grains come into contact that were too far apart to be candidate contacts";
   }
   solution.residual = now.worst;
   solution.packing = problem.packing(now);

@@ -22,8 +22,8 @@ struct StaticSolverOptions {
   double largest_step = 2e-3;
   /// Largest relative displacement of two grains in contact over all iterations, in diameters of the largest grain.
   double largest_displacement = 2e-2;
-  /// Share of contacts with a spring at its cap (mobilised contacts) beyond which the iterations are given up, since
-  /// they stall.
+  /// Largest share of contacts with a spring at its cap (mobilised contacts). With a larger share, the iterations are
+  /// given up, because they would stall.
   double largest_mobilised_share = 0.15;
   /// Method by which linear systems with the tangent matrix are solved; if absent, a factorization in 2D, and in 3D the
   /// method that is expected to be fastest.
@@ -35,8 +35,9 @@ template <int Dim>
 struct StaticSolution {
   /// Whether StaticSolverOptions::target was reached; `packing` is then the equilibrium, at rest.
   bool converged = false;
-  std::string reason;  ///< reason of the failure in words; empty if `converged`
-  /// Whether the axes of `packing` have their imposed lengths; false if these were too far from the initial lengths.
+  std::string reason;  ///< reason of the failure; empty if `converged`
+  /// Whether the axes of `packing` have their imposed lengths; false if the imposed lengths were too far from the
+  /// initial lengths.
   bool has_lengths = true;
   int iterations = 0;
   /// Largest of the force, moment and stress residuals that were reached, in the units of StaticSolverOptions::target.

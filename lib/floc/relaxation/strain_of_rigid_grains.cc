@@ -12,18 +12,20 @@
 namespace floc {
 namespace {
 
-/// Number of time steps by which a strain advances at once.
+/// Number of time steps of a strain in one call of advance().
 constexpr int kStrainingSteps = 20;
-/// Largest number of sweeps of the step whose forces a state in motion records, over that of other steps.
+/// Factor by which the largest number of sweeps is higher in the step whose forces are recorded in motion than in other
+/// steps.
 constexpr int kSweepsOfRecord = 50;
-/// Repulsive force, over the mean, below which a contact carries nothing in a recorded motion.
+/// Largest repulsive force of a contact that counts as carrying no force in a recorded motion, divided by the mean
+/// repulsive force.
 constexpr double kIdle = 1e-9;
-/// Side below which a cell counts as closed, in diameters of the largest grain.
+/// Side below which a cell counts as closed, in largest diameters.
 constexpr double kClosedSide = 0.5;
 
 }  // namespace
 
-/// Records the lengths from which the cell is strained, and stops the sides that are held.
+/// Records the lengths of the cell before the strain, and sets the rates of sides with an imposed length to zero.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::begin_strain() {
   const Mat<Dim>& matrix = packing_.cell.matrix;
@@ -56,9 +58,9 @@ ImposedStrain<Dim> ContactDynamicsRelaxer<Dim>::imposed_strain() const {
   return strain;
 }
 
-/// Gives the cell the velocity that leads it along the imposed strain in the next step, which is shortened so that the last
-/// step ends at the whole strain.
-/// @return whether the strain is not complete
+/// Sets the velocity of the cell for the next step of the imposed strain, and shortens this step so that the last step
+/// ends at the full strain.
+/// @return false if the strain is already complete
 template <int Dim>
 bool ContactDynamicsRelaxer<Dim>::impose_strain(ContactDynamics<Dim>& motion) const {
   const ImposedStrain<Dim> strain = imposed_strain();
@@ -67,7 +69,8 @@ bool ContactDynamicsRelaxer<Dim>::impose_strain(ContactDynamics<Dim>& motion) co
   motion.shorten_next_step(left / std::ceil(left / motion.time_step()));
   const double dt = motion.time_step();
   const Cell<Dim>& cell = motion.packing().cell;
-  // A step takes the matrix Q of the lattice vectors to Q (1 + dt L'), with the velocity gradient L.
+  // A step multiplies the matrix Q, whose rows are the lattice vectors, by 1 + dt L^T, with L the velocity gradient and
+  // dt the time step.
   Mat<Dim> next = cell.matrix;
   strain.set_lattice(progress_.time + dt, next);
   const Vec<Dim> before = cell.rate().diagonal();
@@ -88,7 +91,7 @@ std::string ContactDynamicsRelaxer<Dim>::closed_cell() const {
   for (int k = 0; k < Dim; ++k)
     if (load_.strained(k) && load_.side[k] < kClosedSide * a)
       return fmt::format(
-          "the cell closes: axis {} is to be {:.4g} long, which is too short for the largest grain, whose "
+          "the cell closes: the imposed length of axis {} is {:.4g}, too short for the largest grain, whose "
           "diameter is {:.4g}; impose a smaller strain",
           k + 1, load_.side[k], a);
   return "";
@@ -110,7 +113,8 @@ RelaxationStatus ContactDynamicsRelaxer<Dim>::strain() {
 /// Gives the contacts the forces of the time step that begins at the present positions and velocities.
 template <int Dim>
 void ContactDynamicsRelaxer<Dim>::record_motion() {
-  imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);  // exact, without rounding of the steps
+  // exact: without the rounding errors of the steps
+  imposed_strain().set_lattice(progress_.time, packing_.cell.matrix);
   ContactDynamicsSettings chosen = settings();
   chosen.longest_step = progress_.time_step;
   chosen.max_sweeps =

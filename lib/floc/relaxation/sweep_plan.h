@@ -12,10 +12,10 @@ namespace floc {
 /// Each thread owns consecutive groups of blocks and processes one group after the other:
 /// 1. It moves (drifts) the blocks that the pairs of the group read and that have not yet moved in this step.
 /// 2. It computes the forces of the pairs of the group.
-/// 3. It sums the forces on the grains of the group.
-/// The grains of a large packing are thus read from memory once per step. Blocks that pairs of another thread read,
-/// too, are called shared: they drift before all other blocks, and the forces on their grains are summed after the
-/// forces of all pairs have been computed. If there are many shared blocks, all blocks are treated as shared.
+/// 3. It sums the forces on the grains of the group. The grains of a large packing are thus read from memory once per
+/// step. Blocks that pairs of another thread also read are called shared. They drift before all other blocks, and the
+/// forces on their grains are summed after the forces of all pairs have been computed. If there are many shared blocks,
+/// all blocks are treated as shared.
 class SweepPlan {
  public:
   SweepPlan() = default;
@@ -26,13 +26,15 @@ class SweepPlan {
   int n_threads() const { return n_threads_; }
   int n_groups() const { return (n_blocks_ + blocks_of_group_ - 1) / blocks_of_group_; }
   int group_of(int block) const { return block / blocks_of_group_; }
-  /// Returns the index of the first block of a group, or of the first group of a thread. For the number of groups (or
-  /// threads) as argument, returns the number of blocks (or groups).
+  /// Returns the index of the first block of a group. For the number of groups as argument, returns the number of
+  /// blocks.
   int first_block(int group) const { return std::min(group * blocks_of_group_, n_blocks_); }
+  /// Returns the index of the first group of a thread. For the number of threads as argument, returns the number of
+  /// groups.
   int first_group(int thread) const { return n_groups() * thread / n_threads_; }
   bool is_shared(int block) const { return is_shared_[block]; }
-  /// Returns the shared blocks (blocks that pairs of several threads read) whose grains this thread moves, and on which
-  /// it sums the forces. Every thread gets about equally many of them.
+  /// Returns the shared blocks (blocks that pairs of several threads read) that are assigned to this thread, which
+  /// moves their grains and sums the forces on them. Every thread gets about equally many shared blocks.
   std::span<const int> shared_of(int thread) const {
     const auto first = [&](std::size_t t) { return shared_.size() * t / n_threads_; };
     return std::span(shared_).subspan(first(thread), first(thread + 1) - first(thread));
@@ -65,12 +67,12 @@ SweepPlan::SweepPlan(const PairArrays<Dim>& pairs, int n_blocks, int n_threads, 
   for (int t = 0; t < n_threads_; ++t)
     for (int g = first_group(t); g < first_group(t + 1); ++g)
       for_each_second_block(g, [&](int b) {
-        // The second grain of a pair comes after the first grain, so that its block belongs to this thread or to a
+        // The second grain of a pair comes after the first grain. Its block therefore belongs to this thread or to a
         // thread with a higher number.
         if (group_of(b) >= first_group(t + 1)) is_shared_[b] = true;
       });
-  // A block is shared because pairs of threads with lower numbers read it, so that no block of the first thread is
-  // shared. If there were many shared blocks, the first thread would have more to do than the others.
+  // A block is shared if pairs of threads with lower numbers read it, so no block of the first thread is shared. With
+  // many shared blocks, the first thread would have more to do than the others.
   if (std::count(is_shared_.begin(), is_shared_.end(), true) > n_blocks / 8) is_shared_.assign(n_blocks, true);
   for (int b = 0; b < n_blocks; ++b)
     if (is_shared_[b]) shared_.push_back(b);

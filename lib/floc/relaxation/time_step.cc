@@ -23,11 +23,11 @@ constexpr double kDeeper = 1.3;
 /// Assumed ratio of the largest to the mean contact force in a packing under pressure. A Hertz contact has twice the
 /// stiffness under the largest force that it has under the mean force.
 constexpr double kLargestForce = 8.0;
-/// Product z Phi of the coordination number z and the solid fraction Phi in a packing with few contacts, from which the
-/// mean contact force under a pressure is estimated.
+/// Product z Phi of the coordination number z and the solid fraction Phi in a packing with few contacts. It serves to
+/// estimate the mean contact force under a pressure.
 constexpr double kFewContacts = 4.0;
 
-/// Solid fraction of the closest packing, from which the largest frequency at which the cell vibrates is estimated.
+/// Solid fraction of the closest packing. It serves to estimate the largest frequency at which the cell vibrates.
 template <int Dim>
 constexpr double kClosePacked = Dim == 2 ? 0.9069 : 0.7405;
 
@@ -51,8 +51,7 @@ ContactLoad load_on(const Packing<Dim>& packing, double pressure) {
   return load;
 }
 
-/// Returns the geometry of the pair in which the contact of grain i is stiffest: with one of the largest grains, or
-/// with a wall.
+/// Returns the geometry of the stiffest contact that grain i can have: with one of the largest grains, or with a wall.
 template <int Dim>
 PairGeometry<> stiffest_pair(const Grains<Dim>& grains, int i, int largest, bool with_wall) {
   if (with_wall) return {0.0, grains.radius[i], grains.mass[i]};
@@ -93,7 +92,7 @@ double time_step_of(const Packing<Dim>& packing, double time_step_in_contact_tim
             const double stiffest = std::max(bound.normal, bound.tangential);
             shortest = std::min(shortest, std::sqrt(g.mass[i] / stiffest));
             // The longest stable time step of rolling motions, in units of sqrt(inertia/rolling stiffness), is 1.45
-            // times the longest stable step of vibrations, in units of sqrt(mass/stiffness) (measured in crystals).
+            // times that of vibrations, in units of sqrt(mass/stiffness) (measured in crystals).
             const double turning = std::max(bound.rolling, bound.twisting);
             if (turning > 0.0) shortest = std::min(shortest, 1.45 * std::sqrt(g.inertia(i) / turning));
           }

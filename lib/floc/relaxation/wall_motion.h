@@ -11,8 +11,8 @@
 namespace floc {
 
 /// Walls of a packing in motion, moved by the velocity Verlet scheme that moves the grains. The load of an axis between
-/// walls acts on both walls: a stress p is a force p S inwards on each wall, with S the area of the wall, so that p V,
-/// with V the volume of the box, is the potential energy of the load [SVI2024]. If a strain rate is imposed on the
+/// walls acts on both walls: a stress p exerts an inward force p S on each wall, with S the area of the wall. The
+/// potential energy of the load is then p V, with V the volume of the box [SVI2024]. If a strain rate is imposed on the
 /// axis, each of its two walls moves with half of their relative velocity.
 template <int Dim>
 class WallMotion {
@@ -43,7 +43,7 @@ class WallMotion {
   void stop();
   double twice_kinetic_energy() const;
 
-  /// Returns the largest displacement of a wall from its earlier position in `before` (length).
+  /// Returns the largest displacement of a wall from its position in `before` (length).
   double largest_displacement(const std::vector<Wall<Dim>>& before) const;
 
  private:

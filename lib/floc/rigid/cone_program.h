@@ -7,29 +7,32 @@
 
 namespace floc {
 
-/// Convex program over second-order cones, with the dual unknowns y:
+/// Convex program over second-order cones for the unknown x, with the dual unknown y:
 ///
 ///     minimise  1/2 x' Q x + c' x + 1/2 y' S y    subject to    A x + S y = b,    x_k in K for each block k,
 ///
-/// where block k has Dim entries and K = {x : |(x_1, ..)| <= x_0}. Forces of rigid grains at rest are of this form with
-/// S = 0: x_k = (P, t/mu) of contact k, and A x = b is the balance of every grain and of the cell. With masses S it is
-/// the momentum of a time step (implicit_step.h).
+/// where block x_k of x has Dim entries and K = {v : |(v_1, ..)| <= v_0} is the second-order cone. Two problems have
+/// this form. For the forces of rigid grains at rest, S = 0 and x_k = (P, t/mu) for contact k, with the repulsive
+/// normal force P, the tangential force t and the friction coefficient mu; A x = b is the balance of every grain and of
+/// the cell. For a time step, S contains the masses, and A x + S y = b is the balance of momentum (implicit_step.h).
 ///
-/// A is stored by blocks: the entries of block k in `row` and `coefficient` have the numbers first[k] to
-/// first[k + 1] - 1. The rows of the entries of one block differ from each other.
+/// A is stored by blocks: the entries of block k in `row` and `coefficient` have the indices first[k] to first[k + 1] -
+/// 1. The entries of one block have different rows.
 template <int Dim>
 struct ConeProgram {
   std::vector<int> first{0};
   std::vector<int> row;
-  std::vector<Vec<Dim>> coefficient;  ///< of the entries of a block, in one row
-  std::vector<int> group;    ///< of each row, ascending: rows of one group (a grain) are eliminated together
-  Eigen::VectorXd load;      ///< b
+  /// coefficients of the entries of A: each entry holds the Dim coefficients of one block in one row
+  std::vector<Vec<Dim>> coefficient;
+  /// group (grain) of each row, ascending; the rows of a group are eliminated together
+  std::vector<int> group;
+  Eigen::VectorXd load;      ///< right-hand side b
   Eigen::VectorXd softness;  ///< diagonal of S, >= 0; empty for zeros
-  /// Symmetric matrices that are added to S, one for each block over the rows of its entries: the lower triangle by
-  /// rows, one block after the other; empty for none.
+  /// Symmetric matrices that are added to S: one for each block, over the rows of its entries. Each is stored by the
+  /// rows of its lower triangle, one block after the other. Empty if there are none.
   std::vector<double> block_softness;
   std::vector<Vec<Dim>> compliance;  ///< diagonal of Q, >= 0
-  std::vector<Vec<Dim>> linear;      ///< c
+  std::vector<Vec<Dim>> linear;      ///< linear part c of the objective
 
   /// Returns A x.
   Eigen::VectorXd balance(const std::vector<Vec<Dim>>& x) const {
@@ -52,7 +55,7 @@ struct ConeProgram {
     if (softness.size() > 0) out = softness.cwiseProduct(y);
     if (block_softness.empty()) return out;
     const double* value = block_softness.data();
-    std::vector<double> given, product;  // entries in the rows of one block
+    std::vector<double> given, product;  // values of y and S y in the rows of one block
     for (int k = 0; k < n_blocks(); ++k) {
       const int n = first[k + 1] - first[k];
       given.clear();
@@ -76,23 +79,26 @@ struct ConeProgram {
   int n_rows() const { return static_cast<int>(load.size()); }
 };
 
-/// Ways in which the solution of a cone program may end.
+/// Outcome of the solution of a cone program.
 enum class ConeStatus {
   kSolved,
-  /// No x satisfies the constraints. `motion` y proves it: b' y > 0, while -A' y lies in the cones.
+  /// No x satisfies the constraints. The vector y in ConeSolution::motion proves this: b' y > 0, while -A' y lies in
+  /// the cones.
   kInfeasible,
   kUnbounded,  ///< the linear objective has no lower bound
-  kFailed,     ///< rounding ended the iteration before any of the others was proved
+  kFailed,     ///< rounding errors ended the iteration before another outcome was certain
 };
 
 template <int Dim>
 struct ConeSolution {
   ConeStatus status = ConeStatus::kFailed;
   std::vector<Vec<Dim>> x;
-  Eigen::VectorXd motion;  ///< y
+  Eigen::VectorXd motion;  ///< dual unknown y
   double objective = 0.0;  ///< 1/2 x' Q x + c' x + 1/2 y' S y
   double residual = 0.0;   ///< largest |A x + S y - b|
-  double gap = 0.0;        ///< x' z: the objective is at most this far above the smallest one
+  /// duality gap x' z, with z the slack of the cones: upper bound of the difference between the objective and its
+  /// minimum
+  double gap = 0.0;
   int n_factorizations = 0;
 
   /// Whether the program was solved, or rounding ended the iteration at a residual and a gap below `nearly`.

@@ -17,30 +17,35 @@
 namespace floc {
 namespace {
 
-/// Largest displacement of a grain in a time step, over its diameter. Grains with corners that carry a force may move
-/// less, since the features that meet change within a step.
+/// Largest displacement of a grain in a time step, divided by its diameter.
 constexpr double kLongestMove = 2e-2;
+/// Largest displacement for grains with corners that carry a force, because their closest features may change within a
+/// step.
 constexpr double kCarryingMove = 5e-3;
-/// Deepest overlap that a step may cause, over the diameter of the smaller grain.
+/// Deepest overlap that a step may cause, divided by the diameter of the smaller grain.
 constexpr double kDeepest = 1e-2;
-/// Deepest overlap that may be left by a step at rest which removes overlaps that shorter steps do not avoid. Two faces
-/// that are nearly parallel meet at another corner in each step.
+/// Deepest overlap, divided by the diameter of the smaller grain, that may remain after a step that starts from rest
+/// and removes overlaps which shorter steps have not avoided. For example, two nearly parallel faces meet at another
+/// corner in each step.
 constexpr double kDeepestAtRest = 5e-2;
-/// Number of times that a step is halved because of its overlaps, and share of the longest step below which it is not.
+/// Largest number of times that a step is halved because of its overlaps.
 constexpr int kMostHalvings = 5;
+/// Shortest step that is still halved because of its overlaps, divided by the longest step.
 constexpr double kShortestStep = 1e-3;
 /// Share of an overlap that a step removes.
 constexpr double kStabilisation = 0.1;
-/// Overlap that is not removed if impacts are elastic, over the diameter of the smaller grain: removing it adds energy.
+/// Overlap that is not removed if impacts are elastic, because its removal would add energy, divided by the diameter of
+/// the smaller grain.
 constexpr double kElasticOverlap = 5e-3;
-/// Share of the longest time step below which the removal of overlaps is not faster in shorter steps.
+/// Shortest time over which an overlap is removed, divided by the longest time step.
 constexpr double kShortestRemoval = 0.125;
-/// Share of the displacement limit below which the next time step is doubled.
+/// If the largest displacement in a step is less than this share of its limit, the next time step is doubled.
 constexpr double kTimid = 0.4;
-/// Share of Coulomb's limit by which a tangential impulse may lie below it and still count as sliding.
+/// Largest difference of a sliding tangential impulse from Coulomb's limit, divided by this limit.
 constexpr double kAtLimit = 1e-9;
 
-/// Whether the adhesion of a contact acts in a step: the surfaces touch, or have held each other in the last step.
+/// Whether the adhesion of a contact acts in a step: its surfaces touch, or a repulsive force acted between them in the
+/// last step.
 template <int Dim>
 bool sticks(const Contact<Dim>& c) {
   return c.gap <= 0.0 || c.elastic_force > 0.0;
@@ -57,7 +62,8 @@ Orientation<Dim> turned(const Orientation<Dim>& orientation, const RotationVecto
   }
 }
 
-/// Returns whether the grains, as a whole, move against the direction in which they moved before.
+/// Returns whether the grains, as a whole, move backwards: the scalar product of their present and earlier velocities
+/// and spins, weighted with the masses, is negative.
 template <int Dim>
 bool turns_back(const Packing<Dim>& before, const Packing<Dim>& now) {
   double product = 0.0;
@@ -85,7 +91,7 @@ ContactDynamics<Dim>::ContactDynamics(Packing<Dim> packing, const BoundaryLoad<D
   find_contacts(packing_);
 }
 
-/// Replaces the contacts of a packing by all contact points within reach, which take over the forces.
+/// Replaces the contacts of a packing by all contact points within reach, and gives them the present forces.
 template <int Dim>
 void ContactDynamics<Dim>::find_contacts(Packing<Dim>& packing) {
   std::vector<Contact<Dim>> contacts = points_.find(packing, reach());
@@ -93,7 +99,8 @@ void ContactDynamics<Dim>::find_contacts(Packing<Dim>& packing) {
   packing.contacts = std::move(contacts);
 }
 
-/// Gap up to which contact points take part in a step: the largest displacement of two grains towards each other.
+/// Returns the largest gap of contact points that take part in a step: the largest distance by which two grains can
+/// approach each other.
 template <int Dim>
 double ContactDynamics<Dim>::reach() const {
   const double largest = *std::max_element(packing_.grains.radius.begin(), packing_.grains.radius.end());
@@ -121,7 +128,7 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
   }
   const double volume = packing_.cell.volume();
   for (const Wall<Dim>& wall : packing_.walls) {
-    const double inverse = 1.0 / wall.mass;  // zero for a wall that forces do not move
+    const double inverse = 1.0 / wall.mass;  // zero for a wall that does not move under forces
     const double force = load_.stress[wall.axis] * volume / packing_.cell.matrix(wall.axis, wall.axis);
     const double start = at_rest && inverse > 0.0 ? 0.0 : wall.velocity;
     out.velocity.push_back((start - wall.side * dt * inverse * force) * Vec<Dim>::Unit(wall.axis));
@@ -134,8 +141,9 @@ BodyMotion<Dim> ContactDynamics<Dim>::free_motion(double dt, bool at_rest) const
     if (between_walls(packing_.walls, a)) continue;
     out.stretch[a] = rate(a, a);
     if (!load_.under_stress[a]) continue;
-    // The side moves by M_a L' = V (sigma_a - P_a) - (V P_a/E) L, with the rate cap E: without contacts its rate ends at
-    // -E.
+    // The rate of stretch L of the side changes by M_a L' = V (sigma_a - P_a) - (V P_a/E) L, with the inertia M_a of
+    // the side, the volume V, the stress sigma_a carried by the contacts, the imposed stress P_a and the cap E on the
+    // rate. Without contacts L tends to -E.
     const double side = packing_.cell.matrix(a, a);
     const double mass = load_.cell_mass * grain_mass_ * side * side;
     const double force = volume * load_.stress[a];
@@ -165,15 +173,16 @@ double ContactDynamics<Dim>::restitution(const Contact<Dim>& c) const {
   return -gap_rate(c) > settings_.slow_impact ? settings_.restitution : 0.0;
 }
 
-/// Returns the time that the removal of an overlap takes in a step. Shorter steps remove an overlap as slowly as steps of
-/// a certain length. Otherwise its removal would make grains fast, and fast grains shorten the steps.
+/// Returns the time over which an overlap is removed. It is the time step, but not shorter than a minimum, because a
+/// fast removal would give the grains high velocities, which would shorten the steps further.
 template <int Dim>
 double ContactDynamics<Dim>::removal_time(double dt) const {
   return std::max(dt, kShortestRemoval * settings_.longest_step);
 }
 
-/// Returns the contact points as contacts of a step, with impulses of the last step. If impacts are elastic, points
-/// across a gap do not take part: they could close to a gap of zero, where the approach speed of the impact is lost.
+/// Returns the contact points as contacts of a step, with the impulses of the last step as initial values. If impacts
+/// are elastic, points with a gap do not take part: they would close to a gap of zero within the step, and the approach
+/// speed of the impact would be lost.
 template <int Dim>
 std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, double removed,
                                                                   std::vector<int>& source) const {
@@ -203,7 +212,7 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
           kStabilisation * std::min(0.0, c.gap + kElasticOverlap * 2.0 * smaller_radius(packing_, c)) / removal;
     else
       k.bias[0] += c.gap > 0.0 ? c.gap / dt : removed * c.gap / removal;
-    // After an impact in a short step, the forces are too large for a longer one.
+    // After an impact in a short step, the recorded forces are too large for a longer step.
     const double known = std::min(dt, last_step_);
     k.impulse = -known * (k.frame.transpose() * c.shear_force);
     k.impulse[0] = known * c.elastic_force;
@@ -211,7 +220,8 @@ std::vector<StepContact<Dim>> ContactDynamics<Dim>::step_contacts(double dt, dou
   return out;
 }
 
-/// Returns the change of the momenta of both grains of each contact of a step by the turn of its normal impulse.
+/// Returns, for each contact of a step, the change of the momenta of its two grains due to the rotation of its normal
+/// impulse.
 template <int Dim>
 std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& trial, double dt) const {
   std::vector<PairMatrix<Dim>> out;
@@ -227,7 +237,7 @@ std::vector<PairMatrix<Dim>> ContactDynamics<Dim>::stiffnesses(const Trial& tria
 }
 
 /// Solves a step of frictionless polyhedra with separating plates.
-/// @return whether it was solved; otherwise `trial` is unchanged
+/// @return whether the step was solved; otherwise `trial` is unchanged
 template <>
 bool ContactDynamics<3>::solve_with_plates(double dt, const Method& method, Trial& trial) const {
   std::vector<double> gaps;
@@ -237,7 +247,7 @@ bool ContactDynamics<3>::solve_with_plates(double dt, const Method& method, Tria
   trial.sweeps.converged = plates.solve(dt, trial.motion, trial.contacts);
   return trial.sweeps.converged;
 }
-/// The sides of polygons need no plates: they are closest at two points.
+/// Polygons need no plates, because the sides of two polygons have at most two closest points.
 template <>
 bool ContactDynamics<2>::solve_with_plates(double, const Method&, Trial&) const {
   return false;
@@ -258,7 +268,7 @@ auto ContactDynamics<Dim>::solve(double dt, const Method& method) const -> Trial
   return trial;
 }
 
-/// Returns the largest displacement of a grain in a step, over the displacement that it may have.
+/// Returns the largest displacement of a grain in a step, divided by its allowed displacement.
 template <int Dim>
 double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, const Method& method) const {
   const Grains<Dim>& g = packing_.grains;
@@ -275,7 +285,8 @@ double ContactDynamics<Dim>::largest_share_moved(const Trial& trial, double dt, 
   return largest;
 }
 
-/// Returns the packing at the end of a step, with the contacts at its start, which carry the forces of the step.
+/// Returns the packing at the end of a step. Its contacts are those at the beginning of the step, with the forces of
+/// the step.
 template <int Dim>
 Packing<Dim> ContactDynamics<Dim>::moved(const Trial& trial, double dt) const {
   Packing<Dim> out = packing_;
@@ -337,7 +348,7 @@ double ContactDynamics<Dim>::error_of_forces() const {
   BodyMotion<Dim> motion = free_motion(time_step_, false);
   std::vector<int> source;
   std::vector<StepContact<Dim>> contacts = step_contacts(time_step_, kStabilisation, source);
-  // Adhesion is that of the recorded forces: whether it acts across a gap depends on the step before.
+  // The adhesion is taken from the recorded forces, because its action across a gap depends on the previous step.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Contact<Dim>& c = packing_.contacts[static_cast<std::size_t>(source[k])];
     contacts[k].adhesion = time_step_ * std::max(0.0, c.elastic_force - c.normal_force);
@@ -345,7 +356,8 @@ double ContactDynamics<Dim>::error_of_forces() const {
   return GaussSeidel<Dim>(motion, contacts).residual();
 }
 
-/// Returns the deepest overlap of contacts over the diameter of the smaller grain, and sets `where` to its contact.
+/// Returns the deepest overlap of any contact, divided by the diameter of the smaller grain, and sets `where` to that
+/// contact.
 template <int Dim>
 double ContactDynamics<Dim>::deepest_overlap(const Packing<Dim>& packing, const Contact<Dim>*& where) const {
   double deepest = 0.0;
@@ -368,7 +380,7 @@ void ContactDynamics<Dim>::step(bool at_rest) {
     const double share = largest_share_moved(trial, dt, method);
     if (share > 1.0) {
       dt *= 0.5;
-      // The removal of overlaps takes as long a way in a short step as in a long one.
+      // Half a step allows half the displacement, so only half of each overlap is removed.
       if (method.at_once) method.removed *= 0.5;
       continue;
     }
@@ -383,7 +395,8 @@ void ContactDynamics<Dim>::step(bool at_rest) {
             fmt::format("{} would overlap by {:.2g} of the smaller diameter in a time step, even after "
                         "the step was halved {} times; the largest overlap allowed is {:.2g}",
                         pair_name(next, *where), deepest, kMostHalvings, allowed));
-      // Sweeps end with errors that shorter steps do not remove.
+      // The errors at which sweeps end may cause overlaps that shorter steps do not remove. The step is therefore
+      // solved at once, from rest.
       rescues = true;
       method = {.at_rest = true, .at_once = true};
       allowed = std::max(allowed, kDeepestAtRest);

@@ -14,30 +14,31 @@
 namespace floc {
 
 /// Load on the boundary of a packing in contact dynamics. On an axis under stress the side of the periodic cell, or the
-/// pair of walls, moves; other sides keep their rate of change Cell::velocity.
+/// pair of walls, moves under the stress. All other sides keep their rate of change Cell::velocity.
 template <int Dim>
 struct BoundaryLoad {
   Vec<Dim> stress = Vec<Dim>::Zero();  ///< stress on each axis, compression positive (force/length^(Dim-1))
-  std::array<bool, Dim> under_stress = {};  ///< whether the stress is imposed on this axis
-  double cell_mass = 1.0;                   ///< mass of a side of the cell over the mass of all grains
-  /// Rate |L'/L| at which a side of the cell without contacts moves in the end (1/time): a drag acts on the side.
+  std::array<bool, Dim> under_stress = {};  ///< for each axis: whether a stress is imposed
+  double cell_mass = 1.0;                   ///< inertia of a side of the cell divided by the mass of all grains
+  /// Rate |L'/L| to which the motion of a side L of the cell tends without contacts, because a drag acts on the side
+  /// (1/time).
   double strain_rate_cap = std::numeric_limits<double>::infinity();
 };
 
 /// Settings of the time steps of contact dynamics.
 struct ContactDynamicsSettings {
   double longest_step;  ///< longest time step (time)
-  double
-      sweep_tolerance;  ///< error of the impulses at which the sweeps of a step end, over the mean normal impulse
-  int max_sweeps;       ///< number of sweeps after which the sweeps of a step end in any case
+  /// error of the impulses at which the sweeps of a step end, divided by the mean normal impulse
+  double sweep_tolerance;
+  int max_sweeps;  ///< largest number of sweeps in a step
   double restitution = 0.0;
-  /// Rate of approach below which impacts are not elastic (length/time). Grains that fall onto others within a step would
-  /// never come to rest otherwise.
+  /// Rate of approach below which impacts are inelastic (length/time). Without this limit, grains that fall onto other
+  /// grains within a step would never come to rest.
   double slow_impact = 0.0;
   int threads = 1;
-  /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. Overlaps are then removed
-  /// in one step. The velocities of all grains are set to zero when the grains turn back: this leads them to
-  /// rest faster than setting them to zero before each step.
+  /// Whether the contacts of a step are solved all at once (implicit_step.h) and not by sweeps. Overlaps are then
+  /// removed in one step, and the velocities of all grains are set to zero when the grains, as a whole, move backwards.
+  /// This leads the grains to rest faster than setting their velocities to zero before each step.
   bool at_once = false;
   /// Whether steps in 3D that are solved at once have separating plates (separating_plates.h). Grains must be
   /// without friction and adhesion, and have corners.
@@ -46,37 +47,37 @@ struct ContactDynamicsSettings {
 
 /// Motion of rigid grains in implicit time steps (contact dynamics; Moreau 1988, Jean 1999). The impulses of all
 /// contacts in a step solve Signorini's and Coulomb's conditions for the velocities at the end of the step
-/// (gauss_seidel.h). The time step is halved as long as a grain would move more than 2e-2 of its diameter (5e-3 for
-/// grains with corners that carry a force) or an overlap would become deeper than 1e-2 of the diameter of the smaller grain.
+/// (gauss_seidel.h). The time step is halved until no grain moves more than 2e-2 of its diameter (5e-3 for grains with
+/// corners that carry a force) and no overlap is deeper than 1e-2 of the diameter of the smaller grain.
 ///
 /// The contacts of the packing are all contact points closer than the reach of a step. They carry the forces of the
-/// last step (its impulses over the time step), from which the impulses of the next step start.
+/// last step (its impulses divided by the time step), which give the initial impulses of the next step.
 template <int Dim>
 class ContactDynamics {
  public:
   /// @param time_step  time step to begin with (time)
   /// @param last_step  length of the step that gave the forces of the packing (time); 0 if it is not known
-  /// @throws InputError as find_pairs()
+  /// @throws InputError if find_pairs() throws it
   ContactDynamics(Packing<Dim> packing, const BoundaryLoad<Dim>& load, const ContactDynamicsSettings& settings,
                   double time_step, double last_step = 0.0);
 
-  /// Makes one time step.
+  /// Makes one time step. If overlaps remain too deep even after the step has been halved several times, the grains are
+  /// stopped, and a step that is solved at once removes the overlaps.
   /// @param at_rest  whether all velocities are set to zero before the step
-  /// If overlaps stay too deep although the step was halved several times, the grains are stopped and the overlaps
-  /// removed by a step that is solved at once.
-  /// @throws NoResult if they are too deep after this step, too
+  /// @throws NoResult if the overlaps are too deep after that step, too
   void step(bool at_rest);
 
-  /// Sets the velocity of the cell (length/time). Sides under stress start the next step with it, others keep it.
+  /// Sets the velocity of the cell (length/time). Sides under stress begin the next step with this velocity; all other
+  /// sides keep it.
   void set_cell_velocity(const Mat<Dim>& velocity) { packing_.cell.velocity = velocity; }
   /// Shortens the next step to a length (time).
   void shorten_next_step(double longest) { time_step_ = std::min(time_step_, longest); }
 
-  /// Finds the forces of the next step, with which the grains do not move yet. The contacts then carry them, and
-  /// time_step() is the length of that step.
+  /// Finds the forces of the next step without moving the grains. The contacts then carry these forces, and time_step()
+  /// is the length of that step.
   SweepResult find_forces();
-  /// Returns the error of the forces of the contacts as those of the next step, as SweepResult::residual. The velocities at
-  /// its end are computed from them.
+  /// Returns the error of the present forces of the contacts as forces of the next step (SweepResult::residual). The
+  /// velocities at the end of that step are computed from these forces.
   double error_of_forces() const;
 
   /// Sets the force that acts on each grain in addition to its contacts, such as its weight (force); empty for none.
@@ -89,16 +90,16 @@ class ContactDynamics {
   double last_step() const { return last_step_; }  ///< length of the last time step (time)
 
  private:
-  /// Way in which a step is solved.
+  /// Method by which a step is solved.
   struct Method {
     bool at_rest;          ///< whether all velocities are set to zero before the step
-    bool at_once;          ///< as ContactDynamicsSettings::at_once
+    bool at_once;          ///< see ContactDynamicsSettings::at_once
     double removed = 1.0;  ///< share of each overlap that a step solved at once removes
   };
   struct Trial {
     BodyMotion<Dim> motion;
     std::vector<StepContact<Dim>> contacts;
-    std::vector<int> source;  ///< index in the contacts of the packing of each contact of the step
+    std::vector<int> source;  ///< for each contact of the step: its index in the contacts of the packing
     SweepResult sweeps;
   };
 
@@ -121,8 +122,9 @@ class ContactDynamics {
   BoundaryLoad<Dim> load_;
   ContactDynamicsSettings settings_;
   double time_step_, last_step_;
-  double grain_mass_;                     ///< mass of all grains
-  std::vector<Vec<Dim>> external_force_;  ///< force on each grain besides its contacts (force); empty for none
+  double grain_mass_;  ///< mass of all grains
+  /// force on each grain in addition to the forces of its contacts (force); empty for none
+  std::vector<Vec<Dim>> external_force_;
   ContactPoints<Dim> points_;
   StepCounts counts_;
 };

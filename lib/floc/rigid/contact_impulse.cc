@@ -8,10 +8,10 @@
 namespace floc {
 namespace {
 
-/// Largest number of steps of an iteration that ends by itself.
+/// Limit on the number of steps of an iteration, which normally converges much earlier.
 constexpr int kMostSteps = 100;
 
-/// Returns the impulse that leaves no relative velocity.
+/// Returns the impulse that makes the relative velocity zero.
 template <int Dim>
 Vec<Dim> sticking_impulse(const ContactProblem<Dim>& problem) {
   return -problem.response.llt().solve(problem.velocity);
@@ -30,12 +30,12 @@ Vec<2> sliding_impulse(const ContactProblem<2>& problem, const Vec<2>& sticking)
     return Vec<2>(p, sign * mu * p);
   };
   const double sign = sticking[1] > 0.0 ? 1.0 : -1.0;
-  // A steep wedge: friction towards this side would pull the bodies together.
+  // In a steep wedge, friction towards one side would pull the bodies together. The other side is taken then.
   return a(0, 0) + sign * mu * a(0, 1) > 0.0 ? along(sign) : along(-sign);
 }
 
-/// Tangential impulses of least |A_t p + q_t| (in the norm of A_tt^-1) within a disk of radius r: the solution of a
-/// trust-region problem, in the axes in which A_tt is diagonal.
+/// Tangential impulse that minimises |A_t p + q_t| (in the norm of A_tt^-1) within a disk of radius r. It is the
+/// solution of a trust-region problem, computed in the axes in which A_tt is diagonal.
 struct Slip {
   Vec<2> eigenvalue;
   Mat<2> axes;
@@ -52,7 +52,8 @@ struct Slip {
     Vec<2> p = at(0.0);
     if (p.norm() <= radius) return axes * p;
     if (radius == 0.0) return Vec<2>::Zero();
-    // Newton's method on 1/|p| = 1/radius, which rises to the root from the side where it starts.
+    // Newton's method for the shift at which 1/|p| = 1/radius. It converges from one side, without overshooting the
+    // root.
     double shift = 0.0;
     for (int n = 0; n < kMostSteps; ++n) {
       const double size = p.norm();
@@ -76,7 +77,8 @@ Vec<3> sliding_impulse(const ContactProblem<3>& problem, const Vec<3>& /*stickin
     return out;
   };
   const auto normal_velocity = [&](const Vec<3>& p) { return a.row(0).dot(p) + problem.velocity[0]; };
-  // The bodies approach at P = 0; a large enough P parts them. Then the method of Illinois.
+  // At P = 0 the bodies approach, and at a large enough P they part. The root between these values is found by the
+  // Illinois method (modified regula falsi).
   double low = 0.0, f_low = problem.velocity[0], high = -problem.velocity[0] / a(0, 0);
   Vec<3> p = impulse_at(high);
   double f_high = normal_velocity(p);

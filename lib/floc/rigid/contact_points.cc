@@ -11,7 +11,8 @@
 namespace floc {
 namespace {
 
-/// Pairs of shapes whose points have different keys match up to this distance, over the smaller radius.
+/// Largest distance, divided by the smaller radius, at which two points of a pair of shapes match although their keys
+/// differ.
 constexpr double kMatchingShare = 0.25;
 
 template <int Dim>

@@ -8,7 +8,7 @@
 
 namespace floc {
 
-/// Symmetric matrix with its different components only.
+/// Symmetric matrix, of which only the independent components are stored.
 template <int Dim>
 struct PackedInertia;
 
@@ -32,7 +32,7 @@ struct PackedInertia<3> {
   }
 };
 
-/// Contacts of any bodies at any points. In 3D the tangents of a record are the axes in which the response to
+/// Contacts of bodies of any shape, at any points. In 3D the tangents of a record are the axes in which the response to
 /// tangential impulses is diagonal.
 template <int Dim, bool Cell>
 struct CoupledContacts {
@@ -90,7 +90,7 @@ struct CoupledContacts {
 
   static void apply(const Contact& c, const Impulse& impulse, Body* bodies, Vec<Dim>& gain) {
     const Vec<Dim> in_space = c.frame * impulse;
-    // A body that does not move may belong to contacts of other threads, so that it is not written.
+    // A body that does not move may belong to contacts of several threads, so no thread may write to it.
     if (Body& i = bodies[c.i]; i.moves) {
       i.velocity -= i.inverse_mass.cwiseProduct(in_space);
       i.angular_velocity -= i.inverse_inertia * moment<double>(c.arm_i, in_space);
@@ -109,7 +109,7 @@ struct CoupledContacts {
     apply(c, change, bodies, gain);
   }
 
-  /// Returns contact_error() with the response of the record.
+  /// Returns contact_error() of a contact, with the response in its record.
   static double error(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     return contact_error<Dim>(
         {c.response.response(), velocity_without_impulse(c, bodies, stretch), c.response.friction()},
@@ -119,7 +119,8 @@ struct CoupledContacts {
   static double normal(const Contact& c) { return c.impulse[0]; }
 
  private:
-  /// Returns the axes of a symmetric matrix as columns. A multiple of the unit matrix has those of the unit matrix.
+  /// Returns the principal axes of a symmetric matrix as columns. For a multiple of the unit matrix, the coordinate
+  /// axes are returned.
   static Mat<2> principal_axes(const Mat<2>& matrix) {
     const double angle = 0.5 * std::atan2(2.0 * matrix(0, 1), matrix(0, 0) - matrix(1, 1));
     Mat<2> out;
@@ -134,7 +135,7 @@ struct CoupledContacts {
     u -= cross<double>(i.angular_velocity, c.arm_i);
     c.add_velocity(stretch, u);
     Vec<Dim> q = c.frame.transpose() * u;
-    // The velocity contains the present impulse without its compliance.
+    // The velocity contains the effect of the present impulse on the bodies, but not that of its compliance.
     q += c.bias - c.response.times(c.impulse) + c.tangential_compliance * c.impulse;
     q[0] += (c.normal_compliance - c.tangential_compliance) * c.impulse[0];
     return q;

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Solution of ContactProblem for one response A and many velocities q, with all that depends on A alone computed once.
-/// It agrees with contact_impulse().
+/// Solution of ContactProblem for one response A and many velocities q. Everything that depends on A alone is computed
+/// once. The impulses agree with contact_impulse().
 template <int Dim>
 class CoupledResponse;
 
@@ -16,13 +16,13 @@ template <>
 class CoupledResponse<2> {
  public:
   /// @param response  A, symmetric and positive definite
-  /// @param friction  mu >= 0
+  /// @param friction  friction coefficient mu >= 0
   CoupledResponse(const Mat<2>& response, double friction) : response_(response), friction_(friction) {
     stick_ = -response.inverse();
     const double nn = response(0, 0), nt = response(0, 1);
     for (const int up : {0, 1}) {
       double sign = up == 1 ? 1.0 : -1.0;
-      // Friction towards this side would pull the bodies together, and such an impulse is never needed.
+      // Friction towards this side would pull the bodies together. An impulse on this side is never needed.
       if (nn + sign * friction * nt <= 0.0) sign = -sign;
       slide_normal_[up] = -1.0 / (nn + sign * friction * nt);
       slide_tangent_[up] = sign * friction * slide_normal_[up];
@@ -33,14 +33,15 @@ class CoupledResponse<2> {
   double friction() const { return friction_; }
   Vec<2> times(const Vec<2>& impulse) const { return response_ * impulse; }
 
-  /// Returns the impulse that solves the problem of velocity q. Its branches are selections between numbers, since
-  /// processors cannot predict which contacts slide.
+  /// Returns the impulse that solves the problem with velocity q. The function selects between numbers instead of
+  /// branching, since processors cannot predict which contacts slide.
   Vec<2> impulse(const Vec<2>& q) const {
     const double stick_n = stick_(0, 0) * q[0] + stick_(0, 1) * q[1];
     const double stick_t = stick_(1, 0) * q[0] + stick_(1, 1) * q[1];
     const int up = stick_t > 0.0;
     const double slide_n = q[0] * slide_normal_[up], slide_t = q[0] * slide_tangent_[up];
-    // Positive outside the cone, also where stick_n is negative: then stick_t is not zero, as q_n is negative too.
+    // The value is positive outside the cone, even if stick_n is negative: stick_t is then not zero, because q[0] is
+    // negative, too.
     const double outside = std::abs(stick_t) - friction_ * stick_n;
     const double p_n = outside > 0.0 ? slide_n : stick_n, p_t = outside > 0.0 ? slide_t : stick_t;
     return {q[0] < 0.0 ? p_n : 0.0, q[0] < 0.0 ? p_t : 0.0};
@@ -52,16 +53,17 @@ class CoupledResponse<2> {
   double slide_normal_[2], slide_tangent_[2];  // impulse per normal velocity, for slip downwards and upwards
 };
 
-/// The tangents are the axes in which A_tt is diagonal: A = (a, c'; c, diag(l)).
+/// Contact problem in 3D, with the axes in which A_tt is diagonal as tangents: A = (a, c'; c, diag(l)).
 ///
-/// An impulse with slip u_t = -s p_t, s >= 0, solves (A + diag(0, s, s)) p = -q. By Cramer's rule its components are
-/// P = N_n(s)/D(s) and p_t = N_t(s)/D(s), where D is positive, N_n is quadratic and N_t is linear in s. Sticking is
-/// s = 0, and sliding is the root of h(s) = mu N_n/|N_t| = 1. Since h is linear in s if A is isotropic in the tangents
-/// and does not couple them to the normal, Newton's method takes few steps. It starts from the s of the call before.
+/// An impulse with slip u_t = -s p_t, s >= 0, solves (A + diag(0, s, s)) p = -q. By Cramer's rule its components are P
+/// = N_n(s)/D(s) and p_t = N_t(s)/D(s), where D is positive, N_n is quadratic and N_t is linear in s. Sticking is the
+/// case s = 0, and sliding is the root of h(s) = mu N_n/|N_t| = 1. If A is isotropic in the tangents and does not
+/// couple them to the normal, h is linear in s. In general Newton's method therefore takes few steps. It starts from
+/// the s of the previous call.
 template <>
 class CoupledResponse<3> {
  public:
-  /// @param response  A with A_tt diagonal (the other components of A_tt are not read)
+  /// @param response  matrix A with diagonal A_tt (the other components of A_tt are not read)
   CoupledResponse(const Mat<3>& response, double friction)
       : normal_(response(0, 0)),
         coupling_(response(1, 0), response(2, 0)),
@@ -83,7 +85,7 @@ class CoupledResponse<3> {
             coupling_[0] * p[0] + tangential_[0] * p[1], coupling_[1] * p[0] + tangential_[1] * p[2]};
   }
 
-  /// Returns the impulse that solves the problem of velocity q.
+  /// Returns the impulse that solves the problem with velocity q.
   Vec<3> impulse(const Vec<3>& q) {
     if (q[0] >= 0.0) return Vec<3>::Zero();
     const Numerators numerators(*this, q);
@@ -96,7 +98,7 @@ class CoupledResponse<3> {
   }
 
  private:
-  /// Numerators of the impulse by Cramer's rule as functions of s.
+  /// Numerators of the components of the impulse by Cramer's rule, as functions of s.
   struct Numerators {
     double n0, n1, n2;  // N_n = n0 + n1 s + n2 s^2
     double x0, x1;      // N_t = (x0 + x1 s, y0 + y1 s)
@@ -122,7 +124,7 @@ class CoupledResponse<3> {
   }
 
   Vec<3> sliding_impulse(double q_n, const Numerators& of) {
-    // The root lies between low, where the impulse is outside the cone, and high.
+    // The root lies between `low`, at which the impulse is outside the cone, and `high`.
     double low = 0.0, high = kUnbounded, s = slip_;
     Vec<2> direction = Vec<2>::Zero();
     for (int n = 0; n < kMostSteps; ++n) {
@@ -134,12 +136,12 @@ class CoupledResponse<3> {
                            h * (direction[0] * of.x1 + direction[1] * of.y1) * inverse;
       (h < 1.0 ? low : high) = s;
       double next = s + (1.0 - h) / slope;
-      // Newton's step leaves the interval, or it is not a number.
+      // Newton's step would leave the interval, or it is not a number: the interval is halved, or s doubled.
       if (!(next >= low && next <= high))
         next = high < kUnbounded ? 0.5 * (low + high) : 2.0 * s + tangential_[0];
       const double change = std::abs(next - s);
       s = next;
-      // The error after a step is of the order of the square of the step.
+      // Newton's method converges quadratically: the error after a step is of the order of the square of the step.
       if (change <= kSmallStep * (s + tangential_[0])) break;
     }
     slip_ = s;
@@ -157,7 +159,7 @@ class CoupledResponse<3> {
   Vec<2> coupling_, tangential_;
   double friction_;
   double inverse_determinant_;  // 1/D(0)
-  double slip_ = 0.0;           // s of the last impulse that slid
+  double slip_ = 0.0;           // value of s of the last impulse that slid
 };
 
 }  // namespace floc

@@ -12,8 +12,8 @@
 namespace floc {
 namespace {
 
-/// Coefficients below this are rounding, in units where those of translations are one: the moment of a normal force on
-/// a round grain.
+/// Coefficients below this value count as rounding errors, in units in which the coefficients of translations are one.
+/// An example is the moment of a normal force on a round grain.
 constexpr double kNoCoefficient = 1e-12;
 
 /// Rows of the balance and their loads, before rows without coefficients are left out.
@@ -50,7 +50,7 @@ class BalanceRows {
       visit(first_of_boundary() + s, Vec<Dim>(boundary.col(s).template head<Dim>()));
   }
 
-  /// Factor by which a row is divided, so that its coefficients are of order one.
+  /// Returns the factor by which a row is divided to make its coefficients of order one.
   double scale(int row) const {
     if (row >= first_of_boundary()) return boundary_scale();
     const bool turns = row % kDofs<Dim> >= Dim;
@@ -68,7 +68,7 @@ class BalanceRows {
   Eigen::VectorXd load_;
 };
 
-/// Returns (F_N, T) of a contact in the frame.
+/// Returns the force (F_N, T) of a contact in its frame.
 template <int Dim>
 Vec<Dim> present_force(const NetworkContact<Dim>& c) {
   Vec<Dim> f = c.frame.transpose() * c.shear_force;
@@ -76,8 +76,8 @@ Vec<Dim> present_force(const NetworkContact<Dim>& c) {
   return f;
 }
 
-/// Marks the contacts that can carry no force: those that do not adhere, of grains on which no other force acts.
-/// Their grains may leave others with one contact.
+/// Marks the contacts that can carry no force: contacts without adhesion of grains that have no other contact. Without
+/// these contacts, other grains may be left with a single contact, too.
 template <int Dim>
 std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
   const int n = packing.grains.size();
@@ -106,7 +106,7 @@ std::vector<bool> idle_contacts(const Packing<Dim>& packing) {
   return idle;
 }
 
-/// Returns the mean of the stiffnesses that are positive, 1 if none is.
+/// Returns the mean of the positive stiffnesses; 1 if no stiffness is positive.
 template <int Dim>
 double mean_stiffness(const std::vector<NetworkContact<Dim>>& contacts,
                       double NetworkContact<Dim>::*stiffness) {
@@ -123,7 +123,7 @@ std::vector<UnknownForce<Dim>> unknown_forces(const Packing<Dim>& packing, const
   const std::vector<bool> idle = idle_contacts(packing);
   const double mean_kn = mean_stiffness(network.contacts, &NetworkContact<Dim>::kn);
   const double mean_kt = mean_stiffness(network.contacts, &NetworkContact<Dim>::kt);
-  // Contacts without a stiffness, as spheres of Hertz that just touch, have the mean.
+  // Contacts without a stiffness, such as Hertz contacts of spheres that just touch, get the mean stiffness.
   const auto stiffness = [](const std::optional<double>& given, double own, double mean) {
     return given ? *given : own > 0.0 ? own : mean;
   };
@@ -151,9 +151,10 @@ void require_balance(const std::string& place, const Packing<Dim>& packing,
   for (const std::string& fault : options.validate()) throw InputError(place, fault);
   for (const Law* law : {&packing.law, &packing.wall_law})
     if (law->has_rolling() || law->has_twisting())
-      throw InputError(place,
-                       "its contact law resists rolling or twisting; forces at rest are computed for contacts "
-                       "without moments only");
+      throw InputError(
+          place,
+          "its contact law resists rolling or twisting; forces at rest can be computed only for contacts "
+          "without moments");
   if (options.stress && !packing.walls.empty())
     throw InputError(place,
                      "a stress cannot be given for a packing between walls: its forces balance the forces "
@@ -172,8 +173,8 @@ std::vector<std::string> ForceBalanceOptions<Dim>::validate() const {
       faults.push_back(fmt::format("{} = {}: expected a positive stiffness (force/length)", name, *value));
   if (axis_stress && !axis_stress->allFinite()) faults.emplace_back("axis_stress: expected finite components");
   if (!axis_stress && std::ranges::count(open_axis, true) > 0)
-    faults.emplace_back("open_axis: expected a stress on the other axes beside it");
-  if (stress && axis_stress) faults.emplace_back("axis_stress: expected no stress beside it");
+    faults.emplace_back("open_axis: expected axis_stress, the stress on the other axes, to be given, too");
+  if (stress && axis_stress) faults.emplace_back("axis_stress: expected that stress is not given, too");
   if (stress && !stress->allFinite()) faults.emplace_back("stress: expected finite components");
   return faults;
 }
@@ -187,9 +188,9 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   ForceBalance<Dim> out;
   out.unknowns = unknown_forces(packing, rows.network(), options);
   if (out.unknowns.empty())
-    throw InputError(place, "no contact can carry a force: there is nothing to balance");
+    throw InputError(place, "no contact can carry a force, so there are no forces to balance");
 
-  // Load of the boundary: that of all present forces, unless a stress is given.
+  // The boundary transmits the load of all present forces, unless a stress is given.
   Eigen::VectorXd& load = rows.load();
   const auto add = [&](const NetworkContact<Dim>& c, const Vec<Dim>& force, double sign, int from) {
     rows.for_each_row(c, [&](int row, const Vec<Dim>& coefficient) {
@@ -205,7 +206,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
     add(contacts[u.contact], u.adhesion * Vec<Dim>::Unit(0), 1.0, 0);
     sum += std::abs(u.present[0]);
   }
-  // The mean stress times the volume is the sum of normal forces times branches.
+  // The trace of the stress times the volume is the sum of the normal forces times the lengths of the branch vectors.
   const double boundary = load.segment(rows.first_of_boundary(), Dim).sum();
   const double n = static_cast<double>(out.unknowns.size());
   const double branch = rows.boundary_scale() / std::sqrt(static_cast<double>(contacts.size()));
@@ -213,7 +214,7 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   if (!(out.unit > 0.0))
     throw InputError(place, "its contacts carry no force: give the stress that their forces have to transmit");
 
-  // Rows that some contact acts on get numbers.
+  // Only rows on which some contact acts get numbers.
   std::vector<int> number(rows.n_rows(), -1);
   for (const UnknownForce<Dim>& u : out.unknowns)
     rows.for_each_row(contacts[u.contact], [&](int row, Vec<Dim> coefficient) {
@@ -228,7 +229,8 @@ ForceBalance<Dim> force_balance(const std::string& place, const Packing<Dim>& pa
   for (int row = 0; row < rows.n_rows(); ++row) {
     const bool inside = row < rows.first_of_boundary();
     const int grain = inside ? row / kDofs<Dim> : -1;
-    // A load in a row that no contact acts on cannot be balanced; without one the row says nothing.
+    // A row on which no contact acts is left out if its load is zero. If it has a load, the row stays, and the balance
+    // has no solution.
     if (number[row] < 0 && std::abs(load[row]) <= kNoCoefficient * rows.scale(row) * out.unit) continue;
     number[row] = static_cast<int>(scaled_load.size());
     scaled_load.push_back(load[row] / (rows.scale(row) * out.unit));

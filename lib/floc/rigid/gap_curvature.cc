@@ -10,10 +10,12 @@
 namespace floc {
 namespace {
 
-/// Radius of curvature that stands for that of a face, over the size of the grain, and one that stands for zero.
+/// Radius of curvature of a face, divided by the size of the grain; it stands for infinity.
 constexpr double kFlat = 1e5;
+/// Radius of curvature of a corner, divided by the size of the grain; it stands for zero.
 constexpr double kSharp = 1e-7;
-/// Vertices that lie this close to the support plane, over the size of the grain, belong to one face or edge.
+/// Vertices whose distance from the support plane, divided by the size of the grain, is at most this value belong to
+/// one face or edge.
 constexpr double kOnPlane = 1e-6;
 
 template <int Dim>
@@ -48,7 +50,7 @@ TangentMatrix<Dim> radii_of_curvature(const Packing<Dim>& packing, int body, con
 }
 
 /// Returns the vector from the centre of a body to its surface at a contact.
-/// @param midway   vector for grains with corners, whose contact points lie midway between the surfaces
+/// @param midway   value for walls and grains with corners, whose contact points lie midway between the surfaces
 /// @param outward  normal of the body at the contact
 template <int Dim>
 Vec<Dim> surface_arm(const Packing<Dim>& packing, int body, const Vec<Dim>& midway, const Vec<Dim>& outward) {
@@ -56,7 +58,7 @@ Vec<Dim> surface_arm(const Packing<Dim>& packing, int body, const Vec<Dim>& midw
   return is_ball ? Vec<Dim>(packing.grains.radius[body] * outward) : midway;
 }
 
-/// Returns the matrix that turns a rotation vector w into the tangential components of w x arm.
+/// Returns the matrix that converts a rotation vector w to the tangential components of w x arm.
 template <int Dim>
 Eigen::Matrix<double, Dim - 1, kRotations<Dim>> turn(const Tangents<Dim>& tangents, const Vec<Dim>& arm) {
   Eigen::Matrix<double, Dim - 1, kRotations<Dim>> out;
@@ -74,7 +76,7 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   const Vec<Dim> arm_i = surface_arm<Dim>(packing, c.i, c.arm_i - 0.5 * c.gap * n, n);
   const Vec<Dim> arm_j = surface_arm<Dim>(packing, c.j, c.arm_j + 0.5 * c.gap * n, -n);
   const bool wall = packing.is_wall(c.j);
-  // The normal turns by alpha with i and by beta with j; the points in contact slide by w.
+  // The contact normal rotates by alpha with grain i and by beta with grain j. The points in contact slide by w.
   MotionMap<Dim> alpha = MotionMap<Dim>::Zero(), beta = alpha, w = alpha;
   alpha.template middleCols<kRotations<Dim>>(Dim) = turn<Dim>(tangents, n);
   w.template leftCols<Dim>() = -tangents.transpose();
@@ -86,19 +88,19 @@ PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& c
   }
   const TangentMatrix<Dim> radii_i = radii_of_curvature<Dim>(packing, c.i, n, tangents);
   const TangentMatrix<Dim> radii_j = radii_of_curvature<Dim>(packing, c.j, Vec<Dim>(-n), tangents);
-  // Surfaces that overlap more deeply than half their rounding count as if they overlapped by this.
+  // The depth of an overlap counts only up to half of the sum of the radii of curvature.
   const TangentMatrix<Dim> sum = radii_i + radii_j;
   const double least =
       Eigen::SelfAdjointEigenSolver<TangentMatrix<Dim>>(sum, Eigen::EigenvaluesOnly).eigenvalues()[0];
   const double apart = std::max(c.gap, -0.5 * least) + kSharp * packing.grains.radius[c.i];
   const TangentMatrix<Dim> inverse = (sum + apart * TangentMatrix<Dim>::Identity()).inverse();
-  // The direction n that makes the gap largest turns by nu = inverse (w + radii_i alpha + radii_j beta).
+  // The direction n that maximises the gap rotates by nu = inverse (w + radii_i alpha + radii_j beta).
   const MotionMap<Dim> drive = w + radii_i * alpha + radii_j * beta;
   PairMatrix<Dim> out = drive.transpose() * inverse * drive - alpha.transpose() * radii_i * alpha -
                         beta.transpose() * radii_j * beta;
   out.template block<kRotations<Dim>, kRotations<Dim>>(Dim, Dim) -= turn_curvature(arm_i, n);
   if (!wall) out.template bottomRightCorner<kRotations<Dim>, kRotations<Dim>>() += turn_curvature(arm_j, n);
-  return 0.5 * (out + out.transpose());  // rounding of the large radii
+  return 0.5 * (out + out.transpose());  // removes the asymmetry that rounding of the large radii causes
 }
 
 template <int Dim>

@@ -6,20 +6,20 @@
 
 namespace floc {
 
-/// Symmetric matrix over the displacements and rotations of two grains, in the order (u_i, w_i, u_j, w_j).
+/// Symmetric matrix over the displacements u and rotations w of two grains i and j, in the order (u_i, w_i, u_j, w_j).
 template <int Dim>
 using PairMatrix = Eigen::Matrix<double, 2 * kDofs<Dim>, 2 * kDofs<Dim>>;
 
-/// Displacements and rotation vectors of two grains in this order.
+/// Displacements and rotation vectors of two grains, in the order of PairMatrix.
 template <int Dim>
 using PairMotion = Eigen::Matrix<double, 2 * kDofs<Dim>, 1>;
 
 /// Returns the second derivatives of the gap of a contact with respect to the displacements and the rotation vectors of
 /// its grains (1/length, with rotations times a length). The motion of a wall is not part of them.
 ///
-/// The gap of two convex bodies is the largest of n . r - h_i(n) - h_j(-n) over all directions n, with the branch r and
-/// the support functions h, whose second derivatives are the radii of curvature of the surfaces. They are zero at a
-/// vertex and infinite on a face and along an edge; a rounding is added to them.
+/// The gap of two convex bodies is the maximum of n . r - h_i(n) - h_j(-n) over all directions n, with the branch
+/// vector r and the support functions h. The second derivatives of h are the radii of curvature of the surfaces: zero
+/// at a vertex, infinite on a face and along an edge, each increased by the radius of rounding.
 template <int Dim>
 PairMatrix<Dim> gap_curvature(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
@@ -31,10 +31,10 @@ inline Mat<3> turn_curvature(const Vec<3>& v, const Vec<3>& n) {
   return 0.5 * (v * n.transpose() + n * v.transpose()) - v.dot(n) * Mat<3>::Identity();
 }
 
-/// Returns the change of the momenta of the two grains of a contact in a step by the turn of its normal force N, for
-/// unit velocities: -dt^2 N times the second derivatives of the gap (mass). Negative eigenvalues are replaced by zero, so
-/// that the step is a convex program.
-/// @param weight  dt^2 N
+/// Returns the change of the momenta of the two grains of a contact in a step due to the rotation of its normal force
+/// N, for unit velocities: -dt^2 N times the second derivatives of the gap (mass). Negative eigenvalues are replaced by
+/// zero to make the step a convex program.
+/// @param weight  dt^2 N, with the time step dt
 template <int Dim>
 PairMatrix<Dim> convex_stiffness(const PairMatrix<Dim>& curvature, double weight);
 

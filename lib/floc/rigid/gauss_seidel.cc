@@ -10,7 +10,8 @@
 namespace floc {
 namespace {
 
-/// Largest relative difference between a round grain and what counts as one: rounding of positions in large cells.
+/// Largest relative deviation from a round grain of a grain that counts as round. It allows for rounding of positions
+/// in large cells.
 constexpr double kRound = 1e-12;
 
 /// Returns whether RoundContacts can describe the side of a contact on a body.

@@ -10,30 +10,32 @@
 namespace floc {
 namespace {
 
-/// Largest number of times that a step with friction is solved, and change of the velocities of opening, in the units
-/// of the program, below which no further solution is needed.
+/// Largest number of times that a step with friction is solved.
 constexpr int kMostSolutions = 10;
+/// Change of the opening velocities, in the units of the program, below which a step with friction is not solved again.
 constexpr double kSameOpening = 1e-6;
 
-/// Largest error of the impulses and of the objective, in the units of the program, with which a step is accepted
-/// although rounding ended the iteration: the next step corrects for it.
+/// Largest error of the impulses and of the objective, in the units of the program, of a solution that is accepted
+/// although rounding errors ended the iteration. The next step corrects the error.
 constexpr double kAcceptedError = 1e-5;
 
-/// One unknown velocity: of a body along an axis of space, of a body about a principal axis, or the stretch of the
-/// cell along an axis. Rotations and stretches are multiplied by a length, so that all unknowns are velocities.
+/// One unknown velocity of a step: of a body along an axis of space, of a body about a principal axis, or of the
+/// stretch of the cell along an axis. Rotations and stretches are multiplied by a length to give all unknowns the unit
+/// of a velocity.
 template <int Dim>
 struct Unknown {
   Vec<Dim> direction = Vec<Dim>::Zero();                   ///< axis of a translation
   RotationVector<Dim> axis = RotationVector<Dim>::Zero();  ///< axis of a rotation
-  int stretch = -1;                                        ///< axis of a stretch; -1 for others
+  int stretch = -1;                                        ///< axis of a stretch; -1 for other unknowns
   int body = -1;
-  double mass = 0.0;    ///< momentum over velocity (mass)
-  double length = 1.0;  ///< (length)
+  double mass = 0.0;    ///< momentum divided by velocity (mass)
+  double length = 1.0;  ///< length by which a rotation or a stretch is multiplied (length)
 };
 
-/// Program of the impulses p of a step. Each row is the momentum of one unknown velocity v_r with the mass M_r,
-/// sum H p - M_r v_r = -M_r v_free: its dual unknown is -v_r. Impulses and velocities have units in which they are of
-/// order one.
+/// Cone program for the impulses p of a step. Each row is the momentum balance of one unknown velocity v_r with the
+/// mass M_r, sum H p - M_r v_r = -M_r v_free, where H is the relative velocity at a contact per unit of v_r and v_free
+/// the velocity without impulses. The dual unknown of the row is -v_r. Impulses and velocities are in units in which
+/// they are of order one.
 template <int Dim>
 class StepProgram {
  public:
@@ -53,8 +55,9 @@ class StepProgram {
 
   const ConeProgram<Dim>& program() const { return program_; }
 
-  /// Adds mu |u_t| of a solution to the normal velocities of all contacts.
-  /// @return the largest change of what is added
+  /// Adds mu |u_t| of a solution to the normal velocities of all contacts, with the friction coefficient mu and the
+  /// slip velocity u_t.
+  /// @return the largest change of these additions
   double add_opening(const ConeSolution<Dim>& solution) {
     const std::vector<Vec<Dim>> motion = program_.relative_motion(Eigen::VectorXd(-solution.motion));
     double change = 0.0;
@@ -87,8 +90,8 @@ class StepProgram {
   }
 
  private:
-  /// Sets the unit of impulses to their mean at the start, and that of velocities to the largest one that a gap asks
-  /// for. Without them, the units are those of the largest velocity without impulses.
+  /// Sets the unit of impulses to the mean of the initial impulses, and the unit of velocities to the largest velocity
+  /// that closes a gap. If there are none, the units follow from the largest velocity without impulses.
   void set_units() {
     double impulses = 0.0, momentum = 0.0, speed = 0.0;
     int n = 0;
@@ -106,7 +109,7 @@ class StepProgram {
     if (!(velocity_ > 0.0)) velocity_ = speed > 0.0 ? speed : 1.0;
   }
 
-  /// Returns the part of the relative velocity at a contact that no impulse changes, in its frame.
+  /// Returns the part of the relative velocity at a contact that impulses cannot change, in the frame of the contact.
   Vec<Dim> imposed_velocity(const StepContact<Dim>& c) const {
     const auto of_body = [&](int i, const Vec<Dim>& arm) {
       Vec<Dim> v = (bodies_.inverse_mass[i].array() > 0.0).select(Vec<Dim>::Zero(), bodies_.velocity[i]);
@@ -171,7 +174,7 @@ class StepProgram {
     }
   }
 
-  /// Returns the relative velocity at a contact if an unknown is one, in the frame of the contact.
+  /// Returns the relative velocity at a contact for a unit value of an unknown, in the frame of the contact.
   Vec<Dim> relative_velocity(const StepContact<Dim>& c, const Unknown<Dim>& u) const {
     Vec<Dim> out = Vec<Dim>::Zero();
     if (u.stretch >= 0) {
@@ -205,7 +208,7 @@ class StepProgram {
     }
   }
 
-  /// Returns the motion of the two bodies of a contact if an unknown is one.
+  /// Returns the motion of the two bodies of a contact for a unit value of an unknown.
   PairMotion<Dim> motion_of_pair(const StepContact<Dim>& c, const Unknown<Dim>& u) const {
     PairMotion<Dim> out = PairMotion<Dim>::Zero();
     for (const int side : {0, 1})
@@ -227,7 +230,8 @@ class StepProgram {
 
   const BodyMotion<Dim>& bodies_;
   const std::vector<StepContact<Dim>>& contacts_;
-  std::vector<int> first_, ends_;  ///< unknowns of each body
+  /// index of the first unknown of each body, and index after its last unknown
+  std::vector<int> first_, ends_;
   int first_stretch_ = 0;
   std::vector<Unknown<Dim>> unknowns_;
   std::vector<double> free_;  ///< velocity of each unknown without impulses (length/time)

@@ -11,18 +11,17 @@ namespace floc {
 namespace {
 
 constexpr int kMostIterations = 100;
-/// Part of the longest step that is taken.
+/// Share of the longest possible step that an iteration makes.
 constexpr double kStepShare = 0.99;
-/// Compliance of the constraints: A x may differ from b by this times y, at the cost of an energy. Without it, a load
-/// that is out of balance by rounding alone would have no solution, and motions that no contact resists would have no
-/// limit.
+/// Softness s of the constraints: A x may differ from b by s y, which costs energy. Without it, a load that is
+/// unbalanced only by rounding would have no solution, and motions that no contact resists would be unlimited.
 constexpr double kSoftness = 1e-13;
-/// Relative residual and gap at which the iteration ends: close to rounding.
+/// Relative residual and gap, close to rounding errors, at which the iteration ends.
 constexpr double kGoal = 1e-13;
-/// Weight of the gap in the error of an iterate. The objective is flat at its minimum: a relative gap g leaves an error
-/// of about sqrt(g) in the solution.
+/// Weight of the gap in the error of an iterate. The objective is flat at its minimum, so a relative gap g leaves an
+/// error of about sqrt(g) in the solution.
 constexpr double kGapWeight = 1e4;
-/// Largest error of a proof that there is no bound, in units of what it proves.
+/// Largest relative error of a proof that the objective has no lower bound.
 constexpr double kProof = 1e-8;
 /// Number of successive iterations without progress after which the iteration ends.
 constexpr int kPatience = 10;
@@ -37,7 +36,7 @@ double dot(const Blocks<Dim>& a, const Blocks<Dim>& b) {
   return sum;
 }
 
-/// Returns a' Q b.
+/// Returns a' Q b, with `diagonal` the diagonal of Q.
 template <int Dim>
 double dot(const Blocks<Dim>& a, const Blocks<Dim>& diagonal, const Blocks<Dim>& b) {
   double sum = 0.0;
@@ -49,7 +48,7 @@ double largest(const Eigen::VectorXd& a) {
   return a.size() == 0 ? 0.0 : a.lpNorm<Eigen::Infinity>();
 }
 
-/// Returns the largest violation of K by the blocks, 0 if all are in K.
+/// Returns the largest distance of a block outside the cone K; 0 if all blocks are in K.
 template <int Dim>
 double violation(const Blocks<Dim>& x) {
   double most = 0.0;
@@ -76,17 +75,17 @@ struct Point {
   bool is_finite() const {
     return std::isfinite(dot(x, x) + dot(z, z) + y.squaredNorm() + tau * tau + kappa * kappa);
   }
-  /// Complementarity, which falls to zero along the central path.
+  /// Returns the measure of complementarity, which decreases to zero along the central path.
   double mu() const { return (dot(x, z) + tau * kappa) / (static_cast<double>(x.size()) + 1.0); }
 };
 
-/// Returns (S + s) y, with the softness s of all constraints.
+/// Returns (S + s) y, with the softness s of all constraints (kSoftness).
 template <int Dim>
 Eigen::VectorXd softened(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
   return program.softened(y) + kSoftness * y;
 }
 
-/// Returns x' Q x + y' (S + s) y.
+/// Returns x' Q x + y' (S + s) y, with the softness s of all constraints (kSoftness).
 template <int Dim>
 double twice_energy(const ConeProgram<Dim>& program, const Point<Dim>& at) {
   return dot(at.x, program.compliance, at.x) + at.y.dot(softened(program, at.y));
@@ -123,8 +122,8 @@ double longest_step(const Point<Dim>& from, const Point<Dim>& direction) {
   return step;
 }
 
-/// Returns the largest error of the condition Q x + c - A' y = z of the solution that a point of the embedding stands
-/// for.
+/// Returns the largest error of the condition Q x + c - A' y = z in the solution that a point of the embedding
+/// represents.
 template <int Dim>
 double stationarity_error(const ConeProgram<Dim>& program, const Point<Dim>& at) {
   double error = 0.0;
@@ -132,7 +131,7 @@ double stationarity_error(const ConeProgram<Dim>& program, const Point<Dim>& at)
   return error / at.tau;
 }
 
-/// Returns the solution that a point of the embedding stands for.
+/// Returns the solution that a point of the embedding represents.
 template <int Dim>
 ConeSolution<Dim> solution_at(const ConeProgram<Dim>& program, const Point<Dim>& at) {
   ConeSolution<Dim> out;
@@ -152,26 +151,27 @@ double relative_gap(const ConeSolution<Dim>& solution) {
   return solution.gap / (1.0 + std::abs(solution.objective));
 }
 
-/// Returns a lower bound of the largest |A x - b| over all x in the cones with entries of order one, which y proves:
-/// b' y <= |A x - b|_max |y|_1 + x' A' y, and -A' y lies in the cones but for a violation. Negative if y proves nothing.
+/// Returns a lower bound of the largest |A x - b| over all x in the cones with entries of order one. The dual vector y
+/// proves it by b' y <= |A x - b|_max |y|_1 + x' A' y, where -A' y lies in the cones up to a small violation. The
+/// result is negative if y proves no bound.
 template <int Dim>
 double proved_residual(const ConeProgram<Dim>& program, const Eigen::VectorXd& y) {
   const double outside = violation(program.relative_motion(Eigen::VectorXd(-y)));
   return (program.load.dot(y) - outside * program.n_blocks()) / y.lpNorm<1>();
 }
 
-/// Returns the error of the proof that c' x has no bound: the largest of A x, for c' x = -1. Infinity if c' x does not
-/// fall.
+/// Returns the error of the proof that c' x has no lower bound: the largest component of A x, if x is scaled to c' x =
+/// -1. Infinite if c' x does not decrease along x.
 template <int Dim>
 double error_of_unboundedness(const Blocks<Dim>& linear, const Eigen::VectorXd& balance, const Blocks<Dim>& x) {
   const double fall = -dot(linear, x);
-  // A direction that the objective hardly falls in is rounding: x and c are of order one.
+  // A direction along which the objective hardly decreases is a rounding error, since x and c are of order one.
   return fall > kProof ? largest(balance) / fall : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
-/// One iteration: the scaling at a point and the directions that start there.
+/// One iteration: the scaling at a point, and the search directions from this point.
 template <int Dim>
 struct InteriorPoint<Dim>::Iteration {
   InteriorPoint& method;
@@ -179,10 +179,10 @@ struct InteriorPoint<Dim>::Iteration {
   const Point<Dim>& at;
   EmbeddingResiduals<Dim> residual;
   std::vector<cone::Scaling<Dim>> scaling;
-  Blocks<Dim> scaled;                 // lambda = W z
-  std::vector<Mat<Dim>> flexibility;  // G = (Q + W^-2)^-1
+  Blocks<Dim> scaled;                 // scaled point lambda = W z
+  std::vector<Mat<Dim>> flexibility;  // blocks G = (Q + W^-2)^-1
   bool factorized = false;
-  Blocks<Dim> constant_x;  // the part of a direction that goes with d tau
+  Blocks<Dim> constant_x;  // part of a direction in x that is proportional to d tau
   Eigen::VectorXd constant_y;
 
   Iteration(InteriorPoint& owner, const ConeProgram<Dim>& what, const Point<Dim>& start)
@@ -201,7 +201,7 @@ struct InteriorPoint<Dim>::Iteration {
     solve(minus_linear, program.load, constant_x, constant_y);
   }
 
-  /// Solves G^-1 x - A' y = u, A x + (S + s) y = v.
+  /// Solves the system G^-1 x - A' y = u, A x + (S + s) y = v for x and y.
   void solve(const Blocks<Dim>& u, const Eigen::VectorXd& v, Blocks<Dim>& x, Eigen::VectorXd& y) const {
     constexpr int kMostRefinements = 10;
     const double enough = 1e-15 * largest(v);
@@ -218,10 +218,11 @@ struct InteriorPoint<Dim>::Iteration {
     }
   }
 
-  /// Returns the direction that reduces the residuals by a factor and changes the products of complementary
-  /// variables by given amounts.
-  /// @param products  quotient by lambda of the change of (W^-1 x) o (W z)
-  /// @param tau_kappa change of tau kappa
+  /// Returns the direction that reduces the residuals by a factor and changes the products of complementary variables
+  /// by given amounts.
+  /// @param products  change of (W^-1 x) o (W z), with the Jordan product o, divided by lambda in the sense of this
+  /// product
+  /// @param tau_kappa  change of the product of tau and kappa
   Point<Dim> direction(double reduction, const Blocks<Dim>& products, double tau_kappa) const {
     Point<Dim> d;
     Blocks<Dim> u(at.x.size());
@@ -238,7 +239,7 @@ struct InteriorPoint<Dim>::Iteration {
     d.kappa = (tau_kappa - at.kappa * d.tau) / at.tau;
     for (std::size_t k = 0; k < u.size(); ++k) d.x[k] += d.tau * constant_x[k];
     d.y += d.tau * constant_y;
-    // From the dual equation, which then holds to rounding.
+    // The z part follows from the dual equation, which then holds to rounding.
     d.z = program.relative_motion(d.y);
     for (std::size_t k = 0; k < u.size(); ++k)
       d.z[k] = program.compliance[k].cwiseProduct(d.x[k]) + program.linear[k] * d.tau - d.z[k] +
@@ -246,7 +247,8 @@ struct InteriorPoint<Dim>::Iteration {
     return d;
   }
 
-  /// Returns the direction of Mehrotra's corrector, whose centring follows from the step of the predictor.
+  /// Returns the direction of Mehrotra's corrector. Its centring parameter follows from the step length of the
+  /// predictor.
   Point<Dim> direction() const {
     Blocks<Dim> products = scaled;
     for (Vec<Dim>& v : products) v = -v;
@@ -266,7 +268,7 @@ struct InteriorPoint<Dim>::Iteration {
 
 template <int Dim>
 InteriorPoint<Dim>::InteriorPoint(const ConeProgram<Dim>& pattern) {
-  // Pairs of entries of one block share a place of the matrix; all places are found once.
+  // All pairs of entries of one block contribute to one place of the matrix. These places are found only once.
   std::vector<Eigen::Triplet<double>> entries;
   const auto for_each_pair = [&](const auto& visit) {
     for (int k = 0; k < pattern.n_blocks(); ++k)
@@ -302,7 +304,8 @@ bool InteriorPoint<Dim>::factorize(const ConeProgram<Dim>& program, const std::v
   for (int r = 0; r < program.n_rows(); ++r) most = std::max(most, matrix_.coeff(r, r));
   if (!std::isfinite(most)) return false;
   factor_.set_matrix(matrix_, program.group);
-  // Rounding may make the matrix indefinite: refinement corrects for a larger shift.
+  // Rounding may make the matrix indefinite. A larger shift then makes it positive, and refinement corrects for the
+  // shift.
   for (double shift = kSoftness; shift < 1e-6 * most; shift = std::max(1e-15 * most, 100.0 * shift))
     if (factor_.factorize_positive(shift)) return true;
   return false;
@@ -321,12 +324,14 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
   for (int iteration = 0, idle = 0; iteration < kMostIterations && idle < kPatience; ++iteration) {
     check_interruption();
     const ConeSolution<Dim> now = solution_at(program, at);
-    // A load that rounding leaves out of balance is made up by the softness: its residual counts at the end only.
+    // The softness absorbs the part of a load that is unbalanced by rounding. Its residual is therefore counted only at
+    // the end.
     const double residual =
         largest(Eigen::VectorXd(program.balance(now.x) + softened(program, now.motion) - program.load));
     const double error =
         std::max({residual / size_of_load, kGapWeight * relative_gap(now), stationarity_error(program, at)});
-    // Towards a proof that there is no solution, mu falls while the error does not.
+    // While the iteration approaches a proof that there is no solution, mu decreases although the error does not. This
+    // counts as progress.
     ++idle;
     if (at.mu() < 0.9 * least_mu) {
       least_mu = at.mu();
@@ -338,7 +343,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
       idle = 0;
     }
     if (error < kGoal) break;
-    // The iterates of a program without solution grow without bound in the direction that proves it. With S > 0 there is
+    // If a program has no solution, its iterates grow without bound in a direction that proves it. With S > 0 there is
     // always a solution.
     if (program.softness.size() == 0 && at.kappa > at.tau && proved_residual(program, at.y) > tolerance) {
       ConeSolution<Dim> proof = now;
@@ -352,7 +357,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
     const Point<Dim> direction = step.direction();
     if (!direction.is_finite()) break;
     at.add(direction, kStepShare * longest_step(at, direction));
-    // The embedding is homogeneous: only ratios matter, and they stay within range.
+    // In the homogeneous embedding only ratios matter. This scaling keeps the values within range.
     const double size = std::max(at.tau, at.kappa);
     for (Vec<Dim>& x : at.x) x /= size;
     for (Vec<Dim>& z : at.z) z /= size;
@@ -367,7 +372,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::solve(const ConeProgram<Dim>& program, dou
 
 template <int Dim>
 bool InteriorPoint<Dim>::falls_without_bound(ConeProgram<Dim> program) {
-  // The direction d of the steepest fall among those with A d = 0: the minimum of c' d + d' d/2 over the cones.
+  // The steepest descent direction d with A d = 0 minimises c' d + d' d/2 over the cones.
   program.load.setZero();
   program.compliance.assign(program.n_blocks(), Vec<Dim>::Ones());
   const ConeSolution<Dim> fall = solve(program);
@@ -394,7 +399,7 @@ ConeSolution<Dim> InteriorPoint<Dim>::minimise_linear(ConeProgram<Dim> program, 
     n_factorizations += found.n_factorizations;
     found.n_factorizations = n_factorizations;
     if (found.status == ConeStatus::kFailed && weight < kMostWeight) {
-      // Too little compliance for this program: go on with more of it.
+      // The compliance is too small for this program. The search continues with a larger one.
       least = weight = 10.0 * weight;
       continue;
     }

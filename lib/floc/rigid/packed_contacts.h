@@ -3,14 +3,15 @@
 #include "floc/geometry/frame.h"
 #include "floc/rigid/step_contact.h"
 
-/// Bodies and contacts of a time step as the sweeps of GaussSeidel read and change them: small records without
-/// pointers, with all that does not change from sweep to sweep computed once. A model is a class with the types Body,
-/// Contact and Impulse and with the functions of RoundContacts and CoupledContacts. In each of them, `stretch` is the
-/// rate of stretch of the cell, and `gain` is the sum of r (F p) over impulses p, for each axis of space.
+/// Bodies and contacts of a time step in the form that the sweeps of GaussSeidel read and change: small records without
+/// pointers, in which all values that do not change from sweep to sweep are computed once. A model is a class with the
+/// types Body, Contact and Impulse and with the functions of RoundContacts and CoupledContacts. In each of them,
+/// `stretch` is the rate of stretch of the cell, and `gain` is, for each axis of space, the sum of r (F p) over the
+/// contacts, with the branch vector r, the frame F and the impulse p.
 namespace floc {
 
-/// Branch r of a contact, where the stretch of the cell has to be found with the impulses. Otherwise the velocity L r
-/// is part of the bias.
+/// Branch vector r of a contact. It is stored only if the stretch of the cell is an unknown of the step. Otherwise the
+/// velocity L r, with the imposed rate L of the cell, is part of the bias.
 template <int Dim, bool Cell>
 struct CellArm {
   Vec<Dim> branch;
@@ -24,10 +25,10 @@ struct CellArm<Dim, false> {
   void add_gain(const Vec<Dim>&, Vec<Dim>&) const {}
 };
 
-/// Returns a matrix C + W' >= C + W of a contact with compliance C and response W, in a frame.
-/// @param shared  number of contacts that change the stretch of the cell at once. Their common velocity is at most
-///                that of each of them with `shared` times its own response to the stretch, so that with W' a sweep
-///                never adds energy however light the cell is. W' is W for 1 contact, or without a cell.
+/// Returns a matrix C + W' >= C + W for a contact with compliance C and response W, in a frame.
+/// @param shared  number of contacts that change the stretch of the cell at the same time. In W', the response of each
+/// contact to the stretch is multiplied by this number, which ensures that a sweep never adds energy even if the cell
+/// is light. W' equals W for 1 contact, or without a cell.
 template <int Dim>
 Mat<Dim> packed_response(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c, const Mat<Dim>& frame,
                          double shared) {
@@ -44,7 +45,8 @@ Mat<Dim> packed_response(const BodyMotion<Dim>& bodies, const StepContact<Dim>& 
   return out;
 }
 
-/// Bias of a contact (length/time) in its frame, with the velocity of a stretch that is imposed.
+/// Returns the bias of a contact in its frame (length/time). It includes the velocity of an imposed stretch of the
+/// cell.
 template <int Dim, bool Cell>
 Vec<Dim> packed_bias(const BodyMotion<Dim>& bodies, const StepContact<Dim>& c) {
   if constexpr (Cell) return c.bias;

@@ -11,7 +11,7 @@ namespace {
 
 /// Largest number of Newton steps.
 constexpr int kMostNewtonSteps = 8;
-/// Largest error of the conditions of a solution that is accepted, equations and inequalities, in the units of the program.
+/// Largest error of an accepted solution in its conditions (equations and inequalities), in the units of the program.
 constexpr double kViolation = 1e-9;
 
 /// Face of the cone on which the solution of a block lies.
@@ -21,7 +21,8 @@ enum class Face {
   apex,      ///< x = 0: the contact carries nothing
 };
 
-/// Returns the face by the eigenvalues of x and z: x_- with z_+ and x_+ with z_-, of each pair the smaller one vanishes.
+/// Returns the face of the cone on which x lies. x and z have the eigenvalues x_- <= x_+ and z_- <= z_+. In a solution
+/// one number of the pair (x_-, z_+) is zero, and one of the pair (x_+, z_-); the smaller one is taken as zero.
 template <int Dim>
 Face face_of(const Vec<Dim>& x, const Vec<Dim>& z) {
   const double tx = x.template tail<Dim - 1>().norm(), tz = z.template tail<Dim - 1>().norm();
@@ -37,17 +38,17 @@ Vec<Dim> reflected(Vec<Dim> v) {
   return v;
 }
 
-/// Newton's method on the conditions of a solution for blocks whose faces are known:
-/// Q x + c - A' y = z, with z = 0 inside the cone and z = l J x, x' J x = 0 on its surface, and A x = b.
+/// Newton's method on the conditions of a solution, for blocks whose faces are known: A x = b and Q x + c - A' y = z,
+/// where z = 0 if x lies inside the cone, and z = l J x, x' J x = 0 with a multiplier l if x lies on its surface.
 template <int Dim>
 struct KnownFaces {
   const ConeProgram<Dim>& program;
   std::vector<Vec<Dim>> x;
   Eigen::VectorXd y;
   std::vector<Face> face;
-  std::vector<double> multiplier;  ///< l
+  std::vector<double> multiplier;  ///< multiplier l of each block on the surface
   std::vector<Mat<Dim>> flexibility;
-  std::vector<Vec<Dim>> shift;  ///< change of x at constant y
+  std::vector<Vec<Dim>> shift;  ///< change of x if y does not change
   double error = 0.0;           ///< largest violation of the equations before the last step
 
   KnownFaces(const ConeProgram<Dim>& of, const ConeSolution<Dim>& start)
@@ -60,7 +61,7 @@ struct KnownFaces {
     }
   }
 
-  /// Returns Q x + c - A' y, which is z in a solution.
+  /// Returns Q x + c - A' y, which equals z in a solution.
   std::vector<Vec<Dim>> gradient() const {
     std::vector<Vec<Dim>> out = program.relative_motion(y);
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -68,14 +69,14 @@ struct KnownFaces {
     return out;
   }
 
-  /// Linearises the conditions of the blocks: x changes by flexibility A' dy + shift.
+  /// Linearises the conditions of the blocks. For a change dy, the change of x is flexibility A' dy + shift.
   void linearise() {
     const std::vector<Vec<Dim>> z = gradient();
     error = (program.balance(x) - program.load).template lpNorm<Eigen::Infinity>();
     for (std::size_t k = 0; k < x.size(); ++k) {
       flexibility[k].setZero();
       shift[k].setZero();
-      // Tangential forces without friction have no coefficients and no compliance.
+      // For contacts without friction, the tangential forces have no coefficients and no compliance.
       const bool slippery = program.compliance[k].template tail<Dim - 1>().isZero(0.0);
       if (face[k] == Face::apex) continue;
       if (slippery) {
@@ -93,12 +94,12 @@ struct KnownFaces {
     }
   }
 
-  /// Changes y, x and the multipliers.
+  /// Changes y by dy, and x and the multipliers accordingly.
   void step(const Eigen::VectorXd& dy) {
     const std::vector<Vec<Dim>> motion = program.relative_motion(dy);
     y += dy;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] += flexibility[k] * motion[k] + shift[k];
-    // The multiplier that fits the new x best: z = l J x.
+    // The multiplier l is fitted to z = l J x at the new x by least squares.
     const std::vector<Vec<Dim>> z = gradient();
     for (std::size_t k = 0; k < x.size(); ++k)
       if (face[k] == Face::surface) multiplier[k] = z[k].dot(reflected<Dim>(x[k])) / x[k].squaredNorm();
@@ -116,7 +117,8 @@ struct KnownFaces {
   }
 
  private:
-  /// Linearises the conditions of a block on the surface: those of x, and x' J x = 0 with the multiplier as its unknown.
+  /// Linearises the conditions of a block on the surface of the cone: the conditions for x, and x' J x = 0 with the
+  /// multiplier as an additional unknown.
   void linearise_surface(int k, const Vec<Dim>& z) {
     const Vec<Dim> normal = reflected<Dim>(x[k]);
     const Vec<Dim> off = z - multiplier[k] * normal;

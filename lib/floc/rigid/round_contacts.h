@@ -9,9 +9,9 @@
 
 namespace floc {
 
-/// Contacts whose normal goes through the centres of both bodies, of bodies whose inertia is the same about all axes:
-/// disks, spheres and planes. The normal impulse exerts no moment and the tangents are alike. Tangential vectors are in
-/// the form of geometry/frame.h.
+/// Contacts whose normal goes through the centres of both bodies, for bodies whose moment of inertia is equal about all
+/// axes: disks, spheres and planes. The normal impulse exerts no moment, and all tangential directions are equivalent.
+/// Tangential vectors have the form of geometry/frame.h.
 template <int Dim, bool Cell>
 struct RoundContacts {
   static constexpr int kDim = Dim;
@@ -33,14 +33,15 @@ struct RoundContacts {
     }
     double squaredNorm() const { return normal * normal + tangential.squaredNorm(); }
   };
-  /// A contact with response (A_n, A_t). Its impulse is a fixed point of
+  /// A contact with response (A_n, A_t), compliance (C_n, C_t), bias (b_n, b_t) and relative velocity (u_n, u_t) before
+  /// the next update. Its impulse (P, p_t) is a fixed point of
   ///     P = [P - (u_n + b_n + C_n P)/A_n]_+,      p_t = proj_{mu P}(p_t - (u_t + b_t + C_t p_t)/A_t).
   struct alignas(kCacheLine / 4) Contact : CellArm<Dim, Cell> {
     int i, j;
     Vec<Dim> normal;
     double arm_i, arm_j;                        // a_i = arm_i n, a_j = -arm_j n
     double inverse_normal, inverse_tangential;  // 1/A_n, 1/A_t
-    double keep_normal, keep_tangential;        // 1 - C_n/A_n, 1 - C_t/A_t
+    double keep_normal, keep_tangential;        // factors 1 - C_n/A_n and 1 - C_t/A_t of the present impulse
     double bias_normal;                         // b_n/A_n
     Shear<Dim> bias_tangential;                 // b_t/A_t
     double friction;
@@ -63,11 +64,11 @@ struct RoundContacts {
     out.i = c.i;
     out.j = c.j;
     out.normal = c.frame.col(0);
-    // A body that does not turn may be anything, such as a plane.
+    // A body that does not rotate may have any shape, such as a plane.
     out.arm_i = bodies.inverse_inertia[c.i](0, 0) > 0.0 ? c.arm_i.dot(out.normal) : 0.0;
     out.arm_j = bodies.inverse_inertia[c.j](0, 0) > 0.0 ? -c.arm_j.dot(out.normal) : 0.0;
-    // The largest sums of rows bound the response by multiples of the unit matrix (Gershgorin). The components beside
-    // the diagonal come from walls and from the cell.
+    // The largest row sums of the response give multiples of the unit matrix that are upper bounds of it (Gershgorin).
+    // The off-diagonal components come from walls and from the cell.
     const Vec<Dim> bound = packed_response(bodies, c, c.frame, shared).cwiseAbs().rowwise().sum();
     const double normal = bound[0], tangential = bound.template tail<Dim - 1>().maxCoeff();
     out.inverse_normal = 1.0 / normal;
@@ -94,7 +95,7 @@ struct RoundContacts {
     Vec<Dim> in_space = c.normal * impulse.normal;
     in_space += from_shear<double>(c.normal, impulse.tangential);
     const RotationVector<Dim> turn = moment_of_tangential(c.normal, impulse.tangential);
-    // A body that does not move may belong to contacts of other threads, so that it is not written.
+    // A body that does not move may belong to contacts of several threads, so no thread may write to it.
     if (Body& i = bodies[c.i]; i.moves) {
       i.velocity -= i.inverse_mass.cwiseProduct(in_space);
       i.angular_velocity -= (i.inverse_inertia * c.arm_i) * turn;
@@ -115,7 +116,7 @@ struct RoundContacts {
     apply(c, change, bodies, gain);
   }
 
-  /// Returns contact_error() with the response of the record.
+  /// Returns contact_error() of a contact, with the response in its record.
   static double error(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     const Impulse free = unlimited(c, bodies, stretch);
     const Shear<Dim> tangential = limited(free.tangential, c.friction * std::max(c.impulse.normal, 0.0));
@@ -131,21 +132,22 @@ struct RoundContacts {
     return {v[0],
             to_shear<double>(n, Vec<Dim>(frame.template rightCols<Dim - 1>() * v.template tail<Dim - 1>()))};
   }
-  /// Returns n x p_t.
+  /// Returns the moment n x p_t of a tangential impulse p_t at the end of the normal n.
   static RotationVector<Dim> moment_of_tangential(const Vec<Dim>& n, const Shear<Dim>& p) {
     if constexpr (Dim == 2)
       return p;
     else
       return moment<double>(n, p);
   }
-  /// Returns w x n in the form of tangential vectors.
+  /// Returns the velocity w x n of the end of the normal n in a rotation w, in the form of tangential vectors.
   static Shear<Dim> turned_normal(const RotationVector<Dim>& w, const Vec<Dim>& n) {
     if constexpr (Dim == 2)
       return w;
     else
       return cross<double>(w, n);
   }
-  /// Returns p of the fixed point above before the limits of its components.
+  /// Returns the arguments of [ ]_+ and proj in the fixed point equations of Contact: the impulse before its components
+  /// are limited.
   static Impulse unlimited(const Contact& c, const Body* bodies, const Vec<Dim>& stretch) {
     const Body &i = bodies[c.i], &j = bodies[c.j];
     Vec<Dim> u = j.velocity - i.velocity;

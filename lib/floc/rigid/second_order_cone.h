@@ -7,17 +7,17 @@
 
 #include "floc/base/vec.h"
 
-/// Operations on the second-order cone K = {x : |(x_1, x_2, ..)| <= x_0}, which the interior point method uses. K is
-/// its own dual. Products are those of its Jordan algebra [AG2003].
+/// Operations on the second-order cone K = {x : |(x_1, x_2, ..)| <= x_0}, for the interior point method. K is its own
+/// dual. Products are those of its Jordan algebra [AG2003].
 namespace floc::cone {
 
-/// Returns x_0 - |(x_1, ..)|: negative outside of the cone.
+/// Returns x_0 - |(x_1, ..)|, which is negative outside of the cone.
 template <int Dim>
 double margin(const Vec<Dim>& x) {
   return x[0] - x.template tail<Dim - 1>().norm();
 }
 
-/// Returns x' J x with J = diag(1, -1, ..): positive inside the cone.
+/// Returns x' J x with J = diag(1, -1, ..), which is positive inside the cone.
 template <int Dim>
 double determinant(const Vec<Dim>& x) {
   const double r = x.template tail<Dim - 1>().norm();
@@ -33,7 +33,8 @@ Vec<Dim> product(const Vec<Dim>& a, const Vec<Dim>& b) {
   return out;
 }
 
-/// Returns the vector x for which product(a, x) = b. @pre a lies inside the cone
+/// Returns the vector x for which product(a, x) = b.
+/// @pre a lies inside the cone
 template <int Dim>
 Vec<Dim> quotient(const Vec<Dim>& a, const Vec<Dim>& b) {
   const auto a1 = a.template tail<Dim - 1>();
@@ -44,18 +45,20 @@ Vec<Dim> quotient(const Vec<Dim>& a, const Vec<Dim>& b) {
   return x;
 }
 
-/// Scaling of Nesterov and Todd: the symmetric matrix W with W z = W^-1 x, by its eigenvectors and eigenvalues, which
-/// differ by many orders of magnitude where x and z are close to the surface of the cone. [AG2003], section 7.
+/// Scaling of Nesterov and Todd: the symmetric matrix W with W z = W^-1 x, represented by its eigenvectors and
+/// eigenvalues. The eigenvalues differ by many orders of magnitude if x and z are close to the surface of the cone.
+/// [AG2003], section 7.
 template <int Dim>
 struct Scaling {
-  Mat<Dim> basis;  ///< eigenvectors, as columns
+  Mat<Dim> basis;  ///< eigenvectors of W, as columns
   Vec<Dim> eigenvalue;
 
   /// @pre x and z lie inside the cone
   Scaling(const Vec<Dim>& x, const Vec<Dim>& z) {
     const double det_x = determinant<Dim>(x), det_z = determinant<Dim>(z);
     const Vec<Dim> unit_x = x / std::sqrt(det_x), unit_z = z / std::sqrt(det_z);
-    // W is known by a point of the hyperboloid det = 1, of which only the side is computed: rounding keeps it there.
+    // W corresponds to a point of the hyperboloid det = 1. Only the last components of the point are computed, so
+    // rounding cannot move it off the hyperboloid.
     const double gamma = std::sqrt(0.5 * (1.0 + unit_x.dot(unit_z)));
     const Vec<Dim - 1> side =
         (unit_x.template tail<Dim - 1>() - unit_z.template tail<Dim - 1>()) / (2.0 * gamma);
@@ -82,8 +85,8 @@ struct Scaling {
     return basis * (basis.transpose() * v).cwiseQuotient(eigenvalue);
   }
 
-  /// Returns (Q + W^-2)^-1 of a diagonal Q >= 0. The factor of 1 + D Q' D, with D the eigenvalues and Q' in the basis,
-  /// keeps the digits of the small entries.
+  /// Returns (Q + W^-2)^-1 for a diagonal Q >= 0. With D the eigenvalues of W and Q' the matrix Q in the basis of the
+  /// eigenvectors, 1 + D Q' D is factorized, which keeps the digits of the small entries.
   Mat<Dim> flexibility(const Vec<Dim>& diagonal) const {
     const Mat<Dim> stretch = eigenvalue.asDiagonal() * basis.transpose();
     const Mat<Dim> middle = Mat<Dim>::Identity() + stretch * diagonal.asDiagonal() * stretch.transpose();
@@ -92,13 +95,14 @@ struct Scaling {
   }
 };
 
-/// Returns the largest step a with x + a dx in the cone, infinity if there is none. @pre x lies inside the cone
+/// Returns the largest step a for which x + a dx lies in the cone; infinite if there is no limit.
+/// @pre x lies inside the cone
 template <int Dim>
 double longest_step(const Vec<Dim>& x, const Vec<Dim>& dx) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto x1 = x.template tail<Dim - 1>();
   const auto dx1 = dx.template tail<Dim - 1>();
-  // Roots of det(x + a dx) = c + 2 b a + q a^2.
+  // The step is a root of det(x + a dx) = c + 2 b a + q a^2.
   const double q = determinant<Dim>(dx), b = x[0] * dx[0] - x1.dot(dx1), c = determinant<Dim>(x);
   const double d = b * b - q * c;
   double step = dx[0] < 0.0 ? -x[0] / dx[0] : kInfinity;

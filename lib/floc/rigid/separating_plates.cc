@@ -8,13 +8,14 @@
 namespace floc {
 namespace {
 
-/// Mass of a plate over that of the lighter grain.
+/// Mass of a plate divided by the mass of the lighter grain.
 constexpr double kPlateMass = 1e-3;
-/// Difference of two gaps of a pair below which both may carry its force, over the distance of the grains.
+/// Largest difference between the gap of a contact and the smallest gap of its pair, divided by the distance of the two
+/// grains, at which the contact may carry a part of the force of the pair.
 constexpr double kSameGap = 1e-6;
-/// Number of sweeps that share the impulse of a pair among at most four contacts, and weight by which the shares of all
-/// contacts are drawn towards zero.
+/// Number of sweeps that share the impulse of a pair among at most four contacts.
 constexpr int kSharingSweeps = 50;
+/// Weight of the sum of the squared impulses in the function that these sweeps minimise. It makes the shares more even.
 constexpr double kEvenly = 1e-3;
 
 /// Returns the extent of a grain from its centre along a unit vector (length).
@@ -31,7 +32,8 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
   const int n_contacts = static_cast<int>(contacts.size());
   for (int first = 0, last; first < n_contacts; first = last) {
     const StepContact<3>& c = contacts[first];
-    // The branches of different images differ by at least a side of the cell.
+    // Different images of a grain are distinguished by their branch vectors, which differ by at least a side of the
+    // cell.
     for (last = first + 1; last < n_contacts; ++last)
       if (contacts[last].i != c.i || contacts[last].j != c.j ||
           (contacts[last].branch - c.branch).norm() > 1e-6 * c.branch.norm())
@@ -50,7 +52,7 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
       centre += contacts[k].arm_i / (last - first);
       impulse += contacts[k].impulse[0];
     }
-    // The plate begins midway between both grains.
+    // The plate starts midway between the two grains.
     centre += n * (0.5 * (extent_along(one, n) + n.dot(c.branch) - extent_along(two, -n)) - n.dot(centre));
     StepContact<3> with_first = c, with_second = c;
     with_first.j = with_second.i = add_plate(c, centre);
@@ -61,9 +63,9 @@ SeparatingPlates::SeparatingPlates(const Packing<3>& packing, const BodyMotion<3
   }
 }
 
-/// Adds the plate of a pair, which at first moves with the mean velocity of both grains.
-/// @param centre  from the centre of the first grain to that of the plate (length)
-/// @return its number among the bodies
+/// Adds the plate of a pair. It starts with the mean velocity of the two grains.
+/// @param centre  vector from the centre of the first grain to the centre of the plate (length)
+/// @return index of the plate among the bodies
 int SeparatingPlates::add_plate(const StepContact<3>& c, const Vec<3>& centre) {
   const Vec<3> velocity =
       0.5 * (motion_.velocity[c.i] + cross<double>(motion_.angular_velocity[c.i], centre) +
@@ -78,7 +80,7 @@ int SeparatingPlates::add_plate(const StepContact<3>& c, const Vec<3>& centre) {
 }
 
 /// Adds the contacts of a plate with the vertices of one of its grains.
-/// @param pattern  contact with the numbers of the grain and the plate
+/// @param pattern  contact with the indices of the grain and the plate
 /// @param impulse  impulse of the pair in the last step
 void SeparatingPlates::add_vertices(const PlacedShape<3>& grain, StepContact<3> pattern, bool is_second,
                                     const Vec<3>& centre, double impulse) {
@@ -100,8 +102,9 @@ void SeparatingPlates::add_vertices(const PlacedShape<3>& grain, StepContact<3> 
     contacts_[k].impulse = impulse / static_cast<double>(contacts_.size() - begin) * Vec<3>::Unit(0);
 }
 
-/// Returns the second derivatives of the gap of a vertex over a plate or a wall, as gap_curvature(). With the normal n
-/// of the plate, its turn t, the turn w of the grain and the arm a of the vertex, the gap is, up to its sign,
+/// Returns the second derivatives of the gap of a vertex above a plate or a wall, like gap_curvature(). With the normal
+/// n of the plate, the rotation vector t of the plate, the rotation vector w of the grain, the vector a from the centre
+/// of the grain to the vertex, and the displacements u_i and u_j, the gap is, up to its sign,
 ///
 ///     (n + t x n + t x (t x n)/2) . (u_j + w x a + w x (w x a)/2 - u_i + branch).
 PairMatrix<3> SeparatingPlates::gap_curvature_at(const StepContact<3>& c) const {
@@ -131,7 +134,7 @@ PairMatrix<3> SeparatingPlates::gap_curvature_at(const StepContact<3>& c) const 
   return out;
 }
 
-/// Returns the change of the momenta of both bodies of each contact by the turn of its impulse, as
+/// Returns, for each contact, the change of the momenta of its two bodies due to the rotation of its impulse, like
 /// convex_stiffness().
 std::vector<PairMatrix<3>> SeparatingPlates::stiffnesses(double dt) const {
   std::vector<PairMatrix<3>> out;
@@ -153,8 +156,8 @@ bool SeparatingPlates::solve(double dt, BodyMotion<3>& bodies, std::vector<StepC
   return true;
 }
 
-/// Gives the impulse of a pair to those of its contacts that are closest, so that force and moment agree as far as
-/// impulses without attraction can.
+/// Shares the impulse of a pair among its closest contacts. The shares reproduce the force of the pair, and its moment
+/// as closely as repulsive impulses can.
 void SeparatingPlates::share_impulse(const Pair& pair, std::vector<StepContact<3>>& contacts) const {
   if (pair.has_wall) {
     for (int k = pair.first; k < pair.last; ++k)
@@ -174,8 +177,8 @@ void SeparatingPlates::share_impulse(const Pair& pair, std::vector<StepContact<3
     contacts[k].impulse.setZero();
     if (gaps_[k] <= least + kSameGap * length) sharing.push_back(k);
   }
-  // Sweeps over the contacts minimise |sum P a - moment|^2 + length^2 (sum P - total)^2 + kEvenly length^2 sum P^2, each
-  // P >= 0; the total is then set exactly.
+  // Sweeps over the contacts minimise |sum P a - moment|^2 + length^2 (sum P - total)^2 + kEvenly length^2 sum P^2 for
+  // impulses P >= 0 with lever arms a. The sum of the impulses is then set exactly to `total`.
   const Vec<3> normal = contacts[pair.first].frame.col(0);
   const Mat<3> tangential = Mat<3>::Identity() - normal * normal.transpose();
   double sum = 0.0;

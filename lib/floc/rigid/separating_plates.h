@@ -8,33 +8,34 @@
 
 namespace floc {
 
-/// The contacts of grains with corners, without friction and adhesion, in a time step that is solved at once
-/// (implicit_step.h), in a form that does not depend on the features that are closest. Two convex bodies do not overlap if
-/// and only if a plane separates them. A light plate between the grains of each pair therefore moves and turns freely, and
-/// each vertex that is close to the plate stays on its side of it.
+/// Contacts of grains with corners, without friction and adhesion, in a time step that is solved at once
+/// (implicit_step.h). The contacts have a form that does not depend on the closest features: two convex bodies do not
+/// overlap if and only if a plane separates them. A light plate between the two grains of each pair therefore moves and
+/// rotates freely, and each vertex close to the plate stays on the side of its grain.
 ///
-/// The points of a manifold (manifold.h) hold for the features that are closest at the start of a step. Two faces that
-/// are nearly parallel are closest at one of their corners, and at another one after the step, so that such steps do
-/// not converge. A step with plates knows all corners.
+/// In contrast, the contact points of a manifold (manifold.h) are those of the closest features at the start of a step.
+/// Two nearly parallel faces are closest at one of their corners before the step and at another corner after it, and
+/// such steps do not converge. A step with plates takes all corners into account.
 class SeparatingPlates {
  public:
-  /// Velocities of gaps over the gaps (1/time): of the largest closing of an open gap, and of the opening of an overlap.
+  /// Rates of change of the gaps, divided by the gaps (1/time): largest rate at which an open gap may close, and rate
+  /// at which an overlap is removed.
   struct Rates {
     double closing, opening;
   };
 
   /// @param packing   packing at the start of the step
-  /// @param bodies    motion of its bodies without contacts
-  /// @param contacts  contacts of the step; those of one pair of bodies follow each other
+  /// @param bodies    motion of the bodies of the packing without contacts
+  /// @param contacts  contacts of the step; the contacts of one pair of bodies are consecutive
   /// @param gaps      gap of each contact (length)
   /// @param reach     distance from a plate up to which vertices take part (length)
   SeparatingPlates(const Packing<3>& packing, const BodyMotion<3>& bodies,
                    const std::vector<StepContact<3>>& contacts, const std::vector<double>& gaps, double reach,
                    const Rates& rates);
 
-  /// Solves the step: first without the turns of forces, then with the turns of the forces found.
-  /// @param bodies    get the velocities at the end of the step
-  /// @param contacts  the contacts of the constructor, which get the impulses
+  /// Solves the step: first without rotations of the forces, then with the rotations of the forces that were found.
+  /// @param bodies    bodies, which get the velocities at the end of the step
+  /// @param contacts  contacts given to the constructor, which get the impulses
   /// @return whether both programs were solved; otherwise nothing is changed
   bool solve(double dt, BodyMotion<3>& bodies, std::vector<StepContact<3>>& contacts);
 
@@ -42,8 +43,10 @@ class SeparatingPlates {
   /// A pair of bodies.
   struct Pair {
     bool has_wall;
-    int first, last;  ///< range of its contacts in the contacts of the step
-    int begin, end;   ///< range in contacts_, with a wall or of the second grain with its plate
+    /// index of its first contact in the contacts of the step, and index after its last contact
+    int first, last;
+    /// range in contacts_: contacts with a wall, or contacts of the second grain with the plate
+    int begin, end;
   };
 
   int add_plate(const StepContact<3>& contact, const Vec<3>& centre);

@@ -11,13 +11,13 @@
 namespace floc {
 namespace {
 
-/// Largest error of the balance, over the mean normal force, and largest duality gap at which forces are accepted
-/// although rounding ended the iteration. Where the balance determines all forces, no forces lie inside all cones, and
-/// rounding ends the iteration early.
+/// Largest error of the balance, divided by the mean normal force, and largest duality gap, of forces that are accepted
+/// although rounding ended the iteration. If the balance determines all forces, no set of forces lies inside all cones,
+/// and rounding ends the iteration early.
 constexpr double kNearlySolved = 1e-6;
 
-/// Returns the blocks of the present forces, (P, T/mu) in units of the balance. Tangential forces without friction
-/// do not enter.
+/// Returns the blocks (P, T/mu) of the present forces, in units of the balance. The tangential forces of contacts
+/// without friction are left out.
 template <int Dim>
 std::vector<Vec<Dim>> present_blocks(const ForceBalance<Dim>& balance) {
   std::vector<Vec<Dim>> out;
@@ -56,7 +56,7 @@ BalancedForces<Dim> StaticForces<Dim>::present() const {
 
 template <int Dim>
 BalancedForces<Dim> StaticForces<Dim>::solved(const std::vector<Vec<Dim>>& preferred) {
-  // The energy in units in which the mean normal compliance is one.
+  // The energy is expressed in units in which the mean normal compliance is one.
   double mean = 0.0;
   for (const UnknownForce<Dim>& u : balance_.unknowns) mean += 1.0 / u.kn;
   mean /= static_cast<double>(balance_.unknowns.size());
@@ -76,7 +76,7 @@ template <int Dim>
 double StaticForces<Dim>::extreme(int block, double sign) {
   program_.linear.assign(program_.n_blocks(), Vec<Dim>::Zero());
   program_.linear[block][0] = -sign;
-  // The smallest normal force is that without a repulsive part, if such forces balance.
+  // The smallest possible normal force is that with a repulsive part P of zero, if such forces balance.
   const double bound = sign < 0.0 ? 0.0 : -std::numeric_limits<double>::infinity();
   const ConeSolution<Dim> solution = method_.minimise_linear(program_, bound);
   if (solution.status == ConeStatus::kUnbounded) return std::numeric_limits<double>::infinity();
@@ -133,9 +133,9 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
   if (solution.status != ConeStatus::kInfeasible)
     throw NoResult(
         fmt::format("rounding ended the search for static forces at a residual of {:.1e} of the mean force "
-                    "and a gap of {:.1e}, after {} factorizations; there may be no answer",
+                    "and a duality gap of {:.1e}, after {} factorizations; there may be no solution",
                     solution.residual, solution.gap, solution.n_factorizations));
-  // The proof is the motion that the load drives: it does work, and no contact resists it.
+  // The proof that no forces balance the load is a motion on which the load does work and which no contact resists.
   int worst = -1;
   double most = 0.0;
   for (int row = 0; row < solution.motion.size(); ++row)
@@ -145,7 +145,7 @@ void StaticForces<Dim>::fail(const ConeSolution<Dim>& solution) const {
     }
   const std::string grain =
       worst < 0 ? std::string() : fmt::format("; the load moves grain {} most", packing_.grains.name(worst));
-  throw NoResult("no set of forces in its contacts balances the load: this is no equilibrium of rigid grains" +
+  throw NoResult("no set of contact forces balances the load: this is not an equilibrium of rigid grains" +
                  grain);
 }
 
@@ -171,7 +171,7 @@ std::optional<double> force_freedom(const State<Dim>& state) {
     return force_distance(forces.present(), forces.canonical());
   } catch (const NoResult&) {
     return std::nullopt;
-  } catch (const InputError&) {  // no contact carries a force
+  } catch (const InputError&) {  // thrown if no contact carries a force
     return std::nullopt;
   }
 }

@@ -11,49 +11,50 @@
 
 namespace floc {
 
-/// Forces of the contacts of a packing, in their order.
+/// Forces of the contacts of a packing, in the order of the contacts.
 template <int Dim>
 struct BalancedForces {
-  std::vector<double> normal_force;   ///< compression positive (force)
-  std::vector<Vec<Dim>> shear_force;  ///< tangential force on i (force)
-  /// Coulomb's limit mu P of the tangential force (force); infinity for contacts without friction and for attractions
-  /// across a gap.
+  std::vector<double> normal_force;   ///< normal force of each contact, compression positive (force)
+  std::vector<Vec<Dim>> shear_force;  ///< tangential force of each contact on grain i (force)
+  /// Coulomb's limit mu P of the tangential force, with the friction coefficient mu and the repulsive normal force P
+  /// (force); infinite for contacts without friction and for attractions across a gap.
   std::vector<double> friction_limit;
   BalanceError error;
   int n_factorizations = 0;
 };
 
-/// Normal forces that a contact can carry while all forces balance.
+/// Range of the normal force that a contact can carry while all forces balance.
 struct ForceRange {
-  double smallest = 0.0;  ///< (force)
-  double largest = 0.0;   ///< (force); infinity if there is no largest one
+  double smallest = 0.0;  ///< smallest normal force (force)
+  double largest = 0.0;   ///< largest normal force (force); infinite if there is no limit
 };
 
-/// Forces that the contacts of a packing can carry at rest, while its geometry is held. They balance every grain and
-/// the stress, and each contact satisfies Coulomb's condition (force_balance.h). In general many sets of forces do:
-/// the members select one by its elastic energy 1/2 sum (P^2/K_N + T^2/K_T), or bound all of them.
+/// Forces that the contacts of a packing can carry at rest, for its present geometry. They balance every grain and the
+/// stress, and each contact satisfies Coulomb's condition (force_balance.h). In general many sets of forces fulfil
+/// these conditions. The members select one set by its elastic energy 1/2 sum (P^2/K_N + T^2/K_T), or give bounds of
+/// all sets. P and T are the repulsive normal force and the tangential force, K_N and K_T the stiffnesses.
 template <int Dim>
 class StaticForces {
  public:
   /// @param place  file, for messages
-  /// @throws InputError as force_balance()
+  /// @throws InputError if force_balance() throws it
   StaticForces(const std::string& place, const Packing<Dim>& packing, const ForceBalanceOptions<Dim>& options);
 
-  /// Returns the balanced forces closest to the present ones, in the norm of the elastic energy.
-  /// @throws NoResult if no set of forces balances the load, with the grain that the load moves most, or if rounding
-  /// prevents an answer
+  /// Returns the balanced forces that are closest to the present forces, in the norm of the elastic energy.
+  /// @throws NoResult if no set of forces balances the load (the message names the grain that the load moves most), or
+  /// if rounding prevents an answer
   BalancedForces<Dim> closest();
 
-  /// Returns the balanced forces of least elastic energy: those of springs without a history.
-  /// @throws NoResult as closest()
+  /// Returns the balanced forces with the least elastic energy, which are those of springs without a history.
+  /// @throws NoResult if closest() throws it
   BalancedForces<Dim> canonical();
 
   /// Returns the range of the normal force of a contact over all sets of balanced forces.
   /// @param contact  index in the contacts of the packing
-  /// @throws NoResult as closest()
+  /// @throws NoResult if closest() throws it
   ForceRange range(int contact);
 
-  /// The present forces of the packing, with the errors of their balance.
+  /// Returns the present forces of the packing, with the errors of their balance.
   BalancedForces<Dim> present() const;
 
  private:
@@ -64,17 +65,17 @@ class StaticForces {
 
   const Packing<Dim>& packing_;
   ForceBalance<Dim> balance_;
-  ConeProgram<Dim> program_;  ///< that of the balance, with the objective of the last call
+  ConeProgram<Dim> program_;  ///< program of the balance, with the objective of the last call
   InteriorPoint<Dim> method_;
 };
 
-/// Relative distance of two sets of forces: sqrt(sum |f - g|^2 / sum |f|^2), 0 if `f` is zero.
+/// Returns the relative distance of two sets of forces: sqrt(sum |f - g|^2 / sum |f|^2); 0 if `f` is zero.
 template <int Dim>
 double force_distance(const BalancedForces<Dim>& f, const BalancedForces<Dim>& g);
 
-/// Returns the relative distance of the forces of a state from the forces of least elastic energy on its geometry that
-/// transmit its stress, as floc forces prints it; absent for a state of motion, if no forces balance the state, or if no
-/// contact carries a force.
+/// Returns the relative distance between the forces of a state and the forces with the least elastic energy that
+/// transmit the stress of the state in its geometry, as `floc forces` prints it. Absent for a state in motion, if no
+/// forces balance the state, or if no contact carries a force.
 template <int Dim>
 std::optional<double> force_freedom(const State<Dim>& state);
 

@@ -13,7 +13,8 @@
 
 namespace floc {
 
-/// Sweeps of GaussSeidel over the contacts of one time step, without their types of records.
+/// Interface of the sweeps of GaussSeidel over the contacts of one time step. It does not depend on the type of the
+/// records.
 template <int Dim>
 class ContactSweeps {
  public:
@@ -23,11 +24,11 @@ class ContactSweeps {
   virtual double residual() const = 0;
 };
 
-/// Sweeps by a team of threads over records of a model (packed_contacts.h).
+/// Sweeps of a team of threads over the records of a model (packed_contacts.h).
 ///
-/// Contacts are solved colour by colour. Those of a colour are divided into chunks, whose size does not depend on the
-/// number of threads. Sums over contacts are formed in each chunk and then over the chunks in their order, so that
-/// results have the same bits for any number of threads.
+/// Contacts are solved colour by colour. The contacts of a colour are divided into chunks, whose size does not depend
+/// on the number of threads. Sums over contacts are formed within each chunk and then over the chunks in order, so
+/// results are bitwise identical for any number of threads.
 template <class Model>
 class TeamSweeps final : public ContactSweeps<Model::kDim> {
  public:
@@ -93,22 +94,24 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   using Contact = typename Model::Contact;
   using Impulse = typename Model::Impulse;
 
-  /// Contacts in the order of colours, from begin to end - 1.
+  /// Consecutive contacts of one colour, from begin to end - 1 in the order of colours.
   struct Chunk {
     int begin, end;
   };
-  /// Largest contact_error() of a chunk, sum of its normal impulses, and number of impulses that are not zero.
+  /// Largest contact_error() in a chunk, sum of its normal impulses, and number of its nonzero normal impulses.
   struct ChunkError {
     double worst, sum;
     int n;
   };
 
-  /// Number of sweeps from one sweep over all contacts to the next. Those between leave out contacts that carried nothing
-  /// in the last sweep over all, most of which have open gaps.
+  /// A sweep over all contacts is made every kAllEvery sweeps. The sweeps in between leave out contacts that carried no
+  /// impulse in the last sweep over all contacts; most of them have open gaps.
   static constexpr int kAllEvery = 10;
-  /// Contacts per chunk. They take 0.4 microseconds (disks) to 4 (bodies of any shape in 3D).
+  /// Number of contacts per chunk. Solving a chunk takes from 0.4 microseconds (disks) to 4 microseconds (bodies of any
+  /// shape in 3D).
   static constexpr int kChunk = 64;
-  /// Smallest number of chunks of a colour that threads share. For fewer, waiting for each other takes as long.
+  /// Smallest number of chunks of a colour that are shared among threads. With fewer chunks, the threads would wait for
+  /// each other as long as the sharing saves.
   static constexpr int kSharedChunks = 4;
 
   void divide(int threads) {
@@ -130,7 +133,7 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   }
   bool is_shared(int colour) const { return n_chunks(colour) >= kSharedChunks && colour != kMostColours - 1; }
 
-  /// Recomputes the velocities from the impulses, since the rounding of many sweeps adds up.
+  /// Recomputes the velocities from the impulses, since rounding errors accumulate over many sweeps.
   void recompute_velocities() {
     packed_ = free_;
     Vec<Dim> gain = Vec<Dim>::Zero();
@@ -149,9 +152,10 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
     }
   }
 
-  /// Goes on in the direction of earlier changes, as the method of conjugate gradients does (Silcowitz-Hansen et al. 2010): with the
-  /// change r of all impulses in the last sweep and that before, r_old, the impulses change by b d and the direction d
-  /// becomes b d + r, where b = |r|^2/|r_old|^2. Where b > 1, the direction begins anew.
+  /// Extrapolates the impulses in the direction of their earlier changes, as the method of conjugate gradients does
+  /// (Silcowitz-Hansen et al. 2010). Let r be the change of all impulses in the last sweep, r_old that in the sweep
+  /// before, and b = |r|^2/|r_old|^2. The impulses change by b d, and the direction d becomes b d + r. If b >= 1, the
+  /// direction is restarted.
   void extrapolate(SharedLoops& loops) {
     double change = 0.0;
     for (const double part : change_) change += part;
@@ -188,7 +192,7 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
     gain_[chunk] = gain;
   }
 
-  // All that the loop calls is compiled into it, since vectors would otherwise go through memory.
+  // All functions that the loop calls are inlined, since vectors would otherwise be passed through memory.
   [[gnu::flatten]] void solve_chunk(int chunk, bool over_all) {
     const Vec<Dim> stretch = stretch_;
     Vec<Dim> gain = Vec<Dim>::Zero();
@@ -223,7 +227,7 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
     return relative(error_);
   }
 
-  /// Returns the largest error over the mean normal impulse; infinity if impulses are missing and there are none yet.
+  /// Returns the largest error divided by the mean normal impulse; infinite if there are errors but no impulses.
   static double relative(const std::vector<ChunkError>& errors) {
     ChunkError all{0.0, 0.0, 0};
     for (const ChunkError& error : errors)
@@ -247,21 +251,23 @@ class TeamSweeps final : public ContactSweeps<Model::kDim> {
   BodyMotion<Dim>& bodies_;
   std::vector<StepContact<Dim>>& contacts_;
   ContactColours colours_;
-  AlignedVector<Body> free_;  // bodies without the impulses of contacts, but with those of adhesion
-  Vec<Dim> free_stretch_;     // and the rate of stretch of the cell without them
+  AlignedVector<Body> free_;  // bodies without the impulses of contacts, but with the impulses of adhesion
+  // rate of stretch of the cell without the impulses of contacts, but with those of adhesion
+  Vec<Dim> free_stretch_;
   AlignedVector<Body> packed_;
   AlignedVector<Contact> records_;
-  std::vector<std::uint8_t> is_idle_;  // of each record: whether it carried nothing in the last sweep over all
-  Vec<Dim> stretch_;                   // present rate of stretch of the cell
+  // for each record: whether it carried no impulse in the last sweep over all contacts
+  std::vector<std::uint8_t> is_idle_;
+  Vec<Dim> stretch_;  // present rate of stretch of the cell
   std::vector<Chunk> chunks_;
-  std::vector<int> first_chunk_;  // of each colour, and the number of chunks
+  std::vector<int> first_chunk_;  // index of the first chunk of each colour, then the number of chunks
   int n_threads_ = 1;
-  std::vector<Impulse> direction_;  // d of extrapolate()
-  std::vector<Impulse> last_step_;  // r of extrapolate()
-  double last_change_ = 0.0;        // |r|^2 of the sweep before the last
-  std::vector<double> change_;      // |r|^2 of each chunk in the last sweep
-  std::vector<Vec<Dim>> gain_;      // of each chunk in the present sweep
-  std::vector<ChunkError> error_;   // of each chunk
+  std::vector<Impulse> direction_;  // direction d of extrapolate(), for each record
+  std::vector<Impulse> last_step_;  // change r of extrapolate(), for each record
+  double last_change_ = 0.0;        // value of |r|^2 in the sweep before the last
+  std::vector<double> change_;      // contribution of each chunk to |r|^2 in the last sweep
+  std::vector<Vec<Dim>> gain_;      // contribution of each chunk to `gain` in the present sweep
+  std::vector<ChunkError> error_;   // error of each chunk
 };
 
 }  // namespace floc

@@ -80,8 +80,8 @@ void join_equal_points(Polygon<Dim>& polygon, double tolerance) {
   for (int k = 0; k < polygon.n; ++k) {
     auto& p = polygon.points[k];
     bool is_new = true;
-    // In a segment traversed in both directions, a corner can coincide with any earlier corner, not only with the one
-    // just before.
+    // In a segment traversed in both directions, a corner can coincide with any earlier corner, not only with the
+    // previous one.
     for (int l = polygon.n <= 4 ? 0 : std::max(0, n - 1); l < n && is_new; ++l)
       if ((polygon.points[l].x - p.x).squaredNorm() <= tolerance * tolerance) {
         polygon.points[l].side = std::min(polygon.points[l].side, p.side);

@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Contact points of two shapes, of which one touches with its reference face: the corners of the incident face of the
-/// other shape, clipped to the reference face. They are in the coordinates of the shape with the reference face.
+/// Contact points of two shapes, one of which touches with its reference face: the corners of the incident face of the
+/// other shape, clipped to the reference face. The points are in the coordinates of the shape with the reference face.
 template <int Dim>
 struct ClippedFace {
   struct Point {
@@ -28,14 +28,14 @@ struct ClippedFace {
 /// the reference face. Of the corners of the clipped polygon, those less than `reach` above the reference face are
 /// kept, at most 2 in 2D and 4 in 3D.
 ///
-/// Among the faces that meet at the vertex `lowest`, the incident face is the one whose normal is most nearly opposite
-/// to that of the reference face. (The face with the most nearly opposite normal of all faces may not contain this
-/// vertex.) If `incident` is a point or a segment without faces, all of it is clipped.
+/// The incident face is one of the faces that meet at the vertex `lowest`: the one whose normal is most nearly opposite
+/// to the normal of the reference face. (Among all faces, a face without this vertex may have a more nearly opposite
+/// normal.) If `incident` is a point or a segment without faces, all of it is clipped.
 ///
 /// @param place  transformation from the coordinates of `incident` to the coordinates of `reference`
 /// @param lowest  vertex of `incident` that is lowest above the reference face
 /// @param reach  largest height of a point above the reference face (length)
-/// @param tolerance  length: points that are closer are merged, and heights that differ by less count as equal
+/// @param tolerance  distance below which points are merged and heights count as equal (length)
 template <int Dim>
 ClippedFace<Dim> clipped_face(const Shape<Dim>& reference, int face, const Shape<Dim>& incident,
                               const RelativePlace<Dim>& place, int lowest, double reach, double tolerance);

@@ -17,7 +17,7 @@ struct Corner {
   int first, second;  ///< indices of the two vertices
 };
 
-/// Simplex of up to Dim + 1 corners. The corners weighted with `weight` add up to the point of the simplex that is
+/// Simplex of up to Dim + 1 corners. The sum of the corners, weighted with `weight`, is the point of the simplex
 /// closest to the origin.
 template <int Dim>
 struct Simplex {
@@ -51,8 +51,8 @@ void reduce_segment(Simplex<Dim>& s) {
   s.keep({{0, 1.0 - along / length2}, {1, along / length2}});
 }
 
-/// Reduces a triangle to that vertex, edge or face of it which contains the point closest to the origin. The cases are
-/// distinguished by scalar products alone, so that the function also works in the plane (Ericson, Real-Time Collision
+/// Reduces a triangle to its vertex, edge or face that contains the point closest to the origin. The cases are
+/// distinguished by scalar products alone, so the function also works in the plane (Ericson, Real-Time Collision
 /// Detection, section 5.1.5).
 template <int Dim>
 void reduce_triangle(Simplex<Dim>& s) {
@@ -75,8 +75,8 @@ void reduce_triangle(Simplex<Dim>& s) {
   s.keep({{0, va / sum}, {1, vb / sum}, {2, vc / sum}});
 }
 
-/// Reduces a tetrahedron to that vertex, edge or face of it which contains the point closest to the origin. Only faces
-/// that have the origin on their outer side are considered.
+/// Reduces a tetrahedron to its vertex, edge or face that contains the point closest to the origin. Only faces that
+/// have the origin on their outer side are considered.
 /// @return whether the origin is inside the tetrahedron
 bool reduce_tetrahedron(Simplex<3>& s) {
   static constexpr std::array<std::array<int, 4>, 4> kFaces = {
@@ -102,7 +102,7 @@ bool reduce_tetrahedron(Simplex<3>& s) {
   return false;
 }
 
-/// Reduces a simplex to that vertex, edge or face of it which contains the point closest to the origin.
+/// Reduces a simplex to its vertex, edge or face that contains the point closest to the origin.
 /// @return whether the origin is inside the simplex
 bool reduce(Simplex<2>& s) {
   if (s.n == 2) reduce_segment<2>(s);
@@ -174,8 +174,8 @@ ClosestPoints<Dim> closest_points(const Shape<Dim>& first, const Shape<Dim>& sec
       return found;
     }
     const Corner<Dim> next = support<Dim>(first, second, place, v);
-    // The search ends if no corner is closer to the origin along v by more than rounding errors, or if a corner of the
-    // simplex is found again.
+    // The search ends if no corner is closer to the origin along v by more than rounding errors, or if it finds a
+    // corner of the present simplex again.
     if (distance2 - v.dot(next.difference) <= 1e-15 * (distance2 + size * std::sqrt(distance2))) break;
     bool is_known = false;
     for (int k = 0; k < s.n; ++k)

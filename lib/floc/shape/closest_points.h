@@ -12,10 +12,11 @@ struct ClosestPoints {
   double distance = 0.0;               ///< distance of the closest points (length), > 0
   Vec<Dim> normal = Vec<Dim>::Zero();  ///< unit vector from the first core to the second
   Vec<Dim> on_first = Vec<Dim>::Zero(), on_second = Vec<Dim>::Zero();
-  /// Kind of the feature of the first core that contains its closest point, as the number of vertices that span the
-  /// feature: 1 for a vertex, 2 for an edge, 3 for a face.
+  /// Number of vertices of the feature of the first core that contains its closest point: 1 for a vertex, 2 for an
+  /// edge, 3 for a face.
   int n_first = 0;
-  int n_second = 0;  ///< kind of the feature of the second core: 1, 2 or 3 as in `n_first`
+  /// number of vertices of the feature of the second core that contains its closest point: 1, 2 or 3
+  int n_second = 0;
 };
 
 /// Computes the closest points of the cores of two shapes (the shapes without their rounding) by the algorithm

@@ -47,8 +47,9 @@ void require_points(const std::vector<Vec<Dim>>& points, const std::string& plac
                                         extent, kLeastLength));
 }
 
-/// Requires that the convex hull is as large as the set of its points, to 1e-5 of the largest extent. Otherwise vertices
-/// were taken for points on an edge, as at the end of a needle that is a million times as long as it is thick.
+/// Requires that the convex hull is as large as the set of its points, to 1e-5 of the largest extent. The hull is
+/// smaller if vertices were mistaken for points on an edge, for example at the end of a needle that is a million times
+/// as long as it is thick.
 void require_whole(const Polytope<3>& hull, const std::vector<Vec<3>>& points, const std::string& place) {
   const Box<3> all(points), kept(hull.vertices);
   const double missing = std::max((kept.low - all.low).maxCoeff(), (all.high - kept.high).maxCoeff());
@@ -91,7 +92,7 @@ std::vector<int> corners_in_plane(const std::vector<Vec<2>>& points) {
         loop.pop_back();
       loop.push_back(i);
     }
-    loop.pop_back();  // it is the first corner of the other side
+    loop.pop_back();  // the last corner is also the first corner of the other side
   }
   drop_straight_corners(points, loop);
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
@@ -148,7 +149,7 @@ std::vector<std::vector<int>> face_loops(const std::vector<Vec<3>>& points, cons
     if (at < 0 || loop.size() != border.size())
       throw InputError(
           place,
-          "two faces of the convex hull are almost parallel, so that their common boundary cannot be "
+          "two faces of the convex hull are almost parallel, and their common boundary cannot be "
           "determined: expected points whose adjacent faces enclose an angle of more than 1e-6 radians");
   }
   return loops;

@@ -47,14 +47,14 @@ Vec<Dim> direction(RandomStream& random) {
 }
 
 /// Returns n random unit vectors whose mutual distances are at least half the mean spacing of n points on the unit
-/// sphere (in 2D the circle). This leaves room for random draws: discs of this diameter around the points cover a fifth
-/// of the sphere (half of the circle).
+/// sphere (in 2D the circle). Discs of this diameter around the points cover a fifth of the sphere (half of the
+/// circle), which leaves enough room for random draws.
 template <int Dim>
 std::vector<Vec<Dim>> spread_directions(RandomStream& random, int n) {
   const double least = 0.5 * (Dim == 2 ? 2.0 * std::numbers::pi / n : std::sqrt(4.0 * std::numbers::pi / n));
   for (;;) {
     std::vector<Vec<Dim>> chosen;
-    // The first few vectors can block all places for further ones. Drawing then starts again.
+    // The first few vectors can leave no room for further vectors. All vectors are then drawn again.
     for (int trial = 0; trial < 1000 * n && static_cast<int>(chosen.size()) < n; ++trial) {
       const Vec<Dim> u = direction<Dim>(random);
       bool is_free = true;
@@ -94,8 +94,9 @@ std::vector<Shape<Dim>> drawn_shapes(int count, double rounding, std::uint64_t s
     }
     if (!found)
       throw InputError(
-          "", fmt::format("grains.shape: {} random draws gave no valid shape; the problem of the last draw: {}",
-                          kMostDraws, reason));
+          "",
+          fmt::format("grains.shape: none of {} random draws gave a valid shape; problem of the last draw: {}",
+                      kMostDraws, reason));
   }
   return shapes;
 }

@@ -9,7 +9,7 @@ namespace floc {
 
 /// Functions that generate shapes of grains. All shapes have diameter 1 (diameter of the circumscribed circle or sphere
 /// about the centre of mass). The argument `rounding` is the radius of rounding as a fraction of the diameter, from 0
-/// to 0.45. The argument `seed` determines a sequence of random shapes; a larger `count` continues the same sequence.
+/// to 0.45. The argument `seed` determines a sequence of random shapes; a larger `count` extends the sequence.
 ///
 /// If an argument is not allowed, the functions throw InputError with the key of the argument in the table grains.shape
 /// of a scene file, its value and the allowed values.
@@ -27,8 +27,8 @@ template <int Dim>
 Shape<Dim> capsule(double aspect);
 
 /// Options for shapes that are convex hulls of n random points. The points lie on the unit sphere (in 2D the unit
-/// circle), at mutual distances of at least half their mean spacing sqrt(4 pi/n) (2 pi/n in 2D). Then they are
-/// stretched by the factor `aspect` along one axis.
+/// circle), at mutual distances of at least half their mean spacing sqrt(4 pi/n) (2 pi/n in 2D). The set of points is
+/// then stretched by the factor `aspect` along one axis.
 struct HullOptions {
   int least_vertices = 12;
   int most_vertices = 24;
@@ -40,8 +40,7 @@ template <int Dim>
 std::vector<Shape<Dim>> hull_shapes(const HullOptions& options, int count, double rounding, std::uint64_t seed);
 
 /// Options for shapes that are intersections of half-spaces n . x <= 1 + u. The number u is uniformly distributed
-/// between -spread/2 and spread/2, and the unit vectors n are distributed like the points of HullOptions before
-/// stretching.
+/// between -spread/2 and spread/2. The unit vectors n are distributed like the unstretched points of HullOptions.
 struct CutOptions {
   int least_faces = 10;
   int most_faces = 20;
@@ -52,8 +51,8 @@ struct CutOptions {
 template <int Dim>
 std::vector<Shape<Dim>> cut_shapes(const CutOptions& options, int count, double rounding, std::uint64_t seed);
 
-/// Options for shapes that are the Voronoi cells of `cells` random points in a periodic box. Before the cells are used,
-/// each point is moved `relaxed` times to the centre of mass of its cell.
+/// Options for shapes that are the Voronoi cells of `cells` random points in a periodic box. Before the cells are
+/// computed, each point is moved `relaxed` times to the centre of mass of its cell.
 struct VoronoiOptions {
   int cells = 500;
   int relaxed = 2;

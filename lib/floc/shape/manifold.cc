@@ -11,12 +11,12 @@
 namespace floc {
 namespace {
 
-/// If the line between the closest points of two shapes is normal to a face to within this angle (as 1 - cosine, for
-/// 1e-3 radians), the contact is treated as a contact with the face.
+/// Tolerance for the alignment of the line between the closest points of two shapes with the normal of a face, as 1 -
+/// cosine of an angle of 1e-3 radians. Within it, the contact is treated as a contact with the face.
 constexpr double kAlongFace = 0.5e-3 * 1e-3;
-/// Tolerance for contacts with a face, as a fraction of the smaller inner radius of the two shapes. The contact is a
-/// contact with the face if the smallest gap of the corners over the face exceeds the smallest gap between the shapes
-/// by at most this much. The point of smallest gap may lie just outside the boundary of the face.
+/// Tolerance for contacts with a face, as a fraction of the smaller inner radius of the two shapes. A contact counts as
+/// a contact with the face if the smallest gap of the corners over the face exceeds the smallest gap between the shapes
+/// by at most this tolerance. The point of smallest gap may lie just outside the boundary of the face.
 constexpr double kBesideFace = 1e-6;
 /// Sine of the angle between two capsules below which they count as parallel.
 constexpr double kSideBySide = 1e-3;
@@ -63,8 +63,7 @@ class PairSearch {
     Manifold<Dim> found = of_face(axis, axis.features.kind == AxisKind::kFaceOfSecond);
     if (!misses_the_deepest(found, axis)) return found;
     // The deepest vertex lies outside the boundary of the face. A pair of edges then has a larger separation than the
-    // face, but by less than the margin by which faces are preferred. The search is therefore repeated without this
-    // margin.
+    // face, but by less than the margin that favours faces. The search is therefore repeated without this margin.
     if (a_.n_edges() > 0 && b_.n_edges() > 0) {
       AxisFeatures none;
       const SeparatingAxis<Dim> exact = separating_axis<Dim>(a_, b_, place_, {1e-6 * size_, 0.0}, limit, none);
@@ -103,8 +102,8 @@ class PairSearch {
       found.points[found.n++] = {first_.rotation * (first_.scale * x), gap, key};
   }
 
-  /// Returns the point midway between the surfaces of two rounded shapes, from two points of their cores
-  /// (without rounding) that face each other along n.
+  /// Returns the point midway between the surfaces of two rounded shapes, from two points of their cores (the shapes
+  /// without rounding) that face each other along n.
   Vec<Dim> midway(const Vec<Dim>& on_first, const Vec<Dim>& on_second, const Vec<Dim>& n) const {
     return 0.5 * (on_first + on_second) + 0.5 * (first_.rounding() - second_.rounding()) / first_.scale * n;
   }
@@ -112,7 +111,7 @@ class PairSearch {
   Manifold<Dim> of_cores_apart(const ClosestPoints<Dim>& closest, const SeparatingAxis<Dim>& axis) {
     const double gap = world(closest.distance) - roundings_;
     if (!(gap < reach_)) return {};
-    // Disks and spheres have no face, so that they cannot touch with a face.
+    // Disks and spheres have no face and cannot touch with a face.
     if (!a_.is_round() && !b_.is_round()) {
       const bool prefers_second = axis.features.kind == AxisKind::kFaceOfSecond;
       for (const bool of_second : {prefers_second, !prefers_second})
@@ -128,7 +127,8 @@ class PairSearch {
     return of_closest_points(closest);
   }
 
-  /// Returns the closest points of the cores (the shapes without rounding) if the cores are separated along an axis.
+  /// Returns the closest points of the cores (the shapes without rounding) if the cores are separated along an axis;
+  /// otherwise no value.
   std::optional<ClosestPoints<Dim>> closest_if_apart(const SeparatingAxis<Dim>& axis) const {
     if (!(axis.separation > 0.0)) return std::nullopt;
     const ClosestPoints<Dim> closest = closest_points<Dim>(a_, b_, place_, guess(axis));
@@ -156,8 +156,8 @@ class PairSearch {
     return 1.0 - outward.dot(n) < kAlongFace;
   }
 
-  /// Returns the contact with a face: the corners of the other shape over the face of largest separation of the first
-  /// shape or, if `of_second` is true, of the second shape.
+  /// Returns the contact with a face: the corners of the other shape over the face with the largest separation. The
+  /// face belongs to the first shape or, if `of_second` is true, to the second shape.
   Manifold<Dim> of_face(const SeparatingAxis<Dim>& axis, bool of_second) {
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;
     Manifold<Dim> found;
@@ -200,8 +200,8 @@ class PairSearch {
       const double on_first = (pu * vv - pv * uv) / determinant, on_second = (pu * uv - pv * uu) / determinant;
       const double s = std::clamp(on_first, 0.0, 1.0), t = std::clamp(on_second, 0.0, 1.0);
       // If the cores overlap, the closest points of the lines through the two edges lie within the edges, because the
-      // arcs of the edges on the Gauss sphere cross; points outside the edges are rounding errors. If the cores are
-      // apart, a vertex may be closer than the points of the edges.
+      // arcs of the edges on the Gauss sphere cross. Points outside the edges are then rounding errors. If the cores
+      // are apart, a vertex may be closer than the points of the edges.
       const double outside = std::abs(on_first - s) * std::sqrt(uu) + std::abs(on_second - t) * std::sqrt(vv);
       if (outside > kBesideFace * size_)
         if (const auto closest = closest_if_apart(axis)) return of_closest_points(*closest);
@@ -214,8 +214,9 @@ class PairSearch {
     return found;
   }
 
-  /// Returns the contact of two overlapping shapes if the separating axis is the normal of a face but no corner of the
-  /// other shape lies over this face because of rounding errors: the point at the vertex that is lowest above the face.
+  /// Returns the contact of two overlapping shapes whose separating axis is the normal of a face, if rounding errors
+  /// leave no corner of the other shape over this face. The contact point is at the vertex of the other shape that is
+  /// lowest above the plane of the face.
   Manifold<Dim> of_deepest_vertex(const SeparatingAxis<Dim>& axis) {
     const bool of_second = axis.features.kind == AxisKind::kFaceOfSecond;
     const FaceAxis& best = of_second ? axis.of_second : axis.of_first;

@@ -9,7 +9,7 @@
 
 namespace floc {
 
-/// Types of contact of two shapes, by the number of contact points that they have. In 2D, two sides that face each
+/// Types of contact of two shapes, distinguished by the number of their contact points. In 2D, two sides that face each
 /// other have the type kFaceFace.
 enum class ContactType : std::uint8_t {
   kVertexFace,  ///< one point that is not the contact of two edges
@@ -27,10 +27,11 @@ struct ManifoldPoint {
   /// Vector from the centre of the first shape to the point midway between the surfaces (length), in the axes of space.
   Vec<Dim> arm = Vec<Dim>::Zero();
   double gap = 0.0;  ///< distance between the surfaces along the normal (length); negative if they overlap
-  /// Number that identifies the point from step to step, as long as the same two features (faces or edges) meet at it.
-  /// Its fields, from the highest bit: 1 bit, whether the reference face belongs to the second shape; 10 bits, index of
-  /// the reference feature; 10 bits, index of the incident feature; 10 bits, side that begins at the corner (1023 for
-  /// closest points); 1 bit, whether the features are two edges. The points of one contact have different keys.
+  /// Number that identifies the contact point from step to step, as long as the same two features (faces or edges) meet
+  /// at this point. Its fields, from the highest bit: 1 bit, whether the reference face belongs to the second shape; 10
+  /// bits, index of the reference feature; 10 bits, index of the incident feature; 10 bits, side that begins at the
+  /// corner (1023 for closest points); 1 bit, whether the features are two edges. The points of one contact have
+  /// different keys.
   std::uint32_t key = 0;
 };
 
@@ -57,22 +58,25 @@ struct Manifold {
 /// There are four cases:
 ///   1. Polytopes without rounding touch along the axis of their largest separation (separating_axis.h). If this axis
 ///      is the normal of a face (the reference face), the contact points are the corners of the incident face of the
-///      other shape, clipped by the sides of the reference face. In 3D, at most four of them are kept: the deepest, the
-///      one furthest from it, and the two furthest to either side of the line through these two points.
+///      other shape, clipped by the sides of the reference face. In 3D, at most four points are kept: the deepest
+///      point, the point furthest from it, and, on each side of the line through these two points, the point furthest
+///      from the line.
 ///   2. If this axis is normal to a pair of edges, there is one contact point.
-///   3. If polytopes without rounding are apart and no axis of separating_axis.h joins their closest points, as for two
-///      vertices, there is one contact point, midway between the closest points.
+///   3. If polytopes without rounding are apart and none of the axes of separating_axis.h is parallel to the line
+///      between their closest points (for example between two vertices), there is one contact point, midway between the
+///      closest points.
 ///   4. Rounded shapes whose cores (the shapes without rounding) do not overlap touch at their closest points. If the
 ///      line between these points is normal to a face to within 1e-3 radians, the contact is treated as a contact with
 ///      this face.
 ///
-/// The smallest gap is the distance of shapes that are apart, and minus the smallest translation that separates shapes
-/// that overlap, up to the margins of separating_axis(): 1e-4 of the smaller inner radius for edges, 1e-6 for faces. If the shapes are exchanged, the normal is reversed and gaps
-/// and points stay the same, up to these margins.
+/// For shapes that are apart, the smallest gap is their distance. For shapes that overlap, it is minus the length of
+/// the smallest translation that separates them. Both hold up to the margins of separating_axis(): 1e-4 of the smaller
+/// inner radius for edges, 1e-6 for faces. If the shapes are exchanged, the normal is reversed, and gaps and points do
+/// not change, up to these margins.
 ///
 /// @param reach  largest gap of a contact point (length), >= 0
 /// @param last  features of the separating axis in the previous step, with which the search begins; they are replaced
-/// by the features found now. For most pairs that do not touch, they end the search after one search for a lowest
+/// by the features found now. With these features, most pairs that do not touch need only one search for a lowest
 /// vertex.
 template <int Dim>
 Manifold<Dim> contact_manifold(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, double reach,

@@ -182,7 +182,7 @@ std::vector<Mesh<3>> parse_rockable(const std::string& place, std::string_view t
                                    "of vertices), followed by N lines with coordinates, and a line radius R",
                                    k + 1, shapes[k].name));
   if (shapes.empty())
-    throw InputError(place, "the file has no shape: expected a line with <, with which a shape begins");
+    throw InputError(place, "the file has no shape: expected a line with <, which begins a shape");
   return shapes;
 }
 

@@ -15,18 +15,19 @@ struct Mesh {
   std::vector<Vec<Dim>> vertices;
   /// Indices of the vertices of each face; empty if the file has only vertices.
   std::vector<std::vector<int>> faces;
-  /// Whether all faces list their vertices in the same sense of rotation, as seen from outside.
+  /// Whether all faces list their vertices in one sense of rotation, as seen from outside.
   bool is_oriented = true;
   double rounding = 0.0;
   double volume = 0.0;  ///< volume of the body that the file gives (length^3); 0 if it does not
-  /// Whether the file says that the coordinates are relative to the centre of mass, along the principal axes of inertia.
+  /// Whether the file says that the coordinates are relative to the centre of mass, along the principal axes of
+  /// inertia.
   bool is_principal = false;
 };
 
 /// Functions that read mesh files. Their input is the text of the file or, for binary STL, its bytes. `place` is the
 /// name of the file in messages.
 ///
-/// Memory is allocated only for items that are present in a file, not for the number of items that its header claims.
+/// Memory is allocated only for items that a file contains, not for the number of items that its header states.
 /// @throws InputError if the file does not have the expected format, with file, line, the text found there and the text
 /// expected; also if there are more than kMostHullPoints vertices.
 

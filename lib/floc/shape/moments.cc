@@ -40,8 +40,8 @@ Arc<3> arc_of_edge(const Vec<3>& left, const Vec<3>& right, const Vec<3>& axis) 
 }
 
 Moments<2> side_layer(const Vec<2>& a, const Vec<2>& b, const Vec<2>& n, double rho) {
-  // Rounding by the radius rho puts a rectangle on each side. Its second moments about its centre, divided by its area,
-  // are l^2/12 along the side, which has the length l, and rho^2/12 across the side.
+  // Rounding by the radius rho adds a rectangle on each side. The second moments of the rectangle about its centre,
+  // divided by its area, are l^2/12 along the side and rho^2/12 across the side, with the length l of the side.
   const Vec<2> side = b - a, middle = 0.5 * (a + b + rho * n);
   const double area = side.norm() * rho;
   return {area, area * middle,
@@ -88,8 +88,8 @@ Moments<3> edge_layer(const Vec<3>& from, const Vec<3>& to, const Arc<3>& arc, d
                     rho3 / 3.0 * symmetric_product<3>(middle, arc.first) + 0.25 * rho3 * rho * arc.second)};
 }
 
-/// Integrals of 1, u and u u' (u' is the transpose of u) over the unit vectors u in that part of the unit sphere which
-/// is enclosed by the normals of the faces at one vertex.
+/// Integrals of 1, u and u u' (u' is the transpose of u) over the unit vectors u inside the cone that the normals of
+/// the faces at one vertex enclose.
 using NormalCone = Moments<3>;
 
 /// Adds the contribution of one side of a normal cone to its integrals. The side is the arc between the normals of the

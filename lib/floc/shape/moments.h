@@ -16,8 +16,8 @@ struct Moments {
 };
 
 /// Returns the moments of a convex polytope, as sums over triangles or tetrahedra that each have one corner at the
-/// origin. The terms for the volume, the first and the second moments are, with the sum s of the corners of a triangle
-/// or tetrahedron and their determinant det:
+/// origin. With s the sum of the corners of a triangle or tetrahedron and det their determinant, the terms for the
+/// volume, the first and the second moments are:
 ///
 ///   polygon:     sum over sides of triangles (0, a, b):        det/2, det/6 (a+b), det/24 (aa' + bb' + ss')
 ///   polyhedron:  sum over faces of tetrahedra (0, a, b, c):    det/6, det/24 (a+b+c), det/120 (aa' + bb' + cc' + ss')

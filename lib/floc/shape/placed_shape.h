@@ -4,7 +4,7 @@
 
 namespace floc {
 
-/// Shape of a grain placed in space: the point y of the shape is at x = position + scale * rotation * y in space.
+/// Shape of a grain placed in space: the point y of the shape lies at x = position + scale * rotation * y in space.
 template <int Dim>
 struct PlacedShape {
   const Shape<Dim>* shape = nullptr;
@@ -17,8 +17,8 @@ struct PlacedShape {
   double outer_radius() const { return scale * shape->outer_radius; }
 };
 
-/// Transformation from the coordinates of a second shape to those of a first shape: the point y of the second shape is
-/// at x = offset + scale * rotation * y in the coordinates of the first shape.
+/// Transformation from the coordinates of a second shape to those of a first shape: the point y of the second shape
+/// lies at x = offset + scale * rotation * y in the coordinates of the first shape.
 template <int Dim>
 struct RelativePlace {
   Mat<Dim> rotation;
@@ -62,7 +62,8 @@ inline int lowest_vertex(const Shape<Dim>& shape, const Vec<Dim>& direction) {
   return lowest;
 }
 
-/// Returns the largest scalar product of a point of a shape with a unit vector given in the axes of the shape, at scale 1.
+/// Returns the largest scalar product of a point of a shape with a unit vector given in the axes of the shape, at scale
+/// 1.
 template <int Dim>
 inline double extent(const Shape<Dim>& shape, const Vec<Dim>& direction) {
   const Vec<Dim> furthest = core_vertex(shape, lowest_vertex<Dim>(shape, -direction));

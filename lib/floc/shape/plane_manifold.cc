@@ -8,14 +8,14 @@
 namespace floc {
 namespace {
 
-/// Returns the member of `points` for which `size` is largest; the first of equal ones.
+/// Returns the member of `points` with the largest value of `size`; if several are equal, the first of them.
 template <int Dim, class Size>
 const ManifoldPoint<Dim>& largest(const std::vector<ManifoldPoint<Dim>>& points, const Size& size) {
   return *std::max_element(points.begin(), points.end(),
                            [&](const auto& p, const auto& q) { return size(p) < size(q); });
 }
 
-/// Returns at most Manifold::kMostPoints of the points, which span the largest area.
+/// Returns at most Manifold::kMostPoints of the points, chosen to span a large area.
 template <int Dim>
 std::vector<ManifoldPoint<Dim>> spread_out(const std::vector<ManifoldPoint<Dim>>& all, const Vec<Dim>& normal) {
   using Point = ManifoldPoint<Dim>;

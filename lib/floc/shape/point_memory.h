@@ -12,9 +12,9 @@ namespace floc {
 template <int Dim>
 using PointMatches = std::array<int, Manifold<Dim>::kMostPoints>;
 
-/// Matches the contact points of a pair of shapes with those of the previous step. Points with equal keys are matched
-/// first. Then, in the order of increasing distance, each remaining point is matched with the nearest remaining point
-/// of the previous step.
+/// Matches the contact points of a pair of shapes with the contact points of the previous step. Points with equal keys
+/// are matched first. Then the remaining points are matched in the order of increasing distance, each with the nearest
+/// remaining point of the previous step.
 ///
 /// @param now, before  contact points of this step and of the previous step, at most kMostPoints each; all arms begin
 /// at the centre of the same body

@@ -18,11 +18,12 @@ struct Polytope {
 /// Largest number of vertices of a shape of a grain.
 inline constexpr int kMostVertices = 200;
 /// Largest number of faces, and of edges, of a shape of a grain. ManifoldPoint::key has ten bits for the index of a
-/// face or edge, of which one value is left over.
+/// face or edge, which leaves one unused value.
 inline constexpr int kMostFaces = 1023;
 
-/// Least and largest length in a shape: the largest extent of its points, and their distance from the origin. The
-/// fifth powers of these lengths, of which moments of inertia are sums, are far from the least and the largest double.
+/// Smallest and largest length in a shape: bounds of the largest extent of its points, and of their distance from the
+/// origin. Moments of inertia are sums of fifth powers of lengths; within these bounds, the powers are far from the
+/// smallest and the largest double.
 inline constexpr double kLeastLength = 1e-50;
 inline constexpr double kLargestLength = 1e50;
 

@@ -65,8 +65,8 @@ std::vector<Vec<Dim>> used_vertices(const Mesh<Dim>& mesh) {
   return used;
 }
 
-/// Chooses n of the given points so that they are far from each other. The first is the point furthest from the mean of
-/// all points; each following point is the point furthest from those chosen before.
+/// Chooses n of the given points that are far from each other. The first is the point furthest from the mean of all
+/// points; each further point is the point with the largest distance to the nearest point chosen before.
 template <int Dim>
 std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) {
   Vec<Dim> mean = Vec<Dim>::Zero();
@@ -84,8 +84,8 @@ std::vector<Vec<Dim>> spread_points(const std::vector<Vec<Dim>>& points, int n) 
   return chosen;
 }
 
-/// Returns the volume enclosed by a surface. The origin is moved to a vertex of the surface before, so that no digits
-/// are lost if the surface is far from the origin.
+/// Returns the volume enclosed by a surface. The origin is first moved to a vertex of the surface to keep all digits if
+/// the surface is far from the origin.
 template <int Dim>
 double volume_of(Polytope<Dim> surface) {
   const Vec<Dim> origin = surface.vertices[0];
@@ -98,8 +98,8 @@ template <int Dim>
 Shape<Dim> shape_of_few(const std::string& place, const Mesh<Dim>& mesh) {
   if (mesh.vertices.size() == 1) return round_shape<Dim>(mesh.rounding);
   const double length = (mesh.vertices[1] - mesh.vertices[0]).norm();
-  if (!(length > 0.0)) throw InputError(place, "points 1 and 2 are the same: expected each vertex once");
-  if (length > 38.0 * mesh.rounding)  // 20 times as long as thick
+  if (!(length > 0.0)) throw InputError(place, "points 1 and 2 are equal: expected each vertex once");
+  if (length > 38.0 * mesh.rounding)  // more than 20 times as long as thick
     throw InputError(place,
                      fmt::format("the capsule is {:.3g} times as long as it is thick: expected at most 20",
                                  0.5 * length / mesh.rounding + 1.0));

@@ -33,9 +33,9 @@ class FaceSearch {
     return n.dot(point) - one_.offsets[face];
   }
 
-  /// Finds the face of largest separation.
-  /// @param begin  index of the face with which the search begins; -1: the face above which the centre of the other
-  /// shape is highest
+  /// Finds the face with the largest separation.
+  /// @param begin  index of the face with which the search begins; if -1, it begins with the face above which the
+  /// centre of the other shape is highest
   FaceAxis best(int begin, double margin, double limit) {
     FaceAxis found;
     if (one_.n_faces() == 0) {
@@ -47,7 +47,7 @@ class FaceSearch {
     found = {begin, 0, separation(begin)};
     found.vertex = vertex_;
     for (int f = 0; f < one_.n_faces() && found.separation <= limit; ++f) {
-      // The face of the previous step is replaced only by a face whose separation is larger by more than the margin.
+      // Another face replaces the face of the previous step only if its separation is larger by more than the margin.
       const double threshold = found.separation + (prefers && found.face == begin ? margin : 0.0);
       if (f == begin || !may_exceed(f, threshold)) continue;
       const double here = separation(f);
@@ -87,8 +87,8 @@ class FaceSearch {
     return best;
   }
 
-  /// Returns whether a face may have a separation larger than a threshold. The separation of a face is at most the
-  /// height above this face of any point of the other shape.
+  /// Returns whether a face may have a separation larger than a threshold. The height of any point of the other shape
+  /// above a face is an upper bound of the separation of the face.
   bool may_exceed(int face, double threshold) const {
     for (int k = 0; k < n_points_; ++k)
       if (one_.normals[face].dot(points_[k]) - one_.offsets[face] <= threshold) return false;
@@ -104,8 +104,8 @@ class FaceSearch {
   int vertex_ = 0;  ///< vertex of the other shape that is lowest above the last face examined
 };
 
-/// Edge of a shape and the normals of the two faces that meet at the edge, in the coordinates of the first of two
-/// shapes.
+/// Edge of a shape and the normals of the two faces that meet at the edge. The coordinates are those of the first of
+/// the two shapes.
 struct PlacedEdge {
   Vec<3> from, along, left, right;
 };
@@ -139,8 +139,8 @@ Vec<3> pair_normal(const PlacedEdge& a, const PlacedEdge& b) {
   return n.dot(a.left + a.right) < 0.0 ? Vec<3>(n / -length) : Vec<3>(n / length);
 }
 
-/// Pair of edges, one of each shape, with the largest separation; -1 if no pair exceeds the threshold. `of_last` is the
-/// separation of the pair of edges that defined the axis in the previous step.
+/// Pair of edges, one of each shape, with the largest separation; the indices are -1 if no pair exceeds the threshold.
+/// `of_last` is the separation of the pair of edges that defined the axis in the previous step.
 struct EdgeAxis {
   int first = -1, second = -1;
   double separation = kLeast;

@@ -6,13 +6,13 @@
 
 namespace floc {
 
-/// Kind of an axis along which two shapes are separated: it is normal to a face of the first or the second shape, or to
-/// a pair of edges.
+/// Kind of an axis along which two shapes are separated: the normal of a face of the first or the second shape, or the
+/// common normal of a pair of edges.
 enum class AxisKind : std::uint8_t { kNone, kFaceOfFirst, kFaceOfSecond, kEdgePair };
 
 /// Features (faces or edges) of two shapes that define the separating axis of the shapes. They are kept for each pair
-/// of grains from step to step, because the next search begins with them. If they are lost, the search only takes
-/// longer.
+/// of grains from step to step, because the next search begins with them. Without them, the search takes longer but
+/// gives the same result up to the margins.
 struct AxisFeatures {
   AxisKind kind = AxisKind::kNone;
   std::int16_t first = 0;   ///< index of the face or edge of the first shape
@@ -36,13 +36,14 @@ struct SeparatingAxis {
   FaceAxis of_first, of_second;
 };
 
-/// Margins by which the separation along one kind of axis has to exceed that along a preferred kind, in the unit of
-/// length of the first shape.
+/// Margins by which the separation along one kind of axis has to exceed the separation along a preferred kind, in the
+/// unit of length of the first shape.
 struct AxisMargins {
-  /// Margin by which the separation of a face of the second shape has to exceed that of the faces of the first shape.
-  /// The separation of another face has to exceed that of the face of the previous step by the same margin.
+  /// Margin for faces. A face of the second shape defines the axis only if its separation exceeds the separations of
+  /// all faces of the first shape by more than this margin. A face replaces the face of the previous step only if its
+  /// separation is larger by more than this margin.
   double faces;
-  double edges;  ///< margin by which the separation of an edge pair has to exceed that of the faces
+  double edges;  ///< margin by which the separation of an edge pair has to exceed that of all faces
 };
 
 /// Finds the axis along which two shapes without their rounding are separated most or, if they overlap, overlap least.
@@ -50,8 +51,8 @@ struct AxisMargins {
 ///
 /// The axis with the largest separation is chosen, with two preferences: the separation of an edge pair has to exceed
 /// that of all faces by more than a margin, and the separation of a face of the second shape has to exceed that of the
-/// faces of the first shape by more than a margin. The features of the previous step are kept unless the separation of
-/// others is larger by more than these margins.
+/// faces of the first shape by more than a margin. The features of the previous step are kept unless other features
+/// have a separation that is larger by more than these margins.
 ///
 /// @param limit  separation at which the search ends: the first axis found with a larger separation is returned
 /// @param last  features that defined the axis in the previous step; replaced by the features found now

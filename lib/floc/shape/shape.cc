@@ -23,7 +23,7 @@ constexpr double kLargestAspect = 20.0;
 /// bounding box.
 constexpr double kLeastFilling = 1e-6;
 /// Largest allowed height of a vertex above the plane of a face, as a fraction of the distance of the furthest vertex
-/// from the centre. Where faces are merged, heights of 1e-6 occur.
+/// from the centre. Merged faces lead to heights of up to 1e-6.
 constexpr double kConvexTolerance = 1e-5;
 
 double power(double x, int n) {
@@ -45,7 +45,7 @@ void set_faces(const Polytope<Dim>& polytope, Shape<Dim>& shape) {
     const std::vector<int>& loop = polytope.faces[f];
     const Vec<Dim> n = face_normal(polytope, static_cast<int>(f)).normalized();
     // Vertices of a merged face may lie off its mean plane by up to about 1e-6 of the size of the face. The plane of
-    // the face is put at its highest vertex, so that no part of the shape lies above it.
+    // the face goes through its highest vertex, so no part of the shape lies above it.
     double offset = -std::numeric_limits<double>::max();
     for (const int v : loop) offset = std::max(offset, n.dot(polytope.vertices[v]));
     shape.normals.push_back(n);
@@ -64,7 +64,7 @@ void require_convex(const Shape<Dim>& shape, const std::string& place) {
     for (const Vec<Dim>& v : shape.vertices)
       if (shape.normals[f].dot(v) - shape.offsets[f] > kConvexTolerance * size)
         throw InputError(place,
-                         "the points are so close to one plane that their convex hull cannot be determined: "
+                         "the convex hull cannot be determined, because the points are too close to one plane: "
                          "expected a polyhedron");
 }
 
@@ -191,7 +191,7 @@ Shape<3> capsule_shape(double length, double rounding) {
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place) {
   require_counts(hull, place);
-  // The origin is moved into the polytope, so that the moments lose no digits if the polytope is far from the origin.
+  // The origin is moved into the polytope to keep all digits of the moments if the polytope is far from the origin.
   Vec<Dim> inside = Vec<Dim>::Zero();
   for (const Vec<Dim>& v : hull.vertices) inside += v / static_cast<double>(hull.vertices.size());
   Polytope<Dim> core = hull;
@@ -232,7 +232,7 @@ void require_distinct(const std::vector<Vec<Dim>>& points, const std::string& pl
     for (std::size_t l = k + 1; l < order.size() && points[order[l]][0] - points[order[k]][0] <= least; ++l)
       if ((points[order[l]] - points[order[k]]).norm() <= least)
         throw InputError(place,
-                         fmt::format("points {} and {} are the same: expected each vertex once",
+                         fmt::format("points {} and {} are equal: expected each vertex once",
                                      std::min(order[k], order[l]) + 1, std::max(order[k], order[l]) + 1));
 }
 
@@ -268,8 +268,8 @@ Shape<Dim> with_rounding_share(const Polytope<Dim>& core, double share, const st
         place, fmt::format("rounding = {:g}: expected a fraction of the diameter, from 0 to 0.45", share));
   Shape<Dim> shape = polytope_shape(core, 0.0, place);
   // Rounding moves the centre of mass a little and changes the outer radius. The radius of rounding is therefore found
-  // by iteration. It converges in one pass if the shape has a centre of symmetry, and otherwise by two or three digits
-  // per pass.
+  // by iteration. If the shape has a centre of symmetry, one pass suffices; otherwise each pass gives two or three more
+  // digits.
   if (share > 0.0)
     for (int pass = 0; pass < 20; ++pass) {
       const double outer = shape.outer_radius - shape.rounding;

@@ -86,7 +86,7 @@ Shape<Dim> capsule_shape(double length, double rounding);
 template <int Dim>
 Shape<Dim> polytope_shape(const Polytope<Dim>& hull, double rounding, const std::string& place = "");
 
-/// Shape made of points, and remarks in words about points that are not vertices of the shape.
+/// Shape made of points, and remarks about points that are not vertices of the shape.
 template <int Dim>
 struct ShapeOfPoints {
   Shape<Dim> shape;
@@ -106,7 +106,7 @@ template <int Dim>
 Shape<Dim> scaled(Shape<Dim> shape, double factor);
 
 /// Requires that no two points are closer than 1e-9 of the largest extent of all points.
-/// @throws InputError that names two points which are closer
+/// @throws InputError that names two points with a smaller distance
 template <int Dim>
 void require_distinct(const std::vector<Vec<Dim>>& points, const std::string& place);
 

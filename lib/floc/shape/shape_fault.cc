@@ -14,8 +14,8 @@ namespace {
 
 /// Largest accepted error of recorded properties, relative to the size of the shape.
 constexpr double kRelative = 1e-9;
-/// Largest accepted height of a vertex above a face, relative to the size of the shape. Faces whose directions differ
-/// by less than 1e-6 were merged to one face, so that its vertices may lie off its plane by about as much.
+/// Largest accepted height of a vertex above a face, relative to the size of the shape. A face may have been merged
+/// from faces whose directions differ by less than 1e-6, and its vertices may lie off its plane by about as much.
 constexpr double kFlat = 1e-5;
 
 bool differs(double found, double expected, double size) {
@@ -69,13 +69,13 @@ template <int Dim>
 std::optional<ShapeFault> fault_of_mass(const Shape<Dim>& shape, double volume,
                                         const RotationVector<Dim>& inertia) {
   if (!(volume > 0.0) || differs(shape.volume, volume, volume))
-    return ShapeFault{"volume", fmt::format("it is recorded as {:.12g}, but that of the shape is {:.12g}",
+    return ShapeFault{"volume", fmt::format("it is recorded as {:.12g}, but the volume of the shape is {:.12g}",
                                             shape.volume, volume)};
   for (int a = 0; a < inertia.size(); ++a)
     if (differs(shape.inertia[a], inertia[a], inertia.maxCoeff()))
-      return ShapeFault{"inertia",
-                        fmt::format("component {} is recorded as {:.12g}, but that of the shape is {:.12g}", a,
-                                    shape.inertia[a], inertia[a])};
+      return ShapeFault{
+          "inertia", fmt::format("component {} is recorded as {:.12g}, but the moment of the shape is {:.12g}",
+                                 a, shape.inertia[a], inertia[a])};
   return std::nullopt;
 }
 
@@ -110,11 +110,13 @@ std::optional<ShapeFault> fault_of_radii(const Shape<Dim>& shape) {
   const double inner =
       std::max(0.0, shape.offsets.empty() ? 0.0 : *std::ranges::min_element(shape.offsets)) + shape.rounding;
   if (differs(shape.outer_radius, outer, outer))
-    return ShapeFault{"outer_radius", fmt::format("it is recorded as {:.12g}, but that of the shape is {:.12g}",
-                                                  shape.outer_radius, outer)};
+    return ShapeFault{"outer_radius",
+                      fmt::format("it is recorded as {:.12g}, but the outer radius of the shape is {:.12g}",
+                                  shape.outer_radius, outer)};
   if (differs(shape.inner_radius, inner, outer))
-    return ShapeFault{"inner_radius", fmt::format("it is recorded as {:.12g}, but that of the shape is {:.12g}",
-                                                  shape.inner_radius, inner)};
+    return ShapeFault{"inner_radius",
+                      fmt::format("it is recorded as {:.12g}, but the inner radius of the shape is {:.12g}",
+                                  shape.inner_radius, inner)};
   return std::nullopt;
 }
 
@@ -135,24 +137,26 @@ std::optional<ShapeFault> fault_of_faces(const Shape<Dim>& shape) {
       return fault(fmt::format("it has {} vertices, expected {}", loop.size(), Dim == 2 ? "2" : "3 or more"));
     for (const int v : loop)
       if (v < 0 || v >= shape.n_vertices())
-        return fault(fmt::format("vertex {}, expected 0 to {}", v, shape.n_vertices() - 1));
+        return fault(fmt::format("it has the vertex {}, expected 0 to {}", v, shape.n_vertices() - 1));
     if (std::set<int>(loop.begin(), loop.end()).size() != loop.size()) return fault("it has a vertex twice");
     for (std::size_t k = 0; k < (Dim == 2 ? 1 : loop.size()); ++k) {
       const int from = loop[k], to = loop[(k + 1) % loop.size()];
       if (!directed.insert({from, to}).second)
-        return fault(fmt::format("another face has the edge from vertex {} to {} too", from, to));
+        return fault(
+            fmt::format("another face also has the edge from vertex {} to {} in this direction", from, to));
       ++begins[from], ++ends[to];
     }
     if (Dim == 2 && loop[1] != shape.loop((f + 1) % shape.n_faces())[0])
-      return fault("the next side does not begin where it ends");
+      return fault("the next side does not begin at the end of this side");
   }
   for (const auto& [from, to] : directed)
     if (Dim == 3 && !directed.contains({to, from}))
-      return ShapeFault{"faces", fmt::format("only one face has the edge of the vertices {} and {}", from, to)};
+      return ShapeFault{"faces",
+                        fmt::format("only one face has the edge between the vertices {} and {}", from, to)};
   if (shape.n_faces() > 0)
     for (int v = 0; v < shape.n_vertices(); ++v)
       if (Dim == 2 ? begins[v] != 1 || ends[v] != 1 : begins[v] < 3)
-        return ShapeFault{"faces", fmt::format("vertex {} begins {} edges, expected {}", v, begins[v],
+        return ShapeFault{"faces", fmt::format("{1} edges begin at vertex {0}, expected {2}", v, begins[v],
                                                Dim == 2 ? "1" : "3 or more")};
   // Euler's formula excludes surfaces of several parts, or with handles.
   const int n_edges = static_cast<int>(directed.size()) / 2;
@@ -175,12 +179,13 @@ std::optional<ShapeFault> fault_of_geometry(const Shape<Dim>& shape) {
   for (int f = 0; f < shape.n_faces(); ++f) {
     const Vec<Dim> normal = face_normal(core, f).normalized();
     if (!((shape.normals[f] - normal).norm() <= kRelative))
-      return ShapeFault{"normals", fmt::format("that of face {} is not normal to the face", f)};
+      return ShapeFault{"normals", fmt::format("the normal of face {} is not normal to the face", f)};
     double highest = -size;
     for (const int v : shape.loop(f)) highest = std::max(highest, shape.normals[f].dot(shape.vertices[v]));
     if (differs(shape.offsets[f], highest, size))
-      return ShapeFault{"offsets", fmt::format("that of face {} is recorded as {:.12g}, but it is {:.12g}", f,
-                                               shape.offsets[f], highest)};
+      return ShapeFault{"offsets",
+                        fmt::format("the offset of face {} is recorded as {:.12g}, but it is {:.12g}", f,
+                                    shape.offsets[f], highest)};
     for (int v = 0; v < shape.n_vertices(); ++v)
       if (!(shape.normals[f].dot(shape.vertices[v]) <= highest + kFlat * size))
         return ShapeFault{"vertices",

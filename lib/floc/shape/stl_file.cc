@@ -22,7 +22,7 @@ class Welder {
   Welder(std::string place, Mesh<3>& mesh) : place_(std::move(place)), mesh_(mesh) {}
 
   int vertex(const Vec<3>& v) {
-    // Adding zero turns -0 into 0, so that -0 and 0 count as equal coordinates.
+    // Adding zero turns -0 into 0, which makes -0 and 0 equal as coordinates.
     const auto [at, is_new] =
         numbers_.try_emplace({v[0] + 0.0, v[1] + 0.0, v[2] + 0.0}, static_cast<int>(mesh_.vertices.size()));
     if (is_new) {
@@ -112,8 +112,8 @@ Mesh<3> parse_text(const std::string& place, std::string_view text) {
 }  // namespace
 
 Mesh<3> parse_stl(const std::string& place, std::string_view bytes) {
-  // Binary files may begin with "solid" too. They are recognised by their length, which follows from the number
-  // of triangles in the header.
+  // Binary files may begin with "solid", too. They are recognised by their length, which follows from the number of
+  // triangles in the header.
   const bool has_count = bytes.size() >= kHeader;
   const std::uint64_t n = has_count ? little_endian(bytes, 80) : 0;
   Mesh<3> mesh;

@@ -19,9 +19,11 @@ class TextLines {
   /// @param separators  characters that separate words, in addition to white space
   TextLines(std::string place, std::string_view text, std::string_view separators = "");
 
-  /// Goes to the next line that has words. @return whether there is such a line
+  /// Goes to the next line that has words.
+  /// @return whether there is such a line
   bool next();
-  /// Goes to the next line that has words. @param what  description of the expected line, for the message.
+  /// Goes to the next line that has words.
+  /// @param what  description of the expected line, for the message
   /// @throws InputError at the end of the text
   void require_next(const std::string& what);
 
@@ -31,9 +33,11 @@ class TextLines {
   /// Returns the name of the file and the number of the present line as "file:line".
   std::string where() const;
 
-  /// Returns word k of the present line, counted from 0, as a number; whole() returns it as a whole number in a range.
-  /// @throws InputError if the word is missing, is not a number or is out of range
+  /// Returns word k of the present line, counted from 0, as a number.
+  /// @throws InputError if the word is missing or is not a number
   double number(std::size_t k) const;
+  /// Returns word k of the present line, counted from 0, as a whole number in a range.
+  /// @throws InputError if the word is missing, is not a whole number or is out of range
   int whole(std::size_t k, const WholeRange& range) const;
   /// Returns the words k to k + Dim - 1 of the present line, counted from 0, as a vector of numbers.
   template <int Dim>
@@ -43,7 +47,8 @@ class TextLines {
     return v;
   }
 
-  /// Reports a problem in the present line. @throws InputError always
+  /// Reports a problem in the present line.
+  /// @throws InputError always
   [[noreturn]] void refuse(const std::string& problem) const;
 
  private:

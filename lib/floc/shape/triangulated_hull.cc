@@ -27,7 +27,7 @@ class HullBuilder {
     begin_with_a_tetrahedron(place);
   }
 
-  /// Extends the hull until no point lies outside it. From the points above a triangle, the furthest is added first.
+  /// Extends the hull until no point lies outside it. Of all points above a triangle, the furthest is added first.
   std::vector<HullTriangle> build() {
     // Because of rounding errors, a point can be assigned to the wrong triangle. All points are therefore examined
     // three times.
@@ -45,7 +45,7 @@ class HullBuilder {
     /// Indices of the points above this triangle that are not assigned to another triangle.
     std::vector<int> outside;
     bool alive = true;
-    int visited = -1;  ///< number of the last search that visited this triangle
+    int visited = -1;  ///< number of the last search that reached this triangle
   };
 
   double height(const Face& face, int point) const { return face.normal.dot(points_[point]) - face.offset; }
@@ -80,7 +80,7 @@ class HullBuilder {
     const double height = normal.dot(points_[d] - points_[a]);
     if (!(std::abs(height) > 1e-9 * size_))
       throw InputError(place, "all points lie in one plane: expected a polyhedron");
-    // The four triangles of a tetrahedron, counter-clockwise as seen from outside. The vertex d is the top above the
+    // The four triangles of a tetrahedron, counter-clockwise as seen from outside. The vertex d is the apex above the
     // base (a, e, f).
     const int e = height > 0.0 ? b : c, f = height > 0.0 ? c : b;
     add_face(a, f, e), add_face(a, e, d), add_face(e, f, d), add_face(f, a, d);
@@ -108,8 +108,8 @@ class HullBuilder {
     const int point = *best;
     std::swap(*best, outside.back());
     outside.pop_back();
-    // If the point lies in the plane of some triangles, the visible region may not be bounded by a single loop.
-    // These triangles are then treated as visible.
+    // If the point lies in the plane of some triangles, the boundary of the visible region may not be a single loop.
+    // Triangles in the plane of the point are then treated as visible.
     for (const double threshold : {tolerance_, -tolerance_}) {
       const std::vector<int> seen = seen_from(point, t, threshold);
       if (const auto loop = horizon(seen)) {
@@ -132,7 +132,7 @@ class HullBuilder {
     return seen;
   }
 
-  /// Returns the edges around the triangles `seen`, in order; nothing if these edges do not form a single loop.
+  /// Returns the edges around the triangles `seen`, in order; no value if these edges do not form a single loop.
   std::optional<std::vector<HorizonEdge>> horizon(const std::vector<int>& seen) const {
     std::vector<HorizonEdge> edges;
     for (const int t : seen)

@@ -11,7 +11,7 @@ namespace floc {
 /// Triangle on the surface of a convex hull, counter-clockwise as seen from outside.
 struct HullTriangle {
   std::array<int, 3> corner;  ///< indices of the points at the corners of the triangle
-  /// Indices of the three adjacent triangles: entry k is across the edge from corner k to the next corner.
+  /// Indices of the three adjacent triangles: triangle k shares the edge from corner k to the next corner.
   std::array<int, 3> across;
   Vec<3> normal = Vec<3>::Zero();
   double offset = 0.0;      ///< value of normal . x for points x in the plane of the triangle

@@ -7,11 +7,11 @@
 
 namespace floc {
 
-/// Returns the vertices of the Voronoi cells of random points in a periodic unit box, the vertices of each cell
+/// Returns the vertices of the Voronoi cells of random points in a periodic unit box. The vertices of each cell are
 /// relative to its point. A cell that is not closed because of rounding errors has no vertices.
 ///
 /// @param n  number of points, >= 8
-/// @param relaxed  how often each point is moved to the centre of mass of its cell (Lloyd's algorithm)
+/// @param relaxed  number of times that each point is moved to the centre of mass of its cell (Lloyd's algorithm)
 template <int Dim>
 std::vector<std::vector<Vec<Dim>>> voronoi_cells(int n, int relaxed, std::uint64_t seed);
 

@@ -7,18 +7,19 @@
 namespace floc {
 
 /// Returns a packing after affine compression or expansion to the given solid fraction: its cell and all positions are
-/// scaled by one factor, and the grains keep their size.
+/// scaled by one factor, and the grains keep their sizes.
 template <int Dim>
 Packing<Dim> scaled_to(const Packing<Dim>& packing, double solid_fraction);
 
-/// Coordination numbers and pressure of a packing right after affine scaling, before its grains move to a new
+/// Coordination numbers and pressure of a packing directly after affine scaling, before its grains move to a new
 /// equilibrium.
 struct AffinePrediction {
-  /// Coordination number of the pairs of grains that overlap after all distances, also those of rattlers, are scaled by
-  /// a factor s. It equals z_I(a/s - a), where z_I(h) is the coordination number of neighbours at gaps up to h in the
-  /// given packing and a is the diameter.
+  /// Coordination number of the grains, including rattlers, that overlap after all distances are scaled by a factor s.
+  /// It equals z_I(a/s - a), where z_I(h) is the coordination number of neighbours at gaps up to h in the given packing
+  /// and a is the diameter.
   double z = 0.0;
-  /// As `z`, but before the scaling the rattlers (grains that carry no force) are pushed against other grains.
+  /// Coordination number like `z`, but with the rattlers (grains that carry no force) pushed against other grains
+  /// before the scaling.
   double z_pushed = 0.0;
   /// Mean normal stress (force/length^(Dim-1)) after all distances are scaled by a factor s: the sum of N(a - s r) s r
   /// over the pairs of grains at distances s r below the diameter a, divided by Dim times the volume of the scaled
@@ -26,7 +27,7 @@ struct AffinePrediction {
   double pressure = 0.0;
 };
 
-/// Packing from which coordination numbers and pressure are predicted at other solid fractions.
+/// Packing whose coordination numbers and pressure at other solid fractions are predicted.
 template <int Dim>
 class AffineReference {
  public:

@@ -9,8 +9,8 @@ double lateral_mean(int axis, const Vec<Dim>& values) {
   return (values.sum() - values[axis]) / (Dim - 1);
 }
 
-/// Returns the value on the driven axis minus the mean of the values on the other axes. For stresses this is the
-/// deviator q. For strains it is the strain eps_q on which q does work, up to a factor.
+/// Returns the value on the driven axis minus the mean of the values on the other axes. Applied to stresses it gives
+/// the deviator q; applied to strains it gives, up to a factor, the strain eps_q on which q does work.
 template <int Dim>
 double difference(int axis, const Vec<Dim>& values) {
   return values[axis] - lateral_mean<Dim>(axis, values);

@@ -11,21 +11,20 @@ struct AxialTest {
   double mean_stress = 0.0;  ///< mean stress p (force/length^(Dim-1))
   /// Deviator q: stress on the driven axis minus the mean stress on the other axes.
   double deviator = 0.0;
-  /// Ratio K0: mean stress on the other axes over the stress on the driven axis.
+  /// Ratio K0: mean stress on the other axes divided by the stress on the driven axis.
   double lateral_ratio = 0.0;
-  /// Logarithmic volumetric strain since the reference state, which is that of the strains given to
-  /// measure_axial_test().
+  /// Logarithmic volumetric strain since the state to which the strains given to measure_axial_test() refer.
   double volumetric_strain = 0.0;
-  /// Mobilised friction: (s1 - s2)/(s1 + s2) = q/(2 p) in 2D, q/p in 3D, with s1 the stress on the driven axis and s2
-  /// on the other axis.
+  /// Mobilised friction: (s1 - s2)/(s1 + s2) = q/(2 p) in 2D, q/p in 3D. Here s1 is the stress on the driven axis, s2
+  /// the stress on the other axis, q the deviator and p the mean stress.
   double mobilised = 0.0;
   /// Dilatancy -d eps_v/d eps_q since the previous equilibrium, with the volumetric strain eps_v. In 2D eps_q = eps_1 -
-  /// eps_2, in 3D 2/3 (eps_1 - eps_3): eps_1 is the strain of the driven axis, eps_2 and eps_3 are (mean) strains of
-  /// the other axes. Absent if eps_q does not change.
+  /// eps_2, in 3D 2/3 (eps_1 - eps_3): eps_1 is the strain of the driven axis, eps_2 the strain of the other axis and
+  /// eps_3 the mean strain of the other axes. Absent if eps_q does not change.
   std::optional<double> dilatancy;
 };
 
-/// Computes the stresses and strains of a test with one driven axis in one equilibrium.
+/// Computes the stresses and strains of a mechanical test with one driven axis in one equilibrium.
 /// @param axis            index of the driven axis, from 0
 /// @param stress, strain  stress and logarithmic strain of each axis; the strain may refer to any reference state
 /// @param strain_before   strain of the previous equilibrium, from the same reference state; null if there is none

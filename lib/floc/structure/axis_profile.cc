@@ -20,9 +20,11 @@ double ball_between(double place, double radius, double low, double high) {
   return ball_in_box<Dim>(centre, radius, from, to);
 }
 
-/// Shares the stress of each contact out among the slices that its branch crosses, in proportion to the length in each.
-/// @param to_reduced  vector whose product with a position is its place along the axis, over the side of the cell
-/// @param origin  place at which the first slice begins
+/// Adds the stress of each contact to the slices that its branch vector crosses, in proportion to the length of the
+/// branch vector in each slice.
+/// @param to_reduced  vector whose scalar product with a position is the coordinate along the axis, divided by the side
+/// of the cell
+/// @param origin  coordinate at which the first slice begins, divided by the side of the cell
 template <int Dim>
 void add_stress(const Packing<Dim>& packing, const Vec<Dim>& to_reduced, double origin, bool walled,
                 std::vector<ProfileSlice>& slices) {
@@ -38,7 +40,7 @@ void add_stress(const Packing<Dim>& packing, const Vec<Dim>& to_reduced, double 
     for (int k = first; k <= last; ++k) {
       const double inside = std::min(high, k + 1.0) - std::max(low, static_cast<double>(k));
       const double share = first == last ? 1.0 : inside / (high - low);
-      // Beyond a wall there is no slice: rounding of a branch that ends on the wall leads there.
+      // Rounding may place the end of a branch that ends on a wall beyond the wall, where there is no slice.
       const int slice = walled ? std::clamp(k, 0, n - 1) : ((k % n) + n) % n;
       for (int a = 0; a < Dim; ++a) slices[slice].stress[a] += share * along[a];
     }

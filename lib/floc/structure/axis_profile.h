@@ -7,27 +7,29 @@
 
 namespace floc {
 
-/// A slice of the cell between two planes parallel to all lattice vectors but one, and the grains whose centres
-/// lie in the slice.
+/// A slice of the cell between two planes, with the grains whose centres lie in the slice. The planes are parallel to
+/// all lattice vectors but one.
 struct ProfileSlice {
   /// Distances of the two planes of the slice from the origin or, between walls, from the lower wall (length).
   double low = 0.0, high = 0.0;
-  double solid_fraction = 0.0;  ///< solid fraction from exact volumes; an overlap counts once for each grain
+  /// solid fraction from exact volumes; the volume of an overlap counts once for each of its two grains
+  double solid_fraction = 0.0;
   int n_grains = 0;
-  /// Stress along each axis (force/length^(d-1)), compression positive: the mean over the slice of the stress of the
-  /// contacts, each of which counts with the share of its branch that lies in the slice.
+  /// Stress along each axis (force/length^(d-1)), compression positive: sum over the contacts of the share of their
+  /// stress that belongs to the part of their branch vector in the slice, per volume of the slice.
   std::vector<double> stress;
-  /// Mean of each array of values over the grains of the slice; NaN if the slice has no grains.
+  /// Mean, over the grains of the slice, of each array of values given to axis_profile(); NaN if the slice has no
+  /// grains.
   std::vector<double> mean;
 };
 
 inline constexpr WholeRange kProfileSlices{.least = 1, .most = 100000};
 
-/// Divides the cell into slices of equal thickness, and computes the solid fraction, the stress and the mean values of each
-/// slice. The mean of the stresses of all slices is static_stress().
+/// Divides the cell into slices of equal thickness, and computes the solid fraction, the stress and the mean values of
+/// each slice. The mean of the stresses of all slices is static_stress().
 /// @param axis    index, from 0, of the lattice vector that is not parallel to the slices
 /// @param n       number of slices
-/// @param values  arrays of one number per grain, whose means are computed
+/// @param values  arrays with one number per grain; the mean of each array is computed in every slice
 /// @throws InputError if n is not in kProfileSlices
 template <int Dim>
 std::vector<ProfileSlice> axis_profile(const Packing<Dim>& packing, int axis, int n,

@@ -4,9 +4,9 @@
 
 namespace floc {
 
-/// Numbers and mean forces of bonds in compression, in tension, and with a normal force F_N near zero. A bond
-/// is any interaction of two grains, including attraction across a gap; contacts with walls are left out. Each
-/// coordination number z is twice the number of bonds over the number of grains.
+/// Numbers and mean forces of bonds in compression, in tension, and with a normal force F_N near zero. A bond is any
+/// interaction of two grains, including attraction across a gap; contacts with walls are left out. Each coordination
+/// number z is twice the number of bonds divided by the number of grains.
 struct BondSigns {
   int n_bonds = 0;
   double z = 0.0;
@@ -28,8 +28,8 @@ BondSigns bond_signs(const Packing<Dim>& packing, double near);
 ///
 ///   z Phi F0/(pi d^(Dim-1)),
 ///
-/// the virial stress of equal grains that touch, exact for a crystal. Rumpf's estimate of the tensile strength has z =
-/// pi/(1 - Phi).
+/// which is the virial stress of equal grains that touch. It is exact for a crystal. Rumpf's estimate of the tensile
+/// strength takes z = pi/(1 - Phi).
 /// @param F0  pull-off force (force)
 /// @param d   diameter (length)
 double virial_strength(int dimension, double z, double solid_fraction, double F0, double d);

@@ -29,8 +29,9 @@ double reduced_moment(const Packing<Dim>& packing, const CarryingStructure& carr
   return sum / static_cast<double>(carrying.contacts.size());
 }
 
-/// Returns the fabric tensor of the strong contacts (elastic normal force above the mean) or of the weak contacts: the
-/// sum of n n - 1/Dim over these contacts, with n the normal, divided by the number of all force-carrying contacts.
+/// Returns the fabric tensor of the strong contacts (with `strong`; elastic normal force above the mean) or of the weak
+/// contacts: the sum of n n - 1/Dim over these contacts, with n the normal, divided by the number of all force-carrying
+/// contacts.
 template <int Dim>
 Mat<Dim> fabric_of(const Packing<Dim>& packing, const CarryingStructure& carrying, double mean, bool strong) {
   Mat<Dim> sum = Mat<Dim>::Zero();

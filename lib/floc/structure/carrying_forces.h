@@ -15,17 +15,17 @@ struct CarryingForces {
   double z_star = 0.0;  ///< coordination number without rattlers, 2 n_contacts/(N (1 - x0))
   double x0 = 0.0;      ///< share of rattlers (grains that carry no force) among all grains
   double x2 = 0.0;      ///< share of grains with exactly two force-carrying contacts
-  /// Corrected coordination number z** = z* + 2 x2/(3 (1 - x0)), with z_star = z*. A sphere with two contacts turns
-  /// freely about the line through them. With friction, the degree of hyperstaticity is therefore H = (3/2) N (1 - x0)
-  /// (z** - 4) + constant. Absent in 2D, because disks have no such rotation.
+  /// Corrected coordination number z** = z* + 2 x2/(3 (1 - x0)), with z* the member z_star. A sphere with two contacts
+  /// turns freely about the line through them. With friction, the degree of hyperstaticity is therefore H = (3/2) N (1
+  /// - x0) (z** - 4) + constant, with N the number of grains. Absent in 2D, because disks have no such rotation.
   std::optional<double> z_star_star;
   /// Reduced moments `<N^q>/<N>^q` of the elastic normal force N, for q = 1/3, 5/3 and 2.
   double Z_third = 0.0, Z_five_thirds = 0.0, Z2 = 0.0;
-  /// Mean ratio |F_T|/N of tangential to elastic normal force, over contacts with N above the mean `<N>` (M1) and below
-  /// it (M2).
+  /// Mean ratio |F_T|/N of tangential to elastic normal force: M1 over the contacts with N above the mean `<N>`, M2
+  /// over the contacts with N below the mean.
   double M1 = 0.0, M2 = 0.0;
   double sliding_share = 0.0;  ///< share of contacts whose tangential force is at the limit of friction
-  /// Fabric tensor `<n n>` - 1/Dim of the normals n (Dim x Dim): its trace is zero, and it is zero if the
+  /// Fabric tensor `<n n>` - 1/Dim of the normals n (Dim x Dim). Its trace is zero, and all its entries are zero if the
   /// directions of contacts are isotropic.
   Eigen::MatrixXd fabric;
   /// Fabric tensors of the strong contacts (elastic normal force above the mean) and of the weak contacts, each divided

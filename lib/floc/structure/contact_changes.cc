@@ -12,12 +12,12 @@
 namespace floc {
 namespace {
 
-/// Largest relative difference between the radii of a grain in two files that counts as rounding of the numbers in
-/// them.
+/// Largest relative difference between the radii of a grain in two files that may result from rounding of the numbers
+/// in the files.
 constexpr double kSameRadius = 1e-9;
 
-/// Returns the integer matrix M that expresses the lattice vectors of the later state by those of the earlier one:
-/// later = M * earlier, up to a strain.
+/// Returns the integer matrix M that expresses the lattice vectors of the later state (rows of `later`) by those of the
+/// earlier state: later = M * earlier, up to a strain.
 template <int Dim>
 Mat<Dim> lattice_choice(const Cell<Dim>& before, const Cell<Dim>& after) {
   return (after.matrix * before.matrix.inverse()).array().round().matrix();
@@ -28,8 +28,8 @@ bool is_lattice_choice(const Mat<Dim>& choice) {
   return std::abs(std::abs(choice.determinant()) - 1.0) < 1e-6;
 }
 
-/// Returns the circular mean of displacements in reduced coordinates, component by component. It does not depend on the
-/// choice of the periodic image of each grain.
+/// Returns the circular mean of displacements in reduced coordinates, component by component. The mean does not depend
+/// on the choice of the periodic image of each grain.
 template <int Dim>
 Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
   Vec<Dim> mean;
@@ -45,8 +45,8 @@ Vec<Dim> circular_mean(const std::vector<Vec<Dim>>& displacement) {
 }
 
 /// Identity of a contact and its index in the contact list. The identity consists of the two grains in canonical order,
-/// the periodic image in the lattice of the state before, and the key, which distinguishes several contacts of one pair
-/// of grains.
+/// the periodic image in the lattice of the state before, and the key, which distinguishes the contacts of one pair of
+/// grains.
 template <int Dim>
 struct Named {
   Contact<Dim> name;
@@ -69,8 +69,7 @@ std::vector<Named<Dim>> named(const std::vector<Contact<Dim>>& contacts, const a
   return names;
 }
 
-/// Finds the contacts that are kept, lost and gained by walking through the sorted contact lists of both
-/// states.
+/// Finds the contacts that are kept, lost and gained, by one pass through the sorted contact lists of both states.
 template <int Dim>
 void match(const Packing<Dim>& before, const Packing<Dim>& after, const std::vector<Named<Dim>>& old_names,
            const std::vector<Named<Dim>>& new_names, ContactChanges<Dim>& out) {
@@ -119,7 +118,7 @@ double ContactChanges<Dim>::largest_displacement() const {
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) {
   if (!before.walls.empty() || !after.walls.empty())
-    return "the grains are between walls, but contacts are compared only in periodic cells";
+    return "the grains are between walls, but contacts can be compared only in periodic cells";
   if (before.grains.size() != after.grains.size())
     return fmt::format(
         "there are {} grains in one state, but {} in the other: both must be states of the same grains",
@@ -131,7 +130,7 @@ std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after) 
           "grains",
           before.grains.name(i), before.grains.radius[i], after.grains.radius[i]);
   if (!is_lattice_choice<Dim>(lattice_choice(before.cell, after.cell)))
-    return "the two cells do not correspond: no strain and no other choice of lattice vectors turns one into "
+    return "the two cells do not correspond: no strain and choice of lattice vectors turns one into "
            "the other";
   return {};
 }
@@ -165,7 +164,7 @@ ContactChanges<Dim> contact_changes(const Packing<Dim>& before, const Packing<Di
   }
   for (int i = 0; i < n; ++i) out.displacement.push_back(out.cell_after.transpose() * (moved[i] - mean));
 
-  // Contacts are identified by their periodic image in the lattice of `before`: another choice of lattice vectors, or a
+  // Contacts are identified by their periodic image in the lattice of `before`. Another choice of lattice vectors, or a
   // grain that crosses the border of the cell, changes the image of a contact but not the contact.
   const auto old_names = named<Dim>(before.contacts, [](const Contact<Dim>& c) { return c.image; });
   const auto new_names = named<Dim>(after.contacts, [&](const Contact<Dim>& c) -> Vec<Dim, int> {

@@ -7,15 +7,15 @@
 
 namespace floc {
 
-/// A contact that exists in two states: its index in the contact list of the state before and of the state
-/// after.
+/// A contact that exists in two states: its index in the contact list of the state before, and its index in that of the
+/// state after.
 struct KeptContact {
   int before;
   int after;
 };
 
-/// Changes of contacts and positions of the same grains between a state before and a state after. Only grains
-/// that touch are in contact; attraction across a gap does not count.
+/// Changes of the contacts and positions of the grains of a packing between a state before and a state after. Only
+/// grains that touch are in contact; attraction across a gap does not count.
 template <int Dim>
 struct ContactChanges {
   std::vector<KeptContact> kept;
@@ -30,7 +30,8 @@ struct ContactChanges {
   /// Numbers of lattice vectors by which each grain was moved back into the cell. The position after is deformation *
   /// (position before) + displacement + (mean displacement) + wrapped * cell_after.
   std::vector<Vec<Dim, int>> wrapped;
-  /// Lattice vectors of the later state, chosen so that each corresponds to that of the earlier state; one per row.
+  /// Lattice vectors of the later state, one per row, chosen so that each corresponds to a lattice vector of the
+  /// earlier state.
   Mat<Dim> cell_after = Mat<Dim>::Identity();
 
   int n_before() const { return static_cast<int>(kept.size() + lost.size()); }
@@ -39,8 +40,8 @@ struct ContactChanges {
   double largest_displacement() const;  ///< largest `displacement` (length)
 };
 
-/// Returns the reason why two packings cannot be compared (walls, different numbers or sizes of grains, or
-/// lattices that do not correspond), or an empty string if they can.
+/// Returns the reason why two packings cannot be compared (walls, different numbers or sizes of grains, or lattices
+/// that do not correspond); empty if they can.
 template <int Dim>
 std::string incomparable(const Packing<Dim>& before, const Packing<Dim>& after);
 

@@ -12,7 +12,8 @@ namespace {
 
 /// Smallest number of forces from which a parameter is estimated.
 constexpr int kFewestForces = 10;
-/// Deviatoric stress over the mean stress below which it is a residual of the balance, without a direction.
+/// Deviatoric stress, divided by the mean stress, below which it counts as a residual of the balance without a
+/// direction.
 constexpr double kIsotropic = 1e-4;
 
 template <int Dim>
@@ -22,11 +23,12 @@ ContactType kind_of(const Contact<Dim>& first, int n_points) {
   return Dim == 3 && n_points == 2 ? ContactType::kDouble : ContactType::kFaceFace;
 }
 
-/// Log-likelihood of the joined form, up to a constant, for forces in units of their mean.
+/// Log-likelihood, up to a constant, of the joined form of the distribution of forces (ForceShape), for forces x in
+/// units of their mean.
 struct JoinedForm {
   double n = 0.0;
-  double log_below = 0.0;     ///< sum of ln x over x < 1
-  double beyond_above = 0.0;  ///< sum of x - 1 over x > 1
+  double log_below = 0.0;     ///< sum of ln x over the forces x < 1
+  double beyond_above = 0.0;  ///< sum of x - 1 over the forces x > 1
 
   static double beta(double alpha) { return std::sqrt((1.0 - alpha) * (2.0 - alpha)); }
   double log_likelihood(double alpha) const {
@@ -35,7 +37,7 @@ struct JoinedForm {
   }
 };
 
-/// Returns the argument of the maximum of a function with one maximum between two arguments (golden section).
+/// Returns the argument between `low` and `high` at which a function with a single maximum is largest (golden section).
 template <class Function>
 double maximum(const Function& f, double low, double high) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
@@ -108,7 +110,8 @@ ForceShape force_shape(const std::vector<double>& forces) {
     out.beta_error = *out.beta / std::sqrt(n_above);
   }
   if (n < kFewestForces || n_below == 0 || !(form.beyond_above > 0.0)) return out;
-  // Between a wide range of alpha on either side of those of packings. Distributions beyond it are not of this form.
+  // The interval of alpha extends far beyond the values of packings on both sides. A distribution whose likeliest alpha
+  // lies at its ends does not have the joined form.
   constexpr double kLeast = -50.0, kMost = 0.999, kStep = 1e-4;
   const auto likelihood = [&](double alpha) { return form.log_likelihood(alpha); };
   const double alpha = maximum(likelihood, kLeast, kMost);
@@ -147,12 +150,13 @@ std::optional<ContactAnisotropy> contact_anisotropy(const Packing<Dim>& packing,
   const Mat<Dim> deviatoric = deviatoric_part<Dim>(stress);
   const double size = deviatoric.norm();
   if (!(stress.trace() > 0.0) || size < kIsotropic * stress.trace() / Dim) return std::nullopt;
-  // Norm of the tensor that belongs to an anisotropy of one.
+  // Norm of the deviatoric tensor of a distribution with an anisotropy of one.
   const double unit = Dim == 2 ? std::sqrt(2.0) : std::sqrt(6.0);
   const auto along = [&](const Mat<Dim>& m) {
     return deviatoric_part<Dim>(m).cwiseProduct(deviatoric).sum() / (size * unit);
   };
-  // <n n> = (1 + 2 A/(D + 2))/D, and <t n> = C/(D + 2) for the tangential part t of a vector.
+  // With D the dimension, <n n> = (1 + 2 A/(D + 2))/D for the normals n, and <t n> = C/(D + 2) for the tangential part
+  // t of a vector. A and C are the tensors of ContactAnisotropy.
   constexpr double kOfNormals = 0.5 * Dim * (Dim + 2), kOfTangents = Dim == 2 ? 4.0 : 1.5 * 5.0;
   ContactAnisotropy out;
   out.normals = kOfNormals * along(fabric) / n;

@@ -9,37 +9,40 @@
 
 namespace floc {
 
-/// A pair of grains in contact, whose carrying contact points count as one.
+/// A pair of grains in contact. All its force-carrying contact points together count as one contact.
 struct ContactPair {
-  ContactType kind;     ///< features that meet, by the number of carrying points
+  ContactType kind;     ///< kind of contact (vertex, edge or face), from the number of carrying points
   double normal_force;  ///< sum of the normal forces of its points (force)
   int n_points;         ///< number of its carrying points
 };
 
-/// Returns the pairs of grains that the carrying contacts of a packing join. A pair with one carrying point is one of
-/// a vertex and a face, or of two crossing edges, as recorded with the contact; one with two points is one of two faces
-/// (sides) in 2D, and of an edge and a face in 3D; one with more is one of two faces.
+/// Returns the pairs of grains that the force-carrying contacts of a packing join. A pair with one carrying point is a
+/// contact of a vertex and a face, or of two crossing edges, as recorded with the contact. A pair with two points is a
+/// contact of two faces (sides) in 2D, and of an edge and a face in 3D. A pair with more points is a contact of two
+/// faces.
 /// @param carrying  force-carrying structure; contacts with walls are left out
 /// @return the pairs, in the order of the contacts
 template <int Dim>
 std::vector<ContactPair> contact_pairs(const Packing<Dim>& packing, const CarryingStructure& carrying);
 
-/// Numbers of the pairs of each kind, by the index of the ContactType.
+/// Number of pairs in contact and shares of the kinds of contact; arrays are indexed by ContactType.
 struct ContactKinds {
-  double z = 0.0;  ///< twice the number of pairs over the number of grains that are not rattlers
-  std::array<double, 4> share = {};  ///< share of the pairs that are of each kind
-  std::array<double, 4> force = {};  ///< share of the sum of the normal forces that each kind carries
+  double z = 0.0;  ///< twice the number of pairs divided by the number of grains that are not rattlers
+  std::array<double, 4> share = {};  ///< for each kind: its share of the number of pairs
+  std::array<double, 4> force = {};  ///< for each kind: its share of the sum of the normal forces
 };
 
 ContactKinds contact_kinds(const std::vector<ContactPair>& pairs, int n_held);
 
-/// Distribution of the normal forces x in units of their mean. The joined form of it is k x^-alpha below the mean and k
-/// exp[beta (1 - x)] above, where norm and mean 1 give beta^2 = (1 - alpha)(2 - alpha) [RTV2010]. Errors are standard errors.
+/// Shape of the distribution of the normal forces x, in units of their mean. The joined form of the probability density
+/// is k x^-alpha below the mean and k exp[beta (1 - x)] above it, where k and beta follow from the norm and the mean,
+/// which are 1: beta^2 = (1 - alpha)(2 - alpha) [RTV2010]. All errors are standard errors.
 struct ForceShape {
   double below_mean = 0.0;      ///< share of the forces below their mean
-  std::optional<double> alpha;  ///< likeliest alpha of the joined form
+  std::optional<double> alpha;  ///< maximum likelihood estimate of alpha in the joined form
   std::optional<double> alpha_error;
-  std::optional<double> beta;  ///< decay above the mean by itself: 1/(<x> - 1) over the forces x > 1
+  /// estimate of the decay above the mean without the joined form: 1/(<x> - 1), with the mean <x> over the forces x > 1
+  std::optional<double> beta;
   std::optional<double> beta_error;
 };
 
@@ -47,22 +50,24 @@ struct ForceShape {
 /// @param forces  forces > 0
 ForceShape force_shape(const std::vector<double>& forces);
 
-/// Anisotropies of contacts about the axes of the deviatoric stress. With the direction n of a contact, to first order
+/// Anisotropies of contacts about the axes of the deviatoric stress. The probability density P of the direction n of a
+/// contact, the mean normal force f_n, the mean tangential force f_t, and the normal and tangential components l_n and
+/// l_t of the branch vector between the centres depend on n to first order as
 ///
-///     P(n) ~ 1 + n.A n,   f_n ~ 1 + n.B n,   f_t ~ C n - n (n.C n),   l_n and l_t likewise,
+///     P(n) ~ 1 + n.A n,   f_n ~ 1 + n.B n,   f_t ~ C n - n (n.C n),
 ///
-/// for the probability density of n, the normal force, the tangential force and the branch l from centre to centre, with
-/// symmetric tensors without trace; f_t and l_t are in units of the means of f_n and l_n. A member is the component of such
-/// a tensor along the deviatoric stress. It is normalised as in P ~ 1 + a cos 2t (2D) and P ~ 1 + a (3 cos^2 t - 1) (3D) with
-/// f_t ~ a sin 2t, where t is the angle to the direction of the largest stress [RB1989, ARS2009].
+/// with symmetric tensors A, B and C without trace; l_n has the form of f_n, and l_t that of f_t. Tangential quantities
+/// are in units of the means of f_n and l_n. Each member is the component a of such a tensor along the deviatoric
+/// stress, normalised by P ~ 1 + a cos 2t (2D) or P ~ 1 + a (3 cos^2 t - 1) (3D), and f_t ~ a sin 2t, where t is the
+/// angle to the direction of the largest stress [RB1989, ARS2009].
 struct ContactAnisotropy {
   double normals = 0.0;
   double normal_force = 0.0, tangential_force = 0.0;
   double branch_normal = 0.0, branch_tangential = 0.0;
-  /// q/p of the stress of the contacts: p is the mean stress, and q half the difference of the principal stresses in 2D,
-  /// |dev sigma|/sqrt(6) in 3D, which is a third of the difference under axial symmetry.
+  /// Ratio q/p of the stress of the contacts, with p the mean stress. In 2D, q is half the difference of the principal
+  /// stresses. In 3D, q is |dev sigma|/sqrt(6), which under axial symmetry is a third of their difference.
   double stress_ratio = 0.0;
-  /// q/p that follows from the anisotropies to first order: half of their sum in 2D, two fifths of it in 3D.
+  /// Ratio q/p that the anisotropies predict to first order: half of their sum in 2D, two fifths of their sum in 3D.
   double predicted_ratio = 0.0;
 };
 
@@ -72,7 +77,8 @@ template <int Dim>
 std::optional<ContactAnisotropy> contact_anisotropy(const Packing<Dim>& packing,
                                                     const CarryingStructure& carrying);
 
-/// Returns the mean of the tangential force over Coulomb's limit, over the carrying contacts that have one; absent if none has.
+/// Returns the mean ratio of the tangential force to Coulomb's limit over the force-carrying contacts with friction;
+/// absent if there are none.
 template <int Dim>
 std::optional<double> mean_mobilisation(const Packing<Dim>& packing, const CarryingStructure& carrying);
 

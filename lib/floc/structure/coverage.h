@@ -24,8 +24,8 @@ double disk_polygon_overlap(double R, const std::vector<Vec<2>>& corners);
 inline constexpr WholeRange kMapSide{.least = 1, .most = 10000};
 inline constexpr WholeRange kMapCells{.least = 1, .most = 10000000};
 
-/// Computes a map of the solid fraction that is exact in every mesh cell, because the areas shared with disks are
-/// computed in closed form. The mean of the map is the solid fraction of the packing.
+/// Computes a map of the solid fraction. The map is exact in every mesh cell, because the areas shared with disks are
+/// computed in closed form. Its mean is the solid fraction of the packing.
 /// @param size  number of mesh cells along each lattice vector, >= 1
 /// @throws InputError if a number is less than 1
 CoverageMap coverage_map(const Packing<2>& packing, const Vec<2, int>& size);

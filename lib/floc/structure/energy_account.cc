@@ -77,8 +77,8 @@ struct StepMotion {
   }
 };
 
-/// Returns the energy that a spring dissipates in a step: its stored energy before, minus its stored energy after, plus
-/// the work done on the spring by the displacement `motion`.
+/// Returns the energy that a spring dissipates in a step: its stored energy before the step, minus its stored energy
+/// after the step, plus the work of the displacement `motion` on the spring.
 template <class V>
 double spring_loss(const V& before, double stiffness_before, const V& after, double stiffness_after,
                    const V& motion) {
@@ -92,15 +92,15 @@ template <int Dim>
 void add_spring_losses(const Contact<Dim>& before, const Contact<Dim>& after, const StepMotion<Dim>& motion,
                        EnergyTerms& terms) {
   const Shear<Dim> start = motion.carried(to_shear<double>(motion.normal_before, before.shear_force));
-  // If the tangential stiffness falls, the tangential force falls in proportion; if the stiffness grows, the force
-  // stays.
+  // If the tangential stiffness falls, the tangential force falls in proportion. If the stiffness grows, the force does
+  // not change.
   const double ratio = before.kt > after.kt ? after.kt / before.kt : 1.0;
   const Shear<Dim> scaled = ratio * start, none = Shear<Dim>::Zero();
   terms.scaling += spring_loss<Shear<Dim>>(start, before.kt, scaled, after.kt, none) +
                    0.5 * (start - scaled).dot(motion.slip);
   terms.sliding += spring_loss<Shear<Dim>>(scaled, after.kt, to_shear<double>(motion.normal, after.shear_force),
                                            after.kt, motion.slip);
-  // A contact stores the moments that act on grain i. They change sign here, because the moments on grain j have the
+  // The contact stores the moments on grain i. Here their signs are changed, because the moments on grain j have the
   // sign of the rotation of i relative to j.
   terms.sliding += spring_loss<RotationVector<Dim>>(motion.carried(-before.rolling_moment), before.kr,
                                                     -after.rolling_moment, after.kr, motion.rolling);
@@ -134,8 +134,8 @@ double attraction_energy(const Law& law, const Packing<Dim>& packing, const Cont
 }
 
 /// Returns the change of the elastic energy due to changes of the volumes of liquid bridges in a step, with the grains
-/// at their positions at the end of the step. Volumes change if liquid is shared out again, flows into new bridges, or
-/// leaves bridges that are no longer in the contact list.
+/// at their positions at the end of the step. Volumes change when liquid is distributed anew, flows into new bridges,
+/// or leaves bridges that are no longer in the contact list.
 template <int Dim>
 double energy_of_liquid(const Packing<Dim>& before, const Packing<Dim>& after,
                         const ContactChanges<Dim>& changes) {
@@ -215,14 +215,14 @@ class Step {
     viscous_virial_ += force * motion.normal * motion.branch.transpose();
   }
 
-  /// Returns the energy that the normal component of the contact law stores in a contact; 0 for a contact that
-  /// did not exist.
+  /// Returns the energy that the normal component of the contact law stores in a contact; 0 for a contact that does not
+  /// exist yet or any more.
   static double normal_energy(const Packing<Dim>& packing, const Contact<Dim>& c) {
     if (c.normal.isZero(0.0)) return 0.0;
     const ContactEnergy energy = contact_energy(packing, c);
     return packing.law.adheres_by_itself() ? energy.normal + energy.attraction : energy.normal;
   }
-  /// Returns the normal force whose work is the energy that normal_energy() returns (force).
+  /// Returns the normal force that does the work stored as normal_energy() (force).
   double force_of_normal_law(const Contact<Dim>& c) const {
     return after_.law.adheres_by_itself() ? c.normal_force : c.elastic_force;
   }
@@ -273,8 +273,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
   Step<Dim>(previous_, now, time_step).add_to(terms_);
   terms_.elastic = elastic_energy_of(now);
   terms_.kinetic = kinetic_energy_of(now);
-  // If all velocities were set to zero, the energy removed is the change of the error of the energy balance in this
-  // step.
+  // If all velocities have been set to zero, the energy removed is the change of the error of the energy balance in
+  // this step.
   if (terms_.kinetic == 0.0 && kinetic_before > 0.0) terms_.removed += terms_.error() - error_before;
   previous_ = now;
 }
@@ -282,8 +282,8 @@ void EnergyAccount<Dim>::advance(const Packing<Dim>& now, double time_step) {
 template <int Dim>
 void EnergyAccount<Dim>::change_law(const Law& law) {
   previous_.law = law;
-  // When the contact law changes, springs keep their forces. Pairs that interact by the new law but did not by the old
-  // law are added to the contact list.
+  // When the contact law changes, springs keep their forces. Pairs that interact only by the new law are added to the
+  // contact list.
   const std::vector<Contact<Dim>> added = unlisted_pairs(previous_, interacting_pairs(previous_));
   previous_.contacts.insert(previous_.contacts.end(), added.begin(), added.end());
   std::sort(previous_.contacts.begin(), previous_.contacts.end(), precedes<Contact<Dim>>);

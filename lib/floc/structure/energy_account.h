@@ -9,7 +9,7 @@ namespace floc {
 struct EnergyTerms {
   double work = 0.0;     ///< work of the boundary on the packing
   double elastic = 0.0;  ///< energy stored in contacts, including the energy of attraction
-  /// Kinetic energy of the grains: of their velocities relative to the deforming cell, and of their spins.
+  /// Kinetic energy of the grains, from their velocities relative to the deforming cell and from their spins.
   double kinetic = 0.0;
   double viscous = 0.0;  ///< energy dissipated by dashpots
   /// Energy dissipated by the springs of friction, rolling and twisting whose forces are at their limits.
@@ -17,13 +17,12 @@ struct EnergyTerms {
   double scaling = 0.0;  ///< energy dissipated by tangential forces whose stiffness falls with the normal load
   double removed = 0.0;  ///< energy removed by setting all velocities to zero
   double initial = 0.0;  ///< sum of the elastic and the kinetic energy at the beginning
-  /// Energy added when liquid is shared out and liquid bridges form: change of the elastic energy with the
-  /// volumes of the bridges.
+  /// Energy added when the liquid is distributed anew and liquid bridges form: change of the elastic energy due to
+  /// changes of the volumes of the bridges.
   double liquid = 0.0;
   /// Energy added by changes of the contact law: change of the elastic energy at fixed positions.
   double law = 0.0;
-  /// Energy dissipated by normal forces, under contact laws whose unloading returns less energy than loading
-  /// stored.
+  /// Energy dissipated by normal forces whose contact law returns less energy on unloading than loading has stored.
   double hysteresis = 0.0;
 
   /// Returns the error of the energy balance: the energy added minus the energy stored, dissipated and removed.
@@ -34,8 +33,9 @@ struct EnergyTerms {
 };
 
 /// Keeps the energy balance of a moving packing from its states after each time step: work + liquid + law = change of
-/// elastic + change of kinetic + viscous + sliding + scaling + hysteresis + removed. The error vanishes with the time
-/// step: to first order if there are dashpots, limits of forces or liquid, otherwise to second order.
+/// elastic + change of kinetic + viscous + sliding + scaling + hysteresis + removed, with the members of EnergyTerms.
+/// The error of the balance vanishes with the time step: to first order if there are dashpots, limits of forces or
+/// liquid, otherwise to second order.
 template <int Dim>
 class EnergyAccount {
  public:
@@ -46,9 +46,8 @@ class EnergyAccount {
   /// @param now  the packing after the step, with its contacts and forces
   void advance(const Packing<Dim>& now, double time_step);
 
-  /// Replaces the contact law of the present packing, for a step of the load path that has another law. Tangential
-  /// and rolling springs keep their forces, normal forces are computed by the new law, and the liquid is shared out
-  /// again.
+  /// Replaces the contact law of the present packing, for a step of the load path that has another law. Tangential and
+  /// rolling springs keep their forces, normal forces are computed by the new law, and the liquid is distributed anew.
   void change_law(const Law& law);
   const Law& law() const { return previous_.law; }
 

@@ -15,10 +15,10 @@
 namespace floc {
 namespace {
 
-/// Forces up to this share of the largest force in the packing count as zero, because they may be rounding.
+/// Largest share of the largest force in the packing that counts as zero, because such a force may be a rounding error.
 constexpr double kRoundedForce = 1e-12;
-/// A pressure counts as zero up to this share of the pressure that the contact forces would cause if all were
-/// compressive.
+/// A pressure counts as zero if it is at most this share of the pressure that the contact forces would cause if all
+/// were compressive.
 constexpr double kNoPressure = 1e-8;
 
 /// Returns the largest magnitude among the elastic and the total normal forces of all contacts of a packing (force).
@@ -31,7 +31,7 @@ double largest_part(const Packing<Dim>& packing) {
 }
 
 /// Returns the index of the histogram bin that contains a value.
-/// @return no value for NaN, or if the value is more than kMaxBins bins from zero
+/// @return no value for NaN, or if the value is more than kMaxBins bins away from zero
 std::optional<int> bin_of(double value, double width) {
   const double bin = std::floor(value / width);
   if (!(bin >= -kMaxBins && bin < kMaxBins)) return std::nullopt;
@@ -122,7 +122,7 @@ ForceDistribution distribution_of(const std::vector<double>& values, double unit
 
 std::string outside_bins(const ForceDistribution& d, const std::string& what, const std::string& remedy) {
   return fmt::format(
-      "{} of {} {} are in no bin of their distribution, because it ends {} bins of width {:g} from zero: "
+      "{} of {} {} are in no bin of their distribution, which ends {} bins of width {:g} from zero: "
       "choose a larger {}",
       d.n_outside, d.n, what, kMaxBins, d.width, remedy);
 }

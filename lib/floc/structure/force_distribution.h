@@ -9,7 +9,7 @@
 namespace floc {
 
 enum class ForceKind {
-  normal,      ///< static normal force with its sign, of every interaction, including attraction across a gap
+  normal,      ///< static normal force, with its sign, of every interaction, including attraction across a gap
   tangential,  ///< magnitude of the tangential force of contacts that touch
   rolling,     ///< magnitude of the rolling moment of contacts that touch
 };
@@ -38,7 +38,7 @@ struct ForceDistribution {
   /// Unit of f (force, or force * length); 0 if the unit does not exist, such as the pull-off force without adhesion.
   double unit = 0.0;
   double width = 0.0;  ///< width of a bin, in `unit`
-  /// lower edge of the first bin over `width`: a whole number, so that no bin contains values of both signs
+  /// lower edge of the first bin divided by `width`: a whole number, so no bin contains values of both signs
   int first = 0;
   std::vector<std::int64_t> counts;
   std::int64_t n = 0;          ///< number of values, including those in no bin
@@ -64,7 +64,7 @@ ForceDistribution distribution_of(const std::vector<double>& values, double unit
 /// @param remedy  option that has to be larger
 std::string outside_bins(const ForceDistribution& d, const std::string& what, const std::string& remedy);
 
-/// Returns the magnitudes of those values that have the given sign; zeros are left out.
+/// Returns the magnitudes of the values with the given sign; zeros are left out.
 /// @param sign  1 or -1
 std::vector<double> sizes_of(const std::vector<double>& values, double sign);
 

@@ -14,8 +14,8 @@ struct ForceMoments {
   /// Reduced moments `Z(q) = <N^q>/<N>^q` of the elastic normal force N, for q = 2, 3, 4. Without adhesion, N is the
   /// whole normal force.
   std::array<double, 3> Z{};
-  /// Mean ratio |F_T|/N of tangential to elastic normal force, over contacts with N above the mean `<N>` (M1) and below
-  /// it (M2); at most the coefficient of friction.
+  /// Mean ratio |F_T|/N of tangential to elastic normal force: M1 over the contacts with N above the mean `<N>`, M2
+  /// over the contacts with N below the mean; at most the coefficient of friction.
   double M1 = 0.0, M2 = 0.0;
 };
 

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Returns the coordination number z(h) of neighbours at gaps up to h: twice the number of pairs of grains
-/// whose gap is at most h, over the number of grains. z(0) is the coordination number of contacts. Gaps have a
-/// tolerance of 1e-12 diameters for rounding.
+/// Returns the coordination number z(h) of neighbours at gaps up to h: twice the number of pairs of grains whose gap is
+/// at most h, divided by the number of grains. z(0) is the coordination number of contacts. Gaps have a tolerance of
+/// 1e-12 diameters for rounding.
 /// @param gaps  values of h (length), ascending, >= 0
 /// @return z(h) for each entry of `gaps`
 template <int Dim>

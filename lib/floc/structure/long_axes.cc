@@ -8,10 +8,10 @@
 namespace floc {
 namespace {
 
-/// Ratio of the largest to the second largest extent above which a shape is elongated.
+/// Smallest ratio of the largest to the second largest extent of an elongated shape.
 constexpr double kElongated = 1.05;
 
-/// Returns the second moments of a shape without its rounding (any unit).
+/// Returns the second moments (in any unit) of the core of a shape, which is the shape without its rounding.
 template <int Dim>
 Mat<Dim> second_moments(const Shape<Dim>& shape) {
   if (shape.n_faces() > 2) {
@@ -25,7 +25,8 @@ Mat<Dim> second_moments(const Shape<Dim>& shape) {
   return sum;
 }
 
-/// Returns the direction of the long axis in the coordinates of the shape; no value if it has none.
+/// Returns the direction of the long axis of a shape, in the coordinates of the shape; no value if the shape is not
+/// elongated.
 template <int Dim>
 std::optional<Vec<Dim>> long_axis(const Shape<Dim>& shape) {
   const Eigen::SelfAdjointEigenSolver<Mat<Dim>> axes(second_moments(shape));

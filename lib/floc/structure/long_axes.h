@@ -6,17 +6,20 @@
 
 namespace floc {
 
-/// Order of the long axes e of elongated grains: S is the largest eigenvalue of <(D e e - 1)/(D - 1)>, 1 if all axes are
-/// parallel and 0 if their directions are isotropic (a sample of n of them has about 1/sqrt(n)).
+/// Orientational order of the long axes e of elongated grains. With the dimension D, the order S is the largest
+/// eigenvalue of <(D e e - 1)/(D - 1)>: 1 if all axes are parallel, 0 if their directions are isotropic. A sample of n
+/// axes with isotropic directions has an S of about 1/sqrt(n).
 template <int Dim>
 struct AxesOrder {
-  int n_grains = 0;                       ///< number of elongated grains
-  double order = 0.0;                     ///< S
-  Vec<Dim> direction = Vec<Dim>::Zero();  ///< mean direction of the axes, a unit vector of either sign
+  int n_grains = 0;    ///< number of elongated grains
+  double order = 0.0;  ///< order S of the axes, from 0 to 1
+  /// mean direction of the axes: a unit vector, whose sign is arbitrary
+  Vec<Dim> direction = Vec<Dim>::Zero();
 };
 
-/// Returns the order of the long axes of the grains whose extent along one axis exceeds the others. The extents are square
-/// roots of the second moments of the core of the shape, and count as different if they differ by more than 5 %.
+/// Returns the order of the long axes of the elongated grains, whose largest extent is at least 5 % larger than the
+/// second largest. The extents are the square roots of the principal second moments of the core of the shape (the shape
+/// without its rounding).
 /// @return no value if no grain is elongated
 template <int Dim>
 std::optional<AxesOrder<Dim>> long_axes_order(const Packing<Dim>& packing);

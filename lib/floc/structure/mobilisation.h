@@ -4,8 +4,9 @@
 
 namespace floc {
 
-/// Mean mobilisation of friction in contacts with large and with small forces: mean |F_T|/N (tangential over elastic
-/// normal force) of contacts with N above and below the mean. Contacts are added one by one.
+/// Mean mobilisation of friction in contacts with large and with small forces: mean ratio |F_T|/N of tangential to
+/// elastic normal force, over contacts with N above the mean and over contacts with N below the mean. Contacts are
+/// added one by one.
 class MobilisationByForce {
  public:
   /// @param mean  mean elastic normal force of the contacts, > 0 (force)
@@ -20,10 +21,11 @@ class MobilisationByForce {
     ++side.n;
   }
 
-  /// Mean of |F_T|/N, tangential over elastic normal force, over contacts with N above the mean; 0 if there are none.
+  /// Returns the mean of |F_T|/N over contacts with an elastic normal force N above the mean, with F_T the tangential
+  /// force; 0 if there are none.
   double M1() const { return above_.value(); }
-  /// Mean of |F_T|/N, tangential over elastic normal force, over contacts with N not above the mean; 0 if there are
-  /// none.
+  /// Returns the mean of |F_T|/N over contacts with an elastic normal force N not above the mean, with F_T the
+  /// tangential force; 0 if there are none.
   double M2() const { return below_.value(); }
 
  private:

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Pair correlation g(r) of the centres of grains: number of pairs at distances r in a bin, over the number expected
-/// for independent grains of the same number density. Bin b extends from b * width to (b + 1) * width. All periodic
-/// images are counted, for any lattice and any distance.
+/// Pair correlation g(r) of the centres of grains: number of pairs at distances r in a bin, divided by the number
+/// expected for independent grains of the same number density. Bin b extends from b * width to (b + 1) * width. All
+/// periodic images are counted, for any lattice and any distance.
 ///
 /// Between walls, only grains that are at least the largest distance of g(r) away from every wall are counted, because
 /// all neighbours of these grains are in the packing. g(r) is then relative to the number density of these grains, and

@@ -17,8 +17,8 @@ int sign_of(double p) {
   return (p > 0.0 ? 1 : 0) - (p < 0.0 ? 1 : 0);
 }
 
-/// Connected parts of one phase: the grains with positive, or those with negative, pressure. A grain without a
-/// neighbour in its phase is a part by itself.
+/// Connected parts of one phase: of the grains with positive pressure, or of the grains with negative pressure. A grain
+/// without a neighbour in its phase is a part by itself.
 template <int Dim>
 struct PhaseParts {
   std::vector<int> sizes;
@@ -69,8 +69,8 @@ std::pair<int, int> like_bonds(const ContactNetwork<Dim>& network, const std::ve
   return {n, like};
 }
 
-/// Returns the mean magnitude of the pressure of the grains of one phase (those of positive or of negative pressure),
-/// in bins of the share of their neighbours that are in this phase. Neighbours of zero pressure do not count.
+/// Returns the mean magnitude of the pressure of the grains of one phase (positive or negative pressure), in bins of
+/// the share of their neighbours that are in this phase. Neighbours of zero pressure do not count.
 template <int Dim>
 std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const Adjacency& of,
                                        const std::vector<int>& sign, const std::vector<double>& pressure,
@@ -107,8 +107,8 @@ std::vector<LikeNeighbourBin> by_share(const ContactNetwork<Dim>& network, const
   return bins;
 }
 
-/// Adds the results for random signs, with which the results for the real signs are compared: the signs of the
-/// pressures are shuffled among the grains of nonzero pressure.
+/// Adds the results for random signs, to which the results for the real signs are compared: the signs of the pressures
+/// are shuffled among the grains of nonzero pressure.
 template <int Dim>
 void add_control(const ContactNetwork<Dim>& network, const Adjacency& of, std::vector<int> sign,
                  const PhaseOptions& options, PhaseStructure& out) {

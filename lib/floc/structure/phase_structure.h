@@ -10,7 +10,7 @@
 
 namespace floc {
 
-/// Settings of the comparison of the signs of particle pressure with randomly shuffled signs.
+/// Settings of the comparison of the structure of particle pressures with that of randomly shuffled signs.
 struct PhaseOptions {
   /// Number of shuffles of the signs of particle pressure. With 20 shuffles, the share of shuffles in which a phase
   /// percolates has an error of about 0.1. Each shuffle costs one search for connected parts in each phase.
@@ -26,16 +26,16 @@ struct PhaseOptions {
 /// Mean pressure of the grains of one phase (positive or negative pressure) that have a similar share of neighbours in
 /// this phase.
 struct LikeNeighbourBin {
-  /// range [low, high) of this share; the last bin includes 1
+  /// range [low, high) of the share of neighbours in this phase; the last bin includes 1
   double low = 0.0, high = 0.0;
   int n_grains = 0;
   double mean_size = 0.0;   ///< mean magnitude of the pressure of the grains of the bin (stress)
   double mean_error = 0.0;  ///< standard error of mean_size; 0 for fewer than two grains
 };
 
-/// Connectivity of one of the two phases: the grains with positive, or with negative, pressure.
+/// Connectivity of one of the two phases: the grains with positive pressure, or the grains with negative pressure.
 struct PhaseGeometry {
-  std::vector<int> cluster_sizes;  ///< numbers of grains of the connected parts, the largest first
+  std::vector<int> cluster_sizes;  ///< number of grains of each connected part, the largest first
   /// For each lattice vector, whether a connected part winds around the cell along it.
   std::array<bool, 3> along{};
   /// Largest number of independent directions in which a connected part winds around the cell.
@@ -53,7 +53,7 @@ struct PhaseGeometry {
 struct PhaseStructure {
   PhaseGeometry positive, negative;
   int n_bonds = 0;             ///< number of bonds between two grains of nonzero pressure
-  double like_share = 0.0;     ///< share of these bonds that join pressures of equal sign
+  double like_share = 0.0;     ///< share of these bonds whose two grains have pressures of equal sign
   double like_expected = 0.0;  ///< mean of like_share over all possible shuffles of the signs, in closed form
   /// Standard deviation of like_share over the shuffles of the signs that were made.
   double like_deviation = 0.0;

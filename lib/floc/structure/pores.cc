@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Edge of the network of interactions, between the centre of grain i and the centre of a periodic image of grain j.
+/// Edge of the network of interactions, from the centre of grain i to the centre of a periodic image of grain j.
 struct Edge {
   int i, j;
   Vec<2, int> image;
@@ -26,15 +26,15 @@ std::vector<Edge> edges_of(const Packing<2>& packing, DisjointSets& sets) {
   for (const Contact<2>& c : packing.contacts) {
     const bool again = previous != nullptr && same_pair(*previous, c);
     previous = &c;
-    if (again) continue;  // the edge exists: c is another contact of these two grains
+    if (again) continue;  // an edge between these two grains exists already: c is another of their contacts
     edges.push_back({c.i, c.j, c.image, branch(packing, c)});
     sets.join(c.i, c.j);
   }
   return edges;
 }
 
-/// Joins separate parts of the network by edges across the shortest gaps between them, as in a minimal spanning
-/// tree. These edges cross neither a grain nor another edge.
+/// Joins separate parts of the network by edges across the shortest gaps between them, as in a minimal spanning tree.
+/// Such edges cross no grain and no other edge.
 void bridge(const Packing<2>& packing, DisjointSets& sets, std::vector<Edge>& edges) {
   const Grains<2>& g = packing.grains;
   struct Gap {
@@ -62,7 +62,7 @@ struct AreaMoments {
   Vec<2> first = Vec<2>::Zero();
   double second = 0.0;
 
-  /// Adds the triangle (origin, p, q), with negative area if it is clockwise.
+  /// Adds the moments of the triangle (origin, p, q), with negative sign if its corners are clockwise.
   void add_triangle(const Vec<2>& p, const Vec<2>& q) {
     const double cross = p[0] * q[1] - p[1] * q[0];
     area += cross / 2.0;
@@ -88,7 +88,7 @@ struct AreaMoments {
   }
 };
 
-/// Face of the network of interactions, without the area that disks cover.
+/// Face of the network of interactions. Its moments leave out the area that disks cover.
 struct Face {
   AreaMoments moments;   // moments of area about `origin`
   double polygon = 0.0;  // signed area of the polygon of grain centres around the face
@@ -148,7 +148,7 @@ class FaceWalk {
       winding += sign(h) * edges_[h / 2].image.cast<std::int64_t>();
       const int after = next_[h];
       double angle = angle_[twin(h)] - angle_[after];
-      // at the end of a dead end the walk turns back, by the full angle
+      // At a dead end the walk turns back, by the full angle.
       if (angle <= 0.0) angle += 2.0 * std::numbers::pi;
       face.moments.remove_sector(to, packing_.grains.radius[origin(after)], angle_[after], angle);
       at = to;
@@ -167,8 +167,8 @@ class FaceWalk {
 };
 
 /// Removes the faces that are not bounded, and sets `unbounded` if there are any: faces that wind around the cell, or
-/// the outside of a network that does not span the cell. Euler's formula tells which of the two kinds is present, and
-/// whether edges cross.
+/// the outside of a network that does not span the cell. Euler's formula tells which of the two is present, and whether
+/// edges cross.
 /// @return false if the edges cross
 bool remove_unbounded(double area, int n_grains, int n_edges, std::vector<Face>& faces, bool& unbounded) {
   constexpr double kWhole = 1e-6;
@@ -215,7 +215,7 @@ Pores find_pores(const Packing<2>& packing) {
   std::vector<Face> faces = FaceWalk(packing, edges).faces();
   if (!remove_unbounded(packing.cell.volume(), n, static_cast<int>(edges.size()), faces, out.unbounded)) {
     out.failure_reason =
-        "lines between the centres of touching grains cross each other, so that no pores can be identified";
+        "pores cannot be identified, because lines between the centres of touching grains cross each other";
     return out;
   }
   for (Face& face : faces) {

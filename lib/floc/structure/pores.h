@@ -17,26 +17,25 @@ struct Pore {
   std::vector<int> grains;
 };
 
-/// Pores of a 2D packing: the faces of the network of its interactions, including attraction across gaps,
-/// without the area of the disks around and inside them (docs/physics.md, "Structure"). Areas are computed in
-/// closed form. They add up to A (1 - Phi), with A the area of the cell and overlaps counted twice in the solid
-/// fraction Phi.
+/// Pores of a 2D packing: the faces of the network of its interactions, including attraction across gaps, without the
+/// area that disks cover (docs/physics.md, "Structure"). Areas are computed in closed form. Their sum is A (1 - Phi),
+/// with the area A of the cell and the solid fraction Phi, in which overlaps count twice.
 struct Pores {
   std::vector<Pore> pores;  ///< pores that do not wind around the periodic cell
-  /// Whether there is also a pore that winds around the cell, and therefore has no size.
+  /// Whether there is also a pore that winds around the cell. Such a pore has no size.
   bool unbounded = false;
   double total_area = 0.0;  ///< sum of the areas of `pores` (length^2)
   /// Size xi' of the pores: root of the mean squared radius of gyration, weighted by area (length); 0 without
   /// pores.
   double size = 0.0;
   double mean_area = 0.0;  ///< mean area of the pores (length^2)
-  /// Reason why the pores cannot be identified; empty if they can. With large overlaps, lines between the centres of
+  /// Reason why the pores cannot be identified; empty if they are. With large overlaps, lines between the centres of
   /// touching grains may cross each other.
   std::string failure_reason;
 };
 
 /// Finds the pores of a packing. Separate parts of the network of interactions, and single grains inside a pore, are
-/// joined to their nearest neighbour by edges without width, which do not change the pore.
+/// joined to their nearest neighbour by lines, which do not change the area of the pore.
 Pores find_pores(const Packing<2>& packing);
 
 }  // namespace floc

@@ -6,10 +6,11 @@
 
 namespace floc {
 
-/// Phase of the grains whose pressures have one sign. Grains of the phase that interact belong to one cluster.
+/// Phase of the grains whose pressures have one sign. Grains of the phase that are connected by interactions form a
+/// cluster.
 struct PressurePhase {
   int n_grains = 0;
-  double share = 0.0;       ///< number of grains of the phase over the number of all grains
+  double share = 0.0;       ///< number of grains of the phase divided by the number of all grains
   double mean = 0.0;        ///< mean pressure of the grains of the phase (stress)
   int n_clusters = 0;       ///< number of clusters (connected parts), including single grains
   int largest_cluster = 0;  ///< number of grains of the largest cluster

@@ -13,8 +13,7 @@
 namespace floc {
 namespace {
 
-/// Ball that the centre of a rattler may not enter: a grain with its radius enlarged by the radius of the
-/// rattler.
+/// Ball into which the centre of a rattler cannot move: a grain whose radius is enlarged by the radius of the rattler.
 template <int Dim>
 struct Obstacle {
   Vec<Dim> centre;
@@ -65,9 +64,9 @@ Vec<Dim> furthest_corner(const std::vector<HalfSpace<Dim>>& spaces, const Vec<Di
 }
 
 /// Pushes a point from the origin along a direction until the obstacles, which are balls, stop it. Each step replaces
-/// every ball by a half space that contains the ball and touches it where it is nearest to the point. The step is the
-/// furthest move outside all half spaces, found by linear programming, so that the point never enters a ball. The steps
-/// converge quadratically to a corner between balls.
+/// every ball by a half space that contains the ball and touches the ball at its point nearest to the moving point. The
+/// step is the longest move outside all half spaces, found by linear programming, so the point never enters a ball. The
+/// steps converge quadratically to a corner between balls.
 /// @return place where the point stops; no value if it moves further than `length`
 template <int Dim>
 std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, const Vec<Dim>& direction,
@@ -93,7 +92,7 @@ std::optional<Vec<Dim>> pushed(const std::vector<Obstacle<Dim>>& obstacles, cons
   return x;
 }
 
-/// Returns the direction in which a rattler is pushed: towards the nearest obstacle, and half as much towards
+/// Returns the direction in which a rattler is pushed: towards the nearest obstacle, plus half of the direction towards
 /// the second nearest.
 template <int Dim>
 Vec<Dim> push_direction(std::vector<Obstacle<Dim>>& obstacles) {

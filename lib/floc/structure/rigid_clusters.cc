@@ -29,7 +29,7 @@ double angle_between(const Eigen::Quaterniond& p, const Eigen::Quaterniond& q) {
 }
 
 /// Returns the branch vector, in the state after, of a contact that exists in both states.
-/// @param before  the contact in the state before; the vector points from its grain i to its grain j
+/// @param before  the contact in the state before; the branch vector points from its grain i to its grain j
 /// @param c       the contact in the state after
 template <int Dim>
 Vec<Dim> branch_after(const Packing<Dim>& after, const Contact<Dim>& before, const Contact<Dim>& c) {

@@ -7,7 +7,7 @@
 
 namespace floc {
 
-/// Groups of grains that moved nearly as rigid bodies between two states.
+/// Groups of grains that move nearly as rigid bodies from one state to another.
 struct RigidClusters {
   /// Index of the cluster of each grain, -1 for a grain in no cluster. Clusters are numbered by size, the largest
   /// first.
@@ -20,10 +20,11 @@ struct RigidClusters {
 };
 
 /// Finds groups of grains joined by contacts that exist in both states and show no relative motion. At such a contact,
-/// the material points that touched before are within tolerance * a of each other after, with the largest diameter a,
-/// and the rotations of the two grains differ by at most `tolerance` (radians). A rigid body that moves and rotates
-/// satisfies both conditions exactly. Along a chain of contacts, differences below the tolerance may add up. Both
-/// packings must include the orientations of the grains, which packings of other programs may lack.
+/// the two material points that touch in the state before have a distance of at most tolerance * a in the state after,
+/// with the largest diameter a, and the rotations of the two grains differ by at most `tolerance` (radians). A rigid
+/// body that moves and rotates satisfies both conditions exactly. Along a chain of contacts, differences below the
+/// tolerance may add up. Both packings must contain the orientations of the grains; packings from other programs may
+/// lack them.
 ///
 /// @param changes    changes of contacts from `before` to `after`
 /// @param tolerance  largest relative displacement (in largest diameters) and largest relative rotation (radians) of

@@ -29,7 +29,7 @@ int smooth_size(int n) {
 /// from 0 to size[1]/2.
 std::vector<std::complex<double>> transform(const CoverageMap& field) {
   std::vector<std::complex<double>> out(static_cast<std::size_t>(field.size[0]) * (field.size[1] / 2 + 1));
-  // With FFTW_PRESERVE_INPUT, FFTW does not change its input, so that the const_cast is safe.
+  // With FFTW_PRESERVE_INPUT, FFTW does not change its input, so the const_cast is safe.
   fftw_plan plan =
       fftw_plan_dft_r2c_2d(field.size[0], field.size[1], const_cast<double*>(field.share.data()),
                            reinterpret_cast<fftw_complex*>(out.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
@@ -114,7 +114,7 @@ void ScatteringAverage::add_vector(double k, double intensity, std::int64_t weig
 
 void ScatteringAverage::add(const Cell<2>& cell, const CoverageMap& field) {
   const std::vector<std::complex<double>> hat = transform(field);
-  const Mat<2> reciprocal = kTwoPi * cell.matrix.inverse();  // k = reciprocal * (n1, n2)
+  const Mat<2> reciprocal = kTwoPi * cell.matrix.inverse();  // wave vectors are k = reciprocal * (n1, n2)
   const double area = cell.volume();
   const double per_cell = area / (static_cast<double>(field.size[0]) * field.size[1]);
   const int n_columns = field.size[1] / 2 + 1;
@@ -126,7 +126,7 @@ void ScatteringAverage::add(const Cell<2>& cell, const CoverageMap& field) {
       if (k < edges_.front() || k >= edges_.back()) continue;
       const double kept = kept1 * kept_by_averaging(n2, field.size[1]);
       const std::complex<double> chi = hat[static_cast<std::size_t>(row) * n_columns + n2];
-      // For n2 = 0 the transform contains both k and -k; for other n2 it contains one of them, which counts
+      // The transform with n2 = 0 contains both k and -k. For other n2 it contains only one of them, which then counts
       // twice.
       add_vector(k, per_cell * per_cell * std::norm(chi) / (kept * kept * area), n2 == 0 ? 1 : 2);
     }

@@ -25,18 +25,18 @@ struct Scattering {
 
 /// Numerical settings for the computation of a scattering intensity.
 struct ScatteringOptions {
-  /// Largest wave number k, in units of 2 pi over the largest diameter. Above 1 the intensity shows the shape
-  /// of grains and their contacts, below 1 aggregates.
+  /// Largest wave number k, in units of 2 pi divided by the largest diameter. The intensity shows the shape of grains
+  /// and their contacts at k above 1 in this unit, and aggregates below 1.
   double largest = 2.0;
   /// For disks, number of mesh cells per wavelength of the largest k. The values on the mesh are averages over its
   /// cells, and the intensity is corrected for this averaging. With 8 cells, aliasing from shorter waves is below 1 %
-  /// of I, and falls as k^5 towards smaller k.
+  /// of the intensity, and decreases as k^5 towards small k.
   double cells_per_wave = 8.0;
   /// Ratio of the upper to the lower edge of a bin of k. A bin is at least 2 pi/V^(1/Dim) wide.
   double bin_growth = 1.05;
-  /// For spheres: a bin with more than `most_vectors` wave vectors is averaged over a random sample of `most_vectors`
-  /// of them. The relative error of the intensity I is then 1/sqrt(most_vectors), 6 % for 300, no more than in bins of
-  /// small k.
+  /// For spheres: largest number of wave vectors over which a bin is averaged. A bin with more wave vectors is averaged
+  /// over a random sample of this size. The relative error of the intensity is then 1/sqrt(most_vectors), 6 % for 300,
+  /// no more than in bins of small k.
   int most_vectors = 300;
   /// For spheres, largest total number of wave vectors from which the random samples are drawn; the largest k is
   /// lowered to stay within this number.
@@ -51,7 +51,7 @@ struct ScatteringOptions {
 };
 
 /// Returns the edges of the bins of the wave number k (1/length). The first edge is `unit`/2, with `unit` the smallest
-/// k of the cell. Each next edge is `growth` times the edge before it, but at least `unit` larger, up to `largest`.
+/// k of the cell. Each further edge is `growth` times the previous edge, but at least `unit` larger, up to `largest`.
 std::vector<double> scattering_bins(double largest, double unit, double growth);
 
 /// Bins of the wave number k, and the mesh that resolves the largest k.
@@ -64,9 +64,9 @@ struct ScatteringMesh {
   Vec<2, int> size(const Cell<2>& cell) const;
 };
 
-/// Returns the grains of a packing in the shortest cell of its lattice. The scattering intensity depends only
-/// on the lattice, and a very slanted cell, with nearly parallel sides, would need a mesh along its long sides.
-/// A cell that is already the shortest is left unchanged.
+/// Returns the grains of a packing in the shortest cell of its lattice. The scattering intensity depends only on the
+/// lattice. A very slanted cell, with nearly parallel sides, would need a mesh along its long sides. A cell that is
+/// already the shortest is left unchanged.
 Packing<2> in_shortest_cell(const Packing<2>& packing);
 
 /// Chooses the bins of the wave number and the mesh for a packing of disks. Both depend only on the options, the area
@@ -89,8 +89,8 @@ class ScatteringAverage {
   /// Adds a field, such as a map of the solid fraction, given by its averages over the mesh cells of a periodic cell.
   void add(const Cell<2>& cell, const CoverageMap& field);
   /// Adds a packing of spheres by the sum of their Fourier transforms, without a mesh; overlaps count twice.
-  /// @param most_vectors  largest number of wave vectors per bin, >= 1; a bin with more is averaged over a random
-  /// sample, with a fixed seed
+  /// @param most_vectors  largest number of wave vectors per bin, >= 1; a bin with more wave vectors is averaged over a
+  /// random sample, with a fixed seed
   void add(const Packing<3>& packing, int most_vectors);
 
   /// Returns the average intensity. Bins without wave vectors are left out.
@@ -104,7 +104,7 @@ class ScatteringAverage {
   std::vector<std::int64_t> n_;
 };
 
-/// Return the scattering intensity I(k) of one packing.
+/// Returns the scattering intensity I(k) of one packing.
 Scattering scattering(const Packing<2>& packing, const ScatteringOptions& options = {});
 Scattering scattering(const Packing<3>& packing, const ScatteringOptions& options = {});
 

@@ -13,7 +13,7 @@
 namespace floc {
 namespace {
 
-/// Seed and stream number of the random choice of wave vectors, which is the same for every state.
+/// Seed and stream number of the random choice of wave vectors. All states use the same choice.
 constexpr std::uint64_t kSeed = 1, kPurpose = 0x1e;
 
 using Wave = Vec<3, int>;
@@ -71,7 +71,7 @@ std::complex<double> amplitude(const Scatterers& grains, const Wave& n, double k
 
 double ball_transform(double k, double R) {
   const double x = k * R;
-  // Below this value of kR a series is used, because the difference sin kR - kR cos kR loses digits.
+  // Below this value of kR a series is used, because the difference sin kR - kR cos kR loses digits there.
   constexpr double kSmall = 0.02;
   const double over_volume = x < kSmall ? 1.0 - x * x / 10.0 + x * x * x * x / 280.0
                                         : 3.0 * (std::sin(x) - x * std::cos(x)) / (x * x * x);
@@ -82,7 +82,7 @@ std::vector<double> scattering_edges(const Packing<3>& packing, const Scattering
   assert(packing.grains.size() > 0);
   refuse_faults(options.validate());
   const double volume = packing.cell.volume();
-  // Up to the wave number k there are V k^3/(12 pi^2) pairs of wave vectors k and -k, with the volume V of the cell.
+  // There are V k^3/(12 pi^2) pairs of wave vectors k and -k up to the wave number k, with the volume V of the cell.
   const double affordable = std::cbrt(3.0 * kTwoPi * kTwoPi * static_cast<double>(options.most_waves) / volume);
   return scattering_bins(std::min(options.largest * kTwoPi / largest_diameter(packing.grains), affordable),
                          kTwoPi / std::cbrt(volume), options.bin_growth);

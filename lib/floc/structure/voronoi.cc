@@ -45,7 +45,7 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
     if (!container.compute_cell(cell, loop)) continue;
     const int i = loop.pid();
     volume[i] = cell.volume() * std::pow(turned.unit, 3);
-    cell.vertices(vertices);  // relative to the centre of the grain
+    cell.vertices(vertices);  // these are relative to the centre of the grain
     for (std::size_t v = 0; v + 2 < vertices.size(); v += 3) {
       const Vec<3> from = turned.here({vertices[v], vertices[v + 1], vertices[v + 2]});
       corners.push_back({packing.cell.wrapped(g.position[i] + from), from.norm() - g.radius[i]});
@@ -54,7 +54,7 @@ std::vector<Corner> tessellate(const Packing<3>& packing, std::vector<double>& v
   return corners;
 }
 
-/// Merges vertices at the same place. Returns a ball about each merged vertex, which extends to the nearest of the
+/// Merges vertices at the same place. Returns a ball about each merged vertex. The ball extends to the nearest of the
 /// grains whose Voronoi cells meet at this vertex.
 std::vector<VoidBall> merged(const Packing<3>& packing, const std::vector<Corner>& corners) {
   Grains<3> points = Grains<3>::with_size(static_cast<int>(corners.size()));
@@ -91,7 +91,7 @@ void shrink_to_nearest(const Packing<3>& packing, std::vector<VoidBall>& voids) 
   }
   const int n = packing.grains.size();
   for (const NeighborPair<3>& pair : find_pairs(packing.cell, all, 0.0)) {
-    if (pair.i >= n || pair.j < n) continue;  // keep pairs of a grain i and a ball j that enters it
+    if (pair.i >= n || pair.j < n) continue;  // keep only pairs of a grain i and a ball j that overlaps it
     const Vec<3> r = all.position[pair.j] + packing.cell.shift(pair.image) - all.position[pair.i];
     double& radius = voids[pair.j - n].radius;
     radius = std::min(radius, r.norm() - all.radius[pair.i]);

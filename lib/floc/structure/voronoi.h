@@ -17,10 +17,10 @@ struct VoidBall {
 struct VoronoiTessellation {
   /// Volume of the Voronoi cell of each grain (length^3); 0 if the grain has no cell.
   std::vector<double> volume;
-  /// Volume of each grain over the volume of its Voronoi cell; 0 if the grain has no cell.
+  /// Volume of each grain divided by the volume of its Voronoi cell; 0 if the grain has no cell.
   std::vector<double> solid_fraction;
-  /// Balls about the vertices of the tessellation that extend to the nearest surface; vertices inside a grain
-  /// have no ball. For equal spheres these are the balls that four spheres touch.
+  /// Balls about the vertices of the tessellation that extend to the nearest surface of a grain; vertices inside a
+  /// grain have no ball. For equal spheres, each ball touches four spheres.
   std::vector<VoidBall> voids;
 };
 

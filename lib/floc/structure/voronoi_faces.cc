@@ -72,8 +72,8 @@ class FaceList {
     out_.faces.push_back(out);
   }
 
-  /// Area below which a face is an edge or a corner that only rounding makes a face. The unit of length is such that
-  /// the mean volume of a Voronoi cell is 1.
+  /// Largest area of a face that exists only by rounding and is really an edge or a corner. The unit of length is such
+  /// that the mean volume of a Voronoi cell is 1.
   static constexpr double kNoFace = 1e-12;
 
   const Cell<3>& cell_;

@@ -17,7 +17,7 @@ struct VoronoiFace {
 };
 
 struct VoronoiFaces {
-  /// Volume of the Voronoi cell of each point (length^3); the volumes add up to that of the periodic cell.
+  /// Volume of the Voronoi cell of each point (length^3). The volumes add up to the volume of the periodic cell.
   std::vector<double> volume;
   std::vector<VoronoiFace> faces;  ///< all faces, each once, sorted by (i, j, image)
 };

@@ -16,7 +16,7 @@
 namespace floc {
 namespace {
 
-/// Lists, in words, the grains whose net force or moment is not below `limit`.
+/// Lists the grains whose net force or moment is not below `limit`, as text.
 /// @param net  net force or moment of each grain
 /// @param unit  function that returns the unit in which the force or moment of a grain is expressed
 /// @param limit  largest accepted force or moment, in this unit
@@ -138,7 +138,7 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
   }
   const double volume = recomputed.cell.volume();
   // At zero pressure, tensile and compressive contributions to the stress cancel. The error is then compared with the
-  // size of the contributions instead of their sum.
+  // magnitude of the contributions, and not with their sum.
   const double scale = std::max(std::abs(stress.trace() / Dim), 1e-5 * magnitude / (Dim * volume));
   const double error = (state.stress - stress).cwiseAbs().maxCoeff();
   // The normal and the tangential force may each have the error that the criterion "law" accepts.
@@ -159,7 +159,7 @@ Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed
   Vec<Dim> centre = Vec<Dim>::Zero();
   if (recomputed.walls.empty())
     for (const Vec<Dim>& x : g.position) centre += x / g.size();
-  double open = 0.0;  // difference that net forces within their tolerance explain (force * length)
+  double open = 0.0;  // difference that net forces up to their tolerance can cause (force * length)
   for (int i = 0; i < g.size(); ++i)
     open += std::min(net.force[i].norm(), largest) * (g.position[i] - centre).norm();
   double rounded = 0.0;
@@ -203,11 +203,11 @@ class Record {
   int n_ = 0;
 };
 
-/// Largest distance of a force from its limit, relative to the limit, at which a contact may be flagged as mobilised
-/// (sliding or yielding). Files of other programs print at least six digits.
+/// Largest relative difference between a force and its limit at which a contact may be flagged as mobilised (sliding or
+/// yielding). Files of other programs contain at least six digits.
 constexpr double kFlagTolerance = 1e-5;
-/// A contact must be flagged as mobilised (sliding or yielding) if the distance of its force from the limit, relative
-/// to the limit, is smaller than this.
+/// Relative difference between a force and its limit below which a contact must be flagged as mobilised (sliding or
+/// yielding).
 constexpr double kAtCap = 1e-13;
 
 template <int Dim>
@@ -226,7 +226,8 @@ void compare_flags(const Packing<Dim>& stored, Record& record) {
   }
 }
 
-/// Compares the residuals of the grains that are recorded as the worst ones with the largest residuals of all grains.
+/// Compares the recorded residuals of the grains that are recorded as the worst grains with the largest residuals of
+/// all grains.
 /// @param found  largest residuals of the recomputed packing
 /// @param rounding  bound on the rounding error of a residual
 template <int Dim>
@@ -247,8 +248,8 @@ void compare_worst_grains(const State<Dim>& state, const Packing<Dim>& recompute
           [&](int i) { return net.moment[i].norm() / (scales.of(i).force * scales.of(i).length); });
 }
 
-/// Compares the recorded forces on walls with the contact forces on these walls, and the recorded rates at which the
-/// sides of a box change with the velocities of its walls.
+/// Compares the recorded forces on walls with the contact forces on these walls. Also compares the recorded rates of
+/// the sides of a box with the velocities of its walls.
 template <int Dim>
 void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Record& record) {
   const std::vector<double> found = wall_forces(recomputed);
@@ -266,7 +267,7 @@ void compare_walls(const State<Dim>& state, const Packing<Dim>& recomputed, Reco
 
 template <int Dim>
 void compare_orientations(const Grains<Dim>& grains, Record& record) {
-  // Rounding in many time steps may change the norm of a unit quaternion by this much.
+  // Largest change of the norm of a unit quaternion by rounding in many time steps.
   constexpr double kRounding = 1e-9;
   if constexpr (Dim == 3)
     for (int i = 0; i < grains.size(); ++i)
@@ -291,7 +292,7 @@ Criterion check_record(const State<Dim>& state, const Packing<Dim>& recomputed, 
   record.compare("residuals.moment", state.residuals.moment, found.moment, open);
   double lengths = 0.0;
   for (const Contact<Dim>& c : recomputed.contacts) lengths += branch(recomputed, c).norm();
-  // With walls, the residual of the stress is in units of the pressure.
+  // For packings with walls, the unit of the stress residual is the pressure.
   const bool by_pressure = !recomputed.walls.empty() && state.target_stress.mean() > 0.0;
   const double unit = by_pressure ? state.target_stress.mean() : scale.force / std::pow(scale.length, Dim - 1);
   record.compare(

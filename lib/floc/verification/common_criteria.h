@@ -7,8 +7,8 @@
 #include "floc/packing/state.h"
 #include "floc/verification/verification.h"
 
-/// Criteria that states of elastic grains and states of rigid grains share (verify_equilibrium(), verify_rigid()). Their
-/// argument `recomputed` is the packing of the state with recomputed contacts, and `stress` its static_stress().
+/// Criteria that states of elastic grains and states of rigid grains share (verify_equilibrium(), verify_rigid()).
+/// Their argument `recomputed` is the packing of the state with recomputed contacts, and `stress` its static_stress().
 namespace floc {
 
 /// Returns a bound on the error of a contact force (force) that results from rounding of the positions.
@@ -16,14 +16,14 @@ template <int Dim>
 double force_error(const Packing<Dim>& packing);
 
 /// Adds the criteria force, moment, stress and energy: the residuals must be below the tolerances of the state.
-/// @param motion  words that tell which grains move, for a kinetic energy that is too large
+/// @param motion  text about the grains that move, for the case that the kinetic energy is too large
 template <int Dim>
 void add_residuals(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress,
                    const std::string& motion, std::vector<Criterion>& criteria);
 
 /// Adds the criterion length if lengths are imposed. It compares the lengths of the axes of the cell, and the offset of
 /// a sheared lattice vector, with the imposed values. Only rounding errors are accepted, because the motion of the cell
-/// ends exactly at these values.
+/// ends exactly at the imposed values.
 template <int Dim>
 void add_lengths(const State<Dim>& state, std::vector<Criterion>& criteria);
 
@@ -34,7 +34,7 @@ Criterion check_recorded_stress(const State<Dim>& state, const Packing<Dim>& rec
 
 /// Compares the stress that the forces across the faces of the cell give with the stress of all contacts. Net forces on
 /// grains cause a part of the difference (see boundary_stress()). The net force of each grain is accepted as a cause
-/// only up to the tolerance of forces, because a larger net force is no equilibrium.
+/// only up to the tolerance of forces, because a packing with a larger net force is not in equilibrium.
 template <int Dim>
 Criterion check_boundary(const State<Dim>& state, const Packing<Dim>& recomputed, const Mat<Dim>& stress);
 

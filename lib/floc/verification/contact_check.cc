@@ -15,10 +15,10 @@
 namespace floc {
 namespace {
 
-/// A tangential force (or moment) counts as too large if it exceeds its limit by more than this fraction of the limit.
-/// The fraction allows for files with only six digits, in which forces and contact normals are rounded.
+/// Largest relative excess of a tangential force (or moment) over its limit that is accepted. It allows for files with
+/// only six digits, in which forces and contact normals are rounded.
 constexpr double kCapTolerance = 1e-4;
-/// Largest tensile normal force that counts as a rounding error, relative to the largest normal force of the packing.
+/// Largest tensile normal force that counts as a rounding error, divided by the largest normal force of the packing.
 constexpr double kNoForce = 1e-9;
 
 template <int Dim>
@@ -27,8 +27,8 @@ std::string names_of(const Packing<Dim>& packing, const Contact<Dim>& c) {
 }
 
 /// Returns the normal force that the contact law gives at the present gap of a contact, with the stiffness of this
-/// contact. If a contact with a linear spring is marked as touching although there is a gap between its surfaces, its
-/// spring pulls.
+/// contact. If a contact with a linear spring is marked as touching although its surfaces have a gap, its force is
+/// tensile.
 template <int Dim>
 double expected_normal_force(const Packing<Dim>& packing, const Contact<Dim>& c) {
   const Law& law = packing.law_of(c);

@@ -21,7 +21,7 @@ std::vector<Contact<Dim>> missing_contacts(const Packing<Dim>& packing, double o
 /// Numbers of contacts with certain properties, and differences between the forces of contacts and the contact law.
 struct ContactCheck {
   int n_contacts = 0;
-  /// Number of contacts that are marked as touching although there is a gap between their surfaces.
+  /// Number of contacts that are marked as touching although their surfaces have a gap.
   int n_with_gap = 0;
   int n_bonds = 0;      ///< number of bonds, whose forces do not follow from the law
   int n_distant = 0;    ///< number of contacts that attract across a gap
@@ -33,21 +33,22 @@ struct ContactCheck {
   /// Largest difference of a normal force from the contact law, divided by the mean absolute value of the normal
   /// forces.
   double largest_difference = 0.0;
-  std::string most_different;  ///< names of the grains of the contact with the largest difference
-  int n_missing = 0;           ///< number of pairs that touch but are missing in the contact list
-  std::string missing;         ///< the first missing pair in words: names of its grains, and its gap
+  /// names of the grains of the contact with the largest difference from the contact law
+  std::string most_different;
+  int n_missing = 0;    ///< number of pairs that touch but are missing in the contact list
+  std::string missing;  ///< text with the names of the grains and the gap of the first missing pair
 };
 
 /// Checks the contact forces of a packing against its contact law, and its contacts against the positions of the
 /// grains. If the law is linear and contacts have stiffnesses of their own, the normal force of each contact is
 /// compared with its own stiffness times its overlap.
-/// @param tolerance  smallest difference of a normal force from the law that counts, relative to the mean absolute
-/// value of the normal forces; differences that rounding of the positions explains never count
+/// @param tolerance  smallest difference of a normal force from the law that counts, divided by the mean absolute value
+/// of the normal forces; differences that rounding of the positions can explain never count
 template <int Dim>
 ContactCheck check_contacts(const Packing<Dim>& packing, double tolerance);
 
 /// Adds the pairs of grains that touch but are missing in the contact list to `check`. This is useful for contact lists
-/// that were read from a file instead of being found from the positions.
+/// that were read from a file and not found from the positions.
 template <int Dim>
 void add_missing_contacts(const Packing<Dim>& packing, ContactCheck& check);
 

@@ -10,19 +10,19 @@ namespace floc {
 /// Contacts of a packing of rigid grains as they follow from positions and shapes, without the recorded geometry.
 template <int Dim>
 struct RigidGeometry {
-  /// For each recorded contact, that contact with the gap, normal and lever arms that were found, and the recorded
-  /// forces. Where the pair has no contact point with the recorded key, this is its contact point nearest to the
-  /// recorded one; where it has no contact point at all, the gap is infinite.
+  /// For each recorded contact: the contact with the gap, normal and lever arms found from positions and shapes, and
+  /// with the recorded forces. If the pair has no contact point with the recorded key, its contact point nearest to the
+  /// recorded point is taken. If the pair has no contact point at all, the gap is infinite.
   std::vector<Contact<Dim>> recorded;
-  /// Overlaps deeper than a tolerance, between any two surfaces, deepest first. They have no forces.
+  /// Contacts of any two surfaces whose overlap is deeper than a tolerance, the deepest first. They have no forces.
   std::vector<Contact<Dim>> overlapping;
-  /// Deepest overlap of any two surfaces, over the diameter of the smaller grain.
+  /// Deepest overlap of any two surfaces, divided by the diameter of the smaller grain.
   double deepest = 0.0;
 };
 
 /// Finds the contact points of a packing from positions and shapes.
-/// @param tolerance  overlap from which a contact is listed in RigidGeometry::overlapping, over the diameter of the
-/// smaller grain
+/// @param tolerance  overlap from which on a contact is listed in RigidGeometry::overlapping, divided by the diameter
+/// of the smaller grain
 template <int Dim>
 RigidGeometry<Dim> rigid_geometry(const Packing<Dim>& packing, double tolerance);
 

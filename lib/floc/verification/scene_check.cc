@@ -17,8 +17,8 @@
 namespace floc {
 namespace {
 
-/// Compares the masses of the grains with the masses that follow from their sizes and the density of the scene. The value
-/// of the criterion is the largest relative difference of the two.
+/// Compares the masses of the grains with the masses that follow from their sizes and the density of the scene. The
+/// value of the criterion is the largest relative difference between the two.
 template <int Dim>
 Criterion check_mass(const std::string& file, const State<Dim>& state) {
   constexpr double kRelative = 1e-12;
@@ -59,8 +59,7 @@ std::optional<Scene> scene_of(const std::string& file, const std::string& text, 
 }
 
 /// Largest accepted tolerance of a state without a scene. Like all tolerances, it is relative to the typical force F1
-/// of the packing and to the largest diameter. A packing whose forces are out of balance by so much is not near an
-/// equilibrium.
+/// of the packing and to the largest diameter. A packing with such large net forces is far from equilibrium.
 constexpr double kLargestTolerance = 10.0;
 
 /// Checks the tolerances of the equilibrium that are recorded in a state.
@@ -89,7 +88,7 @@ Criterion check_tolerances(const EquilibriumTolerance& t, const std::optional<Eq
   return {"tolerances", static_cast<double>(n_wrong), 0.0, n_wrong == 0, where};
 }
 
-/// Differences between a state and its scene, in words.
+/// Differences between a state and its scene, as text.
 class Differences {
  public:
   template <class Value>

@@ -14,7 +14,7 @@ namespace floc {
 ///   mass        largest relative difference between the masses of the grains and the masses that follow from their
 ///               radii and the density of the scene
 ///   tolerances  number of recorded tolerances that differ from those of the scene. Without a scene they must be at
-///               most 10, because any packing satisfies larger ones.
+///               most 10, because any packing satisfies larger tolerances.
 ///   scene       number of other differences: unit system, place on the load path, load on the boundary, contact law,
 ///               contact law of the walls, masses of the walls. A scene that starts from a saved state is compared
 ///               only if that state is found.
@@ -23,9 +23,10 @@ namespace floc {
 template <int Dim>
 std::vector<Criterion> check_against_scene(const std::string& file, const State<Dim>& state);
 
-/// Returns the gap up to which rigid contacts carry forces by the scene of a state, over the diameter of the smaller
-/// grain; absent if the state has no scene, if its scene cannot be read, or if the scene does not give it.
-/// @param file  as in check_against_scene()
+/// Returns the largest gap of a contact that carries a force, divided by the diameter of its smaller grain, from the
+/// scene of a state of rigid grains; absent if the state has no scene, if its scene cannot be read, or if the scene
+/// does not set this gap.
+/// @param file  see check_against_scene()
 template <int Dim>
 std::optional<double> scene_gap_tolerance(const std::string& file, const State<Dim>& state);
 

@@ -24,8 +24,8 @@
 namespace floc {
 namespace {
 
-/// Identity of a pair of grains: their indices and the periodic image. It depends neither on the order of the two
-/// grains nor on the choice between opposite images.
+/// Identity of a pair of grains: their indices and the periodic image. The identity is independent of the order of the
+/// two grains and of the choice between opposite images.
 using PairIdentity = std::tuple<int, int, std::vector<int>>;
 
 template <class Pair>
@@ -69,7 +69,7 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   // Several contacts of one pair of grains are distinguished by the keys 0, 1, ...
   for (const Contact<Dim>& c : recomputed.contacts)
     if (c.key < 0 || (c.key > 0 && !listed.contains({identity(c), c.key - 1})))
-      wrong(fmt::format("{} are in the contact list with the key {}, but not with the key before it",
+      wrong(fmt::format("{} are in the contact list with the key {}, but not with the preceding key",
                         pair_name(recomputed, c), c.key));
   for (const Contact<Dim>& c : missing_contacts(recomputed, open))
     wrong(fmt::format("{} are missing in the contact list although they interact at their gap of {:.2g}",
@@ -77,8 +77,8 @@ Criterion check_list(const Packing<Dim>& recomputed) {
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// Checks the liquid bridges of a state. Their total volume must be the volume that the contact law gives, and
-/// distributing the liquid once more must change only as many bridges as the state records.
+/// Checks the liquid bridges of a state. Their total volume must be the volume that the contact law gives. If the
+/// liquid were distributed once more, the number of bridges that change must be the number that the state records.
 template <int Dim>
 Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) {
   if (!holds_liquid(recomputed)) return {"liquid", 0.0, 0.0, true, ""};
@@ -104,9 +104,9 @@ Criterion check_liquid(const State<Dim>& state, const Packing<Dim>& recomputed) 
 /// gives.
 ///   - Surfaces that touch have a constant stiffness, or a stiffness that is computed from the elastic force by a root.
 ///     The rounding error is about 1e-15, even after a change of units.
-///   - The stiffness of an attraction across a gap depends on the gap, and therefore has an error if the gap has one.
-///     The ratio of kn to the force is the relative rate at which the force decreases with the gap; kn decreases at up
-///     to three times this rate.
+///   - The stiffness of an attraction across a gap depends on the gap, and an error of the gap causes an error of the
+///     stiffness. The ratio of kn to the force is the relative rate at which the force decreases with the gap; kn
+///     decreases at up to three times this rate.
 template <int Dim>
 double stiffness_tolerance(const Packing<Dim>& packing, const Contact<Dim>& c) {
   constexpr double kRelative = 1e-12;

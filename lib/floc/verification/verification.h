@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// One condition that a state in equilibrium must satisfy. It is tested on the positions of the grains, the elongations
-/// of the springs and the contact law, not on the forces stored in the state. Only forces of rigid contacts, which do
-/// not follow from these, are those stored.
+/// One condition that a state in equilibrium must satisfy. It is tested on forces that are recomputed from the
+/// positions of the grains, the elongations of the springs and the contact law, not on the forces stored in the state.
+/// The forces of rigid contacts are an exception: they do not follow from these data, and the stored forces are tested.
 struct Criterion {
   const char* name;
   std::optional<double> value;  ///< value found in the state; absent if not tested

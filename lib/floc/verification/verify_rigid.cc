@@ -21,22 +21,24 @@
 namespace floc {
 namespace {
 
-/// Largest accepted violation of the law of contacts, over the mean normal force. Forces are computed to a few digits
-/// more.
+/// Largest accepted violation of the law of contacts, divided by the mean normal force. The forces are computed more
+/// accurately by a few digits.
 constexpr double kForceError = 1e-9;
-/// Repulsive forces below this share of the mean are rounding errors of a contact that does not carry a force.
+/// Largest repulsive force that counts as the rounding error of a contact without force, divided by the mean repulsive
+/// force.
 constexpr double kCarries = 1e-9;
-/// Deepest overlap of grains in motion, over the diameter of the smaller one.
+/// Deepest overlap of grains in motion, divided by the diameter of the smaller grain.
 constexpr double kDeepestInMotion = 5e-2;
 
-/// Returns the mean of the repulsive forces, the unit of errors of forces (force); 1 if no contact carries one.
+/// Returns the mean of the repulsive forces, which is the unit of errors of forces (force); 1 if no contact carries a
+/// force.
 template <int Dim>
 double mean_force(const Packing<Dim>& packing) {
   const double mean = mean_repulsive_force(packing);
   return mean > 0.0 ? mean : 1.0;
 }
 
-/// Ends a criterion with what violates it.
+/// Completes a criterion with the list of its violations.
 Criterion concluded(Criterion criterion, Violations& violations) {
   criterion.where = violations.worst_first();
   criterion.holds = criterion.where.empty();
@@ -44,7 +46,7 @@ Criterion concluded(Criterion criterion, Violations& violations) {
   return criterion;
 }
 
-/// Compares the geometry and the type of a stored contact with those that were found.
+/// Compares the geometry and the type of a stored contact with those of the contact found from positions and shapes.
 template <int Dim>
 void compare_contact(const Packing<Dim>& stored, const Contact<Dim>& c, const Contact<Dim>& found,
                      Criterion& result, Violations& violations) {
@@ -80,7 +82,7 @@ Criterion check_rigid_geometry(const Packing<Dim>& stored, const Packing<Dim>& r
   return concluded(result, violations);
 }
 
-/// Returns whether a list, sorted as the contacts of a packing, has a contact of this pair of bodies.
+/// Returns whether a list, sorted like the contacts of a packing, has a contact of this pair of bodies.
 template <int Dim>
 bool has_pair(const std::vector<Contact<Dim>>& sorted, Contact<Dim> c) {
   c.key = std::numeric_limits<int>::min();
@@ -106,7 +108,7 @@ Criterion check_list(const Packing<Dim>& packing, const RigidGeometry<Dim>& geom
   return {"list", static_cast<double>(n_wrong), 0.0, n_wrong == 0, violations.worst_first()};
 }
 
-/// Returns a property of a contact that a rigid contact cannot have, in words; empty if there is none.
+/// Returns a text about a property of a contact that a rigid contact cannot have; empty if there is none.
 template <int Dim>
 std::string elastic_property(const Contact<Dim>& c) {
   if (c.kn != 0.0 || c.kt != 0.0 || c.kr != 0.0 || c.ktw != 0.0)
@@ -122,7 +124,7 @@ Criterion check_law(const Packing<Dim>& packing) {
   Violations violations;
   const double mean = mean_force(packing);
   for (const Contact<Dim>& c : packing.contacts) {
-    // Surfaces that do not press on each other may be apart, so that no adhesion acts.
+    // Without adhesion, two surfaces that do not press on each other may have a gap between them.
     const double adhesion = pull_off_force(packing, c);
     double error = std::abs(c.elastic_force - c.normal_force - adhesion);
     if (c.elastic_force == 0.0) error = std::min(error, std::abs(c.normal_force));
@@ -148,10 +150,10 @@ Criterion check_cone(const Packing<Dim>& packing) {
     const double pull = -c.elastic_force / mean;
     result.value = std::max({*result.value, beyond, pull});
     if (!(pull <= result.limit))
-      violations.add(pull, fmt::format("{} pull with the force {:.3g} beyond their adhesion",
+      violations.add(pull, fmt::format("{} have a tensile force that exceeds their adhesion by {:.3g}",
                                        pair_name(packing, c), -c.elastic_force));
     else if (!(beyond <= result.limit))
-      violations.add(beyond, fmt::format("{} with the tangential force {:.3g} at a limit of {:.3g}",
+      violations.add(beyond, fmt::format("{} have the tangential force {:.3g}, but its limit is {:.3g}",
                                          pair_name(packing, c), c.shear_force.norm(), mu * c.elastic_force));
   }
   result.where = violations.worst_first();
@@ -159,7 +161,7 @@ Criterion check_cone(const Packing<Dim>& packing) {
   return result;
 }
 
-/// Checks that rigid grains touch where they press on each other (complementarity), and overlap nowhere.
+/// Checks that rigid grains touch where they press on each other (complementarity), and do not overlap.
 template <int Dim>
 Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& geometry, double tolerance) {
   Criterion result{"gap", geometry.deepest, tolerance, true, ""};
@@ -181,7 +183,7 @@ Criterion check_gaps(const Packing<Dim>& recomputed, const RigidGeometry<Dim>& g
   return result;
 }
 
-/// Returns the power that the contact forces feed into the motion of grains, cell and walls (energy/time).
+/// Returns the power of the contact forces on the motion of grains, cell and walls (energy/time).
 template <int Dim>
 double contact_power(const Packing<Dim>& packing) {
   const Grains<Dim>& g = packing.grains;
@@ -212,14 +214,14 @@ Criterion check_power(const State<Dim>& state, const Packing<Dim>& recomputed) {
   result.holds = *result.value < result.limit;
   if (!result.holds)
     result.where = fmt::format(
-        "the contact forces feed the power {:.3g} into the motion of the grains, but rigid "
+        "the contact forces do work on the moving grains at the power {:.3g}, but rigid "
         "contacts only dissipate energy",
         power);
   return result;
 }
 
-/// Checks a contact list against the contact points that a time step from this packing finds: the geometry of each
-/// contact, to rounding.
+/// Compares the contacts of a list with the contact points that a time step from this packing finds. The geometry must
+/// agree to rounding.
 template <int Dim>
 Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Contact<Dim>>& found) {
   Criterion result{"geometry", 0.0, distance_error(stored), true, ""};
@@ -234,7 +236,8 @@ Criterion check_step_geometry(const Packing<Dim>& stored, const std::vector<Cont
   return concluded(result, violations);
 }
 
-/// Returns the packing of a state in motion as the beginning of a time step, with all contact points within its reach.
+/// Returns the packing of a state in motion, prepared for the next time step: with all contact points within the reach
+/// of the step.
 template <int Dim>
 ContactDynamics<Dim> step_from(const State<Dim>& state) {
   const MotionRecord& motion = *state.motion;
@@ -253,7 +256,8 @@ ContactDynamics<Dim> step_from(const State<Dim>& state) {
 /// Checks that the recorded forces are those of the time step that begins at the state.
 template <int Dim>
 Criterion check_step(const State<Dim>& state, double error) {
-  constexpr double kRounding = 1e-6;  // of the forces that the file holds, over the mean normal force
+  // rounding error of the forces in the file, divided by the mean normal force
+  constexpr double kRounding = 1e-6;
   const MotionRecord& motion = *state.motion;
   const double limit = std::max(motion.sweep_tolerance, motion.residual) + kRounding;
   const bool holds = error <= limit && std::abs(error - motion.residual) <= kRounding + 1e-2 * motion.residual;
@@ -265,7 +269,7 @@ Criterion check_step(const State<Dim>& state, double error) {
                       motion.time_step, error, motion.residual)};
 }
 
-/// Names the grain with the largest kinetic energy, in words.
+/// Returns a text with the name of the grain with the largest kinetic energy.
 template <int Dim>
 std::string fastest_grain(const Grains<Dim>& grains) {
   int fastest = 0;

@@ -158,7 +158,7 @@ std::string refusal_of(const State<Dim>& state, const std::string& progress = ""
 TEST(StateFile, OfBeadsThatOverlapTooMuchIsRefusedUnlessTheyMove) {
   EXPECT_EQ(refusal_of(pressed_beads(0.09)), "");
   EXPECT_THAT(refusal_of(pressed_beads(0.2)),
-              HasSubstr("contacts/gap: contacts overlap by 0.2 of a radius in the mean"));
+              HasSubstr("contacts/gap: the mean overlap of the contacts is 0.2 of a radius"));
   EXPECT_EQ(refusal_of(pressed_beads(0.2), "in motion"), "");
 }
 

@@ -58,7 +58,7 @@ TEST(Percolation, RefusesWaysAroundThatNoContactsTake) {
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(),
                  "contacts/image: the images of contacts lead around more than 2^40 cells before they return "
-                 "to the same grain, so that at least one image is wrong");
+                 "to the same grain: at least one image is wrong");
   }
 }
 

@@ -46,7 +46,7 @@ TEST(Overlaps, AreRefusedWhereTheirMeanIsBeyondThatOfTheLargestPressure) {
     require_small_overlaps("here", spheres_with({0.06, 0.2}));
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("here: contacts overlap by 0.13 of a radius in the mean"));
+    EXPECT_THAT(e.what(), testing::HasSubstr("here: the mean overlap of the contacts is 0.13 of a radius"));
   }
 }
 

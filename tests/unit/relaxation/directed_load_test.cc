@@ -355,7 +355,7 @@ TEST(DirectedLoad, ACellThatWouldCloseIsRefusedAtOnce) {
   load.side = start.cell.matrix.diagonal();
   load.side[1] *= 0.7;
   const RelaxationReport full = refused(start, load);
-  EXPECT_THAT(full.blocking, testing::HasSubstr("times its volume; impose a smaller strain"));
+  EXPECT_THAT(full.blocking, testing::HasSubstr("times that of the cell; impose a smaller strain"));
   EXPECT_EQ(full.n_steps, 0);
   load = driven<2>(start, 0, std::log(start.cell.matrix(0, 0) / 0.3), false);
   EXPECT_THAT(refused(start, load).blocking, testing::HasSubstr("axis 1 is to be 0.3 long"));

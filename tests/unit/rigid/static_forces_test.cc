@@ -176,7 +176,7 @@ TEST(StaticForces, NamesTheGrainThatTheLoadMoves) {
     problem.canonical();
     FAIL() << "expected NoResult";
   } catch (const NoResult& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no set of forces in its contacts balances the load"));
+    EXPECT_THAT(error.what(), HasSubstr("no set of contact forces balances the load"));
   }
 }
 

@@ -33,17 +33,18 @@ enum class BridgeFormation {
 template <class T = double>
 struct Bridge {
   T strength = T(0);  ///< attraction of the bridge when the surfaces touch (force)
-  /// Number by which the gap is multiplied in the formula for the force (1/length): 1/l for the exponential and
-  /// sqrt(R'/V_b) for the rational formula, with the symbols of BridgeForm.
+  /// Factor that multiplies the gap in the formula for the force (1/length): 1/l for the exponential and sqrt(R'/V_b)
+  /// for the rational formula, with the symbols of BridgeForm.
   T decay = T(0);
   T reach = T(0);  ///< widest gap hm that the bridge spans (length)
 };
 
-/// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap up to the reach of
-/// the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj) with
-/// the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3), with th in radians.
-/// The history of a contact holds the volume of its bridge (length^3). How the liquid of a packing is distributed over
-/// the bridges is not part of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of spheres.
+/// Liquid bridges between spheres: an attraction Gamma R in contact, which decreases with the gap and ends at the reach
+/// of the bridge. Here Gamma = 2 pi g cos th with the surface tension g and the contact angle th, and R = sqrt(Ri Rj)
+/// with the radii Ri and Rj of the spheres. The reach of a bridge of volume V_b is (1 + th/2) V_b^(1/3), with th in
+/// radians. The history of a contact holds the volume of its bridge (length^3). The distribution of the liquid of a
+/// packing over the bridges is not part of the law (packing/liquid/liquid.h). In 2D, the disks stand for a layer of
+/// spheres.
 struct CapillaryAdhesion {
   double surface_tension;  ///< surface tension g of the liquid (force/length)
   double contact_angle;    ///< contact angle th of the liquid on the grains (degrees)
@@ -104,7 +105,7 @@ struct CapillaryAdhesion {
   }
 
   /// Updates the liquid bridge between two grains after one motion of the grains. If `formation` is `contact`, the
-  /// bridge breaks when the gap is wider than its reach, and forms again when the surfaces touch.
+  /// bridge breaks when the gap becomes wider than its reach, and forms again when the surfaces touch.
   /// @param pair  geometry of the two grains at the end of the motion
   /// @param volume  volume of the bridge (length^3) in the history of the contact, updated; negative if the bridge has
   /// broken
@@ -118,8 +119,8 @@ struct CapillaryAdhesion {
     }
     return acting(bridge, *volume);
   }
-  /// Returns the parameters with which a liquid bridge acts now: `bridge`, but with zero strength if the bridge has
-  /// broken (`volume` <= 0).
+  /// Returns the parameters of a liquid bridge that are in effect now: `bridge`, but with zero strength if the bridge
+  /// has broken (`volume` <= 0).
   template <class T>
   Bridge<T> acting(Bridge<T> bridge, const T& volume) const {
     bridge.strength = lanes::select(T(0) < volume, bridge.strength, T(0));
@@ -153,8 +154,7 @@ struct CapillaryAdhesion {
     return lanes::select(bridge.reach < pair.gap, T(0),
                          T(across + bridge.strength * lanes::min(pair.gap, T(0))));
   }
-  /// Returns zero. The adhesion has no range that all pairs share, because the reach of a liquid bridge depends on its
-  /// volume.
+  /// Returns zero, because the adhesion has no common range: the reach of a liquid bridge depends on its volume.
   double range() const { return 0.0; }
   /// Returns whether liquid bridges can attract grains: there is liquid, its surface tension is positive and its
   /// contact angle is below 90 degrees.

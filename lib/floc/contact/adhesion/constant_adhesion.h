@@ -7,8 +7,8 @@
 
 namespace floc {
 
-/// Constant attraction between grains. Its force is -F0 while the surfaces overlap, where F0 is the pull-off force, and
-/// zero across a gap. It is the limit of `TailAdhesion` for a range that tends to zero.
+/// Constant attraction between grains. The force is -F0 while the surfaces overlap, where F0 is the pull-off force, and
+/// zero across a gap. This is the limit of `TailAdhesion` for a range that tends to zero.
 struct ConstantAdhesion {
   double pull_off_force;  ///< pull-off force F0 (force), > 0
 

@@ -7,9 +7,9 @@
 
 namespace floc {
 
-/// Attraction between grains. Its force is -F0 in contact, where F0 is the pull-off force, and tends linearly to zero
-/// while the gap grows from 0 to the range D0. The attraction is reversible: its force depends on the gap alone, and is
-/// the same on approach and on separation. [GRC2008], Eq. 2.
+/// Attraction between grains that acts across a gap. Its force is -F0 in contact, where F0 is the pull-off force, and
+/// its magnitude decreases linearly to zero as the gap grows from 0 to the range D0. The attraction is reversible: the
+/// force depends on the gap alone and is equal on approach and on separation. [GRC2008], Eq. 2.
 struct TailAdhesion {
   double pull_off_force;  ///< pull-off force F0 (force), > 0
   double tail_range;      ///< range D0 of the attraction (length), > 0

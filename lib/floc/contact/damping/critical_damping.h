@@ -11,8 +11,8 @@ namespace floc {
 
 /// Viscous normal force -2 zeta sqrt(m_eff K_N) dh/dt with the gap h and the effective mass m_eff of the two grains.
 /// The force is a fixed fraction zeta of critical damping at the present normal stiffness K_N. Under Hertz' law the
-/// restitution of a collision then does not depend on the speed of the collision; from zeta = 0.912871 on, colliding
-/// grains never part. The force may be tensile. It is not part of the static force.
+/// restitution of a collision then does not depend on its speed; for zeta of 0.912871 or more, colliding grains never
+/// separate. The force may be tensile. It is not part of the static force.
 struct CriticalDamping {
   double critical_fraction;  ///< fraction zeta of critical damping, in (0, 1]
 

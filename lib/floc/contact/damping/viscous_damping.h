@@ -11,8 +11,8 @@
 namespace floc {
 
 /// Choice of the mass m in the damping coefficient of a contact, 2 zeta sqrt(m K_N), with the damping ratio zeta and
-/// the normal stiffness K_N. Either mass is a fixed multiple of the effective mass, so that all pairs of grains have
-/// the same restitution, whatever their sizes.
+/// the normal stiffness K_N. Both masses are fixed multiples of the effective mass, so all pairs of grains have the
+/// same restitution.
 enum class DampingMass {
   effective,  ///< effective mass m_i m_j/(m_i + m_j); collisions have the given restitution [GRC2008]
   /// 2 m_i m_j/(m_i + m_j), the mass of one of two equal grains; the damping ratio is sqrt(2) times that of `effective`
@@ -29,8 +29,8 @@ inline double damping_ratio(double restitution) {
 
 /// Viscous normal force -c dh/dt while the surfaces overlap, where h is the gap. The damping coefficient is c = 2 zeta
 /// sqrt(m K_N) with the damping ratio zeta (damping_ratio()), the mass m (DampingMass) and the normal stiffness K_N.
-/// The force may be tensile, because cutting off the tension would change the restitution. It is not part of the static
-/// force.
+/// The force may be tensile, because without its tension the restitution would be different. It is not part of the
+/// static force.
 struct ViscousDamping {
   double restitution;  ///< restitution e_N of a binary collision without adhesion, in (0, 1]
   DampingMass mass_rule = DampingMass::effective;

@@ -54,8 +54,8 @@ struct HertzRepulsion {
   double overlap_at_force(const PairGeometry<>& pair, double elastic) const {
     return std::pow(0.75 * elastic / (0.5 * plane_modulus() * std::sqrt(pair.reduced_radius)), 2.0 / 3.0);
   }
-  /// Returns the largest overlap (length) of two free grains that collide at this speed, if all their kinetic
-  /// energy becomes elastic energy.
+  /// Returns the largest overlap (length) of two free grains that collide at this speed, under the assumption that all
+  /// their kinetic energy becomes elastic energy.
   double overlap_of_impact(const PairGeometry<>& pair, double speed) const {
     return std::pow(
         15.0 * pair.reduced_mass * speed * speed / (8.0 * plane_modulus() * std::sqrt(pair.reduced_radius)),
@@ -81,8 +81,8 @@ struct HertzRepulsion {
   static T overlap(const PairGeometry<T>& pair) {
     return lanes::max(T(-pair.gap), T(0));
   }
-  /// Returns the normal stiffness K_N = 2 E* sqrt(R* d) if the surfaces overlap by d, else 0, with the symbols E* and
-  /// R* of HertzRepulsion. The square root is never taken of zero, where it has no derivative.
+  /// Returns the normal stiffness K_N = 2 E* sqrt(R* d) if the surfaces overlap by d, otherwise 0, with the symbols E*
+  /// and R* of HertzRepulsion. No square root of zero is computed, since the square root has no derivative there.
   template <class T>
   T contact_stiffness(const PairGeometry<T>& pair) const {
     using std::sqrt;

@@ -6,9 +6,9 @@
 
 namespace floc {
 
-/// Rigid contact: the surfaces may touch but not overlap (Signorini's condition), so that the normal force is not a
-/// function of the gap. Forces of rigid contacts follow from the balance of all grains (floc/rigid), and states store
-/// them as data.
+/// Rigid contact: the surfaces may touch but not overlap (Signorini's condition), and the normal force is not a
+/// function of the gap. Forces of rigid contacts follow from the balance of all grains (floc/rigid), and saved states
+/// store them.
 struct RigidContact {
   static constexpr const char* kKeyword = "rigid";
   static constexpr Family kFamily = Family::rigid;

@@ -51,7 +51,7 @@ struct RollingSpring {
   /// if the coefficient of rolling friction is zero.
   double stiffness(const NormalResponse<double>&) const { return acts() ? rolling_stiffness : 0.0; }
   /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
-  /// so that it does not stiffen the elastic network of contacts.
+  /// because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const RollingSpring&) const = default;

@@ -8,9 +8,9 @@
 
 namespace floc {
 
-/// Coulomb friction: an incremental tangential spring of stiffness K_T, whose force is capped at the friction
-/// coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part of the
-/// normal force, so that a contact without net normal force still carries up to mu F0, where F0 is the pull-off force.
+/// Coulomb friction: an incremental tangential spring of stiffness K_T. The force of the spring is capped at the
+/// friction coefficient mu times the elastic part FNe of the normal force. The cap does not depend on the adhesive part
+/// of the normal force, so a contact with zero normal force still carries up to mu F0, where F0 is the pull-off force.
 /// [GRC2008], Eq. 4; the printed equation lacks the factor mu for a sliding contact.
 struct CoulombFriction {
   double coefficient;           ///< friction coefficient mu
@@ -50,7 +50,7 @@ struct CoulombFriction {
   /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>&) const { return tangential_stiffness; }
   /// Returns whether the spring can carry a force. A spring that cannot carry a force is left out of the contact law,
-  /// so that it does not stiffen the elastic network of contacts.
+  /// because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const CoulombFriction&) const = default;

@@ -9,10 +9,11 @@
 
 namespace floc {
 
-/// Friction of elastic spheres. The tangential force T grows by the slip times the tangential stiffness K_T at the
-/// present normal force. T is capped at the friction coefficient mu times the elastic part FNe of the normal force. If
-/// the normal force falls, T falls in proportion to K_T; if the normal force grows, T stays. The contact then cannot
-/// gain energy on a closed path of motion (docs/physics.md, "Spheres of Hertz and Mindlin"). [AR2007], section II.
+/// Friction of elastic spheres. The increment of the tangential force T is the slip times the tangential stiffness K_T
+/// at the present normal force. T is capped at the friction coefficient mu times the elastic part FNe of the normal
+/// force. If the normal force falls, T falls in proportion to K_T; if the normal force grows, T does not change. The
+/// contact then cannot gain energy on a closed path of motion (docs/physics.md, "Spheres of Hertz and Mindlin").
+/// [AR2007], section II.
 struct MindlinFriction {
   double coefficient;  ///< friction coefficient mu
 
@@ -47,7 +48,7 @@ struct MindlinFriction {
   bool is_mobilised(double elastic, const double* history, double tolerance) const {
     return Eigen::Map<const V>(history).norm() >= (1.0 - tolerance) * (coefficient * elastic);
   }
-  /// Sets the tangential force in the history, and the stiffness of its last update to zero. The next motion then
+  /// Sets the tangential force in the history, and sets the stiffness of its last update to zero. The next motion then
   /// starts from this force without reducing it.
   template <class V>
   void set_force(const V& force, double /*stiffness*/, double* history) const {
@@ -56,8 +57,8 @@ struct MindlinFriction {
   }
   /// Returns the tangential stiffness K_T of a contact that touches and does not slide (force/length).
   double stiffness(const NormalResponse<double>& normal) const { return normal.shear_stiffness; }
-  /// Returns whether friction can carry a force. Friction that cannot carry a force is left out of the contact law, so
-  /// that it does not stiffen the elastic network of contacts.
+  /// Returns whether friction can carry a force. Friction that cannot carry a force is left out of the contact law,
+  /// because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const MindlinFriction&) const = default;

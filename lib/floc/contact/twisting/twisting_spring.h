@@ -46,7 +46,7 @@ struct TwistingSpring {
   /// Returns the twisting stiffness K_tw of a touching contact whose twisting moment is below its cap (force * length).
   double stiffness(const NormalResponse<double>&) const { return twisting_stiffness; }
   /// Returns whether the spring can carry a moment. A spring that cannot carry a moment is left out of the contact law,
-  /// so that it does not stiffen the elastic network of contacts.
+  /// because it must not stiffen the elastic network of contacts.
   bool acts() const { return coefficient != 0.0; }
 
   bool operator==(const TwistingSpring&) const = default;

@@ -11,8 +11,8 @@ namespace {
 /// of a spring's length per unit of an unknown.
 constexpr double kEntryRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// Shift added to the diagonal of the stiffness matrix, whose entries are of order one. It is below the stiffness of
-/// the softest motions that matter and above rounding errors.
+/// Shift added to the diagonal of the stiffness matrix, whose entries are of order one. The shift is below the
+/// stiffness of the softest motions that matter and above rounding errors.
 constexpr double kShift = 1e-11;
 
 template <int Dim>
@@ -60,9 +60,9 @@ void LocalRows<Dim>::gather(int process) {
     return block >= first_ && block < first_ + n_grains_;
   };
   of_start_.assign(n_grains_ + 1, 0);
-  // `at_hand_` begins with the grains of this process, in the order of their rows. The grains of other processes that
-  // touch them follow. The contacts of each grain of this process are then listed by a counting sort; a contact between
-  // two grains of this process is listed at both.
+  // `at_hand_` first lists the grains of this process, in the order of their rows, and then the grains of other
+  // processes that touch them. A counting sort then lists the contacts of each grain of this process; a contact between
+  // two grains of this process is listed for both.
   for (int k = 0; k < static_cast<int>(network_.contacts.size()); ++k) {
     const NetworkContact<Dim>& c = network_.contacts[k];
     if (!is_own(c.i) && !is_own(c.j)) continue;
@@ -90,8 +90,8 @@ Eigen::Map<const Eigen::VectorXi> LocalRows<Dim>::contacts_of(int place) const {
   return {of_.data() + of_start_[place], of_start_[place + 1] - of_start_[place]};
 }
 
-/// Returns the numbers of the blocks (the rows of one grain in the stiffness matrix) that belong to a grain of this
-/// process and to the grains that it touches, in ascending order.
+/// Returns the numbers of the blocks that belong to a grain of this process and to the grains that it touches, in
+/// ascending order. A block consists of the rows of one grain in the stiffness matrix.
 template <int Dim>
 std::vector<int> LocalRows<Dim>::columns_of(int place) const {
   std::vector<int> columns{first_ + place};
@@ -148,8 +148,8 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
     const NetworkContact<Dim>& c = network_.contacts[k];
     for_each_spring(c, [&](const ContactRows<Dim>& rows, const RowStiffness<Dim>& stiffness, const auto&) {
       // The contact adds G^T k G to the stiffness matrix, with the rigidity matrix G and the stiffnesses k. This call
-      // adds only the rows of `grain`. The call for the other grain, perhaps in another process, adds the rows of that
-      // grain. A contact with a wall or with the grain's own image has i = j and no second grain.
+      // adds only the rows of `grain`. Another call, perhaps in another process, adds the rows of the other grain. A
+      // contact with a wall or with the grain's own image has i = j and no second grain.
       const bool is_i = c.i == grain;
       const Block mine = (is_i ? rows.on_i : rows.on_j) * scale.asDiagonal();
       const Block forces = stiffness.asDiagonal() * mine;
@@ -160,7 +160,7 @@ double LocalRows<Dim>::set_row(int place, ParallelSolver& solver) const {
       at(shares_.block[other]) += forces.transpose() * theirs;
     });
   }
-  // Unknowns that are not solved for have the scale 0. They get a one on the diagonal, so that all blocks have the same
+  // Unknowns that are not solved for have the scale 0. They get a one on the diagonal, which gives all blocks the same
   // size.
   auto own = at(first_ + place);
   for (int b = 0; b < kSize; ++b)

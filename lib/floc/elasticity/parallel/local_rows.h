@@ -10,13 +10,12 @@
 namespace floc {
 
 /// Rows of the stiffness matrix K that belong to the grains of one process, and the contacts of these grains. K is
-/// divided by the stiffness `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). The rows of
-/// unknowns that are not solved for have a one on the diagonal and zeros elsewhere, so that all blocks have the same
-/// size.
+/// divided by the stiffness `unit`, and rotations are multiplied by the grain's size (see ReducedUnknowns). To give all
+/// blocks the same size, unknowns that are not solved for have rows with a one on the diagonal and zeros elsewhere.
 ///
-/// Mechanisms would make K singular, although they carry no load. If K cannot have negative eigenvalues, a shift is
-/// therefore added to its diagonal. The shift is far below any stiffness that resists a strain, and refinement by
-/// balance() removes its effect.
+/// Mechanisms carry no load, but would make K singular. If K cannot have negative eigenvalues, a shift is therefore
+/// added to its diagonal. The shift is far below any stiffness that resists a strain, and refinement by balance()
+/// removes its effect.
 template <int Dim>
 class LocalRows {
  public:
@@ -32,8 +31,8 @@ class LocalRows {
   /// @return largest diagonal entry of these rows
   double assemble(const std::vector<Vec<Dim>>& centres, ParallelSolver& solver) const;
 
-  /// n_own() is the number of unknowns of the grains of this process. n_at_hand(), the size of u in balance() and
-  /// energies(), also counts the unknowns of the grains of other processes that touch them.
+  /// n_own() is the number of unknowns of the grains of this process. n_at_hand() also counts the unknowns of the
+  /// grains of other processes that touch them; it is the size of u in balance() and energies().
   Eigen::Index n_own() const { return kDofs<Dim> * static_cast<Eigen::Index>(n_grains_); }
   Eigen::Index n_at_hand() const { return kDofs<Dim> * static_cast<Eigen::Index>(at_hand_.size()); }
 
@@ -43,8 +42,8 @@ class LocalRows {
     /// twice the elastic energy of the contacts that this process counts
     double energy = 0.0;
   };
-  /// Computes the net forces on the grains for given motions of the grains, while one boundary unknown (a strain of the
-  /// cell or a wall displacement) is displaced by 1.
+  /// Computes the net forces on the grains for given motions of the grains and a displacement by 1 of one boundary
+  /// unknown (a strain of the cell or a wall displacement).
   /// @param u         motions of the grains, n_at_hand() unknowns
   /// @param boundary  number of the boundary unknown
   Balance balance(const Eigen::VectorXd& u, int boundary) const;
@@ -87,8 +86,8 @@ class LocalRows {
   std::vector<int> place_;     // for each grain, its index in `at_hand_`; -1 if it is not there
   std::vector<int> contacts_;  // contacts of the grains of this process
   std::vector<int> of_start_,
-      // contacts of the grains of this process: `of_` is the list of the first grain, then that of the next, and so on;
-      // `of_start_` tells where each list begins
+      // contacts of the grains of this process, listed grain by grain; `of_start_` holds the index in `of_` at which
+      // the list of each grain begins
       of_;
 };
 

@@ -14,20 +14,20 @@ namespace floc {
 namespace {
 
 /// kFirstReduction is the factor by which the first solution has to reduce the residual forces; the energy is then
-/// reduced by about its square. kLeastReduction is the strongest reduction that a later solution has to reach, because
-/// rounding prevents more.
+/// reduced by about the square of this factor. kLeastReduction is the smallest factor that a later solution has to
+/// reach, because rounding prevents a further reduction.
 constexpr double kFirstReduction = 1e-6;
 constexpr double kLeastReduction = 1e-8;
-/// The grains are relaxed in rounds: each round solves for the residual forces that the round before has left. There
-/// are at most kMostRounds, and another one follows only if the last has reduced the remaining energy to less than the
-/// share kGain.
+/// The grains are relaxed in rounds: each round solves for the residual forces that the previous round has left. There
+/// are at most kMostRounds rounds. A new round begins only if the last round has reduced the remaining energy to less
+/// than the share kGain.
 constexpr int kMostRounds = 6;
 constexpr double kGain = 0.25;
 /// The smallest Ritz value times this factor is taken as the smallest eigenvalue of the preconditioned stiffness
 /// matrix.
 constexpr double kShareOfRitz = 0.1;
 /// kRounding is the rounding error of a stiffness after relaxation of the grains, and kNothing the largest such
-/// stiffness that cannot be told from zero; both are shares of the stiffness without relaxation.
+/// stiffness that cannot be distinguished from zero; both are shares of the stiffness without relaxation.
 constexpr double kRounding = 1e-14;
 constexpr double kNothing = 1e-11;
 /// Relative error of a stiffness after relaxation of the grains above which the solution counts as failed.
@@ -69,8 +69,8 @@ class ParallelCondensation {
  private:
   using Balance = typename LocalRows<Dim>::Balance;
 
-  /// Displaces boundary unknown b by 1 and relaxes the grains: solves repeatedly for the net forces that are left,
-  /// until the energy that further relaxation would release is within the tolerance.
+  /// Displaces boundary unknown b by 1 and relaxes the grains: solves for the remaining net forces repeatedly, until
+  /// the energy that further relaxation would release is within the tolerance.
   /// @return reason for a failure, as a sentence, or empty
   std::string relax_one(int b) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(rows_.n_at_hand());

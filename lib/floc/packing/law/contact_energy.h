@@ -11,10 +11,10 @@ inline double spring_energy(double squared_force, double stiffness) {
 
 /// Potential energy of a contact (energy).
 struct ContactEnergy {
-  /// Elastic energy of the normal force and of the springs: N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R), plus a term
-  /// like the last one for the twisting spring. N is the elastic normal force at the overlap h, T the tangential force
-  /// and M the moment of the rolling spring; K_N, K_T and K_R are the stiffnesses. The first term is the integral of N
-  /// over h if N is proportional to a power of h: N h/2 for linear contacts, (2/5) N h for Hertz contacts. Other laws
+  /// Elastic energy of the normal force and of the springs: N^2 h/(N + K_N h) + T^2/(2 K_T) + M^2/(2 K_R), plus an
+  /// analogous term for the twisting spring. N is the elastic normal force at the overlap h, T the tangential force and
+  /// M the moment of the rolling spring; K_N, K_T and K_R are the stiffnesses. If N is proportional to a power of h,
+  /// the first term is the integral of N over h: N h/2 for linear contacts, (2/5) N h for Hertz contacts. Other laws
   /// compute this term from the gap and the history. The elastic energy of a distant attraction is zero.
   double elastic = 0.0;
   double normal = 0.0;  ///< elastic energy of the normal force, the first term of `elastic`
@@ -27,7 +27,7 @@ struct ContactEnergy {
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns the energies of all contacts of a packing, summed member by member.
+/// Returns the sum of the energies of all contacts of a packing.
 template <int Dim>
 ContactEnergy contact_energy(const Packing<Dim>& packing);
 

@@ -43,7 +43,7 @@ void refresh_kind(Packing<Dim>& packing, bool with_walls) {
 }
 
 /// Returns whether the tangential force of a rigid contact is at Coulomb's limit.
-/// @param tolerance  fraction of the limit by which the force may lie below it
+/// @param tolerance  largest accepted difference between the force and the limit, as a fraction of the limit
 template <int Dim>
 bool slides(const Law& law, const Contact<Dim>& c, double tolerance) {
   const double limit = law.friction_coefficient() * c.elastic_force;
@@ -51,7 +51,7 @@ bool slides(const Law& law, const Contact<Dim>& c, double tolerance) {
 }
 
 /// Sets the elastic force, history and stiffnesses of a contact whose normal force, shear force and moments are given
-/// and need not satisfy the contact law exactly. The elastic force is the normal force without the attraction of the
+/// and need not satisfy the contact law exactly. The elastic force is the normal force without the attraction by
 /// adhesion.
 template <class Law, int Dim>
 void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains, std::optional<double> kn,
@@ -62,7 +62,7 @@ void set_forces(const Law& law, double pull_off_force, const Grains<Dim>& grains
   c.history = unpacked_history<Law, Dim>(history);
   c.distant = !touches(law, grains, c) && interacts_at(law, grains, c);
   if (c.distant) {
-    // Under a normal law with a history, surfaces may count as parted although they overlap. The law then determines
+    // Under a normal law with a history, surfaces may count as separated although they overlap. The law then determines
     // their forces.
     if constexpr (Law::kKeepsOverlap) respond_to_motion<Law, Dim>(law, grains, SurfaceMotion<Dim>{}, c);
     return;

@@ -8,10 +8,10 @@
 namespace floc {
 
 /// Recomputes the gap, normal, static forces, stiffnesses and flags of one contact from the positions of its grains and
-/// its history, by the contact law of the packing. Bonds and rigid contacts keep their forces, which do not follow from the
-/// positions. Springs whose forces exceed their caps are shortened. Springs of a
-/// contact that has parted, or of a model that the law does not have, are set to zero. The members i, j, image, key and
-/// history of `contact` have to be set before the call; all others are overwritten.
+/// its history, by the contact law of the packing. Bonds and rigid contacts keep their forces, which do not follow from
+/// the positions. Springs whose forces exceed their caps are shortened. If the surfaces have separated, or if the law
+/// lacks the model of a spring, the spring is set to zero. The members i, j, image, key and history of `contact` have
+/// to be set before the call; all other members are overwritten.
 template <int Dim>
 void refresh_contact(const Packing<Dim>& packing, Contact<Dim>& contact);
 
@@ -25,15 +25,15 @@ void refresh_contacts(Packing<Dim>& packing);
 template <int Dim>
 bool touches(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
-/// Returns which springs of a contact have forces at their caps, from its elastic force and its history. The
-/// springs of a distant attraction carry no force and do not count.
-/// @param tolerance  fraction of the cap by which a force may lie below the cap and still count as being at the cap
+/// Returns which springs of a contact have forces at their caps, from its elastic force and its history. The springs of
+/// a distant attraction carry no force and do not count.
+/// @param tolerance  largest accepted difference between a force and its cap, as a fraction of the cap
 template <int Dim>
 Mobilised mobilised(const Law& law, const Contact<Dim>& contact, double tolerance);
 
-/// Completes a contact whose forces were measured or read from a file. Its elastic force, its history and any stiffness
-/// that is not given follow from the contact law. Its shear force and moments are not changed, even if they exceed
-/// their caps.
+/// Completes a contact whose forces were measured or read from a file. Its elastic force, its history and all
+/// stiffnesses that are not given follow from the contact law. Its shear force and moments are not changed, even if
+/// they exceed their caps.
 /// @param kn, kt  normal and tangential stiffness of the contact (force/length); an absent stiffness follows from the
 /// law
 /// @pre the surfaces touch, or are to be treated as touching; normal_force, shear_force and moments are set

@@ -9,12 +9,12 @@
 namespace floc {
 namespace {
 
-/// Factor by which springs are lengthened when derivatives are computed, so that a spring whose force is at its cap up
-/// to rounding exceeds the cap and counts as sliding.
+/// Factor by which springs are lengthened when derivatives are computed. A spring whose force is at its cap up to
+/// rounding then exceeds the cap and counts as sliding.
 constexpr double kBeyondCap = 1.0 + 2e-12;
-/// Motion of the surfaces (length or radians) that is added when derivatives are computed, so that a spring of zero
-/// length exceeds a cap of zero, as between surfaces that have parted. It is negligible compared with any other motion,
-/// and its square does not underflow.
+/// Motion of the surfaces (length or radians) that is added when derivatives are computed. A spring of zero length then
+/// exceeds a cap of zero, for example between surfaces that have separated. The motion is negligible compared with any
+/// other motion, and its square does not underflow.
 constexpr double kTinyMotion = 1e-150;
 
 /// Returns the factor by which each number in the history of a contact is multiplied when derivatives are computed:
@@ -36,8 +36,8 @@ PackedHistory<Law::template kHistorySize<Dim>, Dual<kDofs<Dim>>> dual_history(co
   return history;
 }
 
-/// Returns the parameters of a pair of grains as dual numbers with zero derivatives, because no motion changes these
-/// parameters.
+/// Returns the parameters of a pair of grains as dual numbers with zero derivatives, because motion does not change
+/// these parameters.
 template <class Law, class T>
 typename Law::template PairParameters<T> constant(
     [[maybe_unused]] const typename Law::template PairParameters<>& parameters) {
@@ -47,8 +47,8 @@ typename Law::template PairParameters<T> constant(
     return {};
 }
 
-/// Returns the axes about which the grains of a contact roll on each other, as the columns of a matrix, in the order of
-/// the rotations in `ContactRows`. In 3D the columns are the normal, replaced by zero, and the two tangents.
+/// Returns the axes of the rotations in `ContactRows`, as the columns of a matrix: the axes about which the grains of a
+/// contact roll on each other. In 3D the columns are zero in place of the normal, and the two tangents.
 Mat<1> rolling_axes(const Mat<2>&) {
   return Mat<1>::Identity();
 }
@@ -83,7 +83,8 @@ ContactTangent<Dim> tangent_of(const Law& law, const Grains<Dim>& grains, const 
   for (int a = 0; a < kRotations<Dim>; ++a) {
     motion.relative_rotation[a] = T(kBeyondCap * surface.relative_rotation[a] + kTinyMotion);
     for (int b = 0; b < kRotations<Dim>; ++b)
-      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // rotation of i relative to j
+      motion.relative_rotation[a].derivative[Dim + b] = -rolling(a, b);  // the minus sign gives the rotation of
+                                                                         // i relative to j
   }
   if constexpr (Dim == 3) {
     motion.twist = T(kBeyondCap * surface.twist + kTinyMotion);

@@ -17,8 +17,8 @@ struct SurfaceMotion {
   double twist = 0.0;  ///< in 3D, rotation of grain i relative to grain j about the normal (radians)
 };
 
-/// Replaces the normal of a contact by a new normal, and turns the history of the contact, and its motion since the
-/// history was updated, with the normal. If the old normal is zero, nothing is turned.
+/// Replaces the normal of a contact by a new normal, and rotates the history of the contact, and its motion since the
+/// history was updated, with the normal. If the old normal is zero, nothing is rotated.
 /// @param remembered  quantities in the history of the contact, from history_quantities()
 /// @param normal  the new normal (unit vector)
 /// @param twist  mean rotation of the two grains about the normal (radians; ignored in 2D)
@@ -43,9 +43,9 @@ template <int Dim>
 using ContactTangent = Eigen::Matrix<double, kDofs<Dim>, kDofs<Dim>>;
 
 /// Computes the consistent tangent matrix of respond() for each contact: the derivatives of the forces of the contact
-/// law, in the frame that turns with the contact. The derivatives include the shortening of springs whose forces exceed
-/// their caps; a spring whose force is at its cap up to rounding is treated as sliding. The matrix is not symmetric if
-/// one force depends on another, for example if the contact slides.
+/// law, in the frame that rotates with the contact. The derivatives include the shortening of springs whose forces
+/// exceed their caps; a spring whose force is at its cap up to rounding is treated as sliding. The matrix is not
+/// symmetric if one force depends on another, for example if the contact slides.
 /// @param start  contacts with the present gap and normal, and with the history before the motion
 /// @param frame  frame of each contact: a matrix whose columns are the normal, then the tangents
 /// @param tangent  output: tangent matrix of each contact

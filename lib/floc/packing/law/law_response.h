@@ -5,16 +5,16 @@
 #include "floc/packing/law/contact_response.h"
 #include "floc/packing/packing.h"
 
-/// Functions that evaluate a composed contact law for one contact. All code uses them except the force loop of the
-/// dynamics.
+/// Functions that evaluate a composed contact law for one contact. All code except the force loop of the dynamics uses
+/// them.
 namespace floc {
 
-/// Fraction of the cap by which the force of a spring may lie below its cap and still count as being at the cap; it
-/// covers rounding.
+/// Largest difference between the force of a spring and its cap, as a fraction of the cap, at which the force counts as
+/// being at the cap. It allows for rounding.
 inline constexpr double kCapTolerance = 1e-12;
 
 /// Returns the gap, reduced radius and reduced mass of the two grains of a contact. A wall is flat and infinitely
-/// heavy, so that the reduced radius and mass of a contact with a wall are the radius and the mass of the grain.
+/// heavy; the reduced radius and mass of a contact with a wall are therefore the radius and the mass of the grain.
 template <int Dim>
 PairGeometry<> pair_geometry(const Grains<Dim>& grains, const Contact<Dim>& c) {
   if (c.j >= grains.size()) return {c.gap, grains.radius[c.i], grains.mass[c.i]};
@@ -30,8 +30,8 @@ typename Law::template PairParameters<> pair_parameters(
   if (c.j >= grains.size()) return {};
   return law.template pair_parameters<Dim>(grains.radius[c.i], grains.radius[c.j], history);
 }
-/// Returns the parameters with which the two grains of a contact act at the present history of the contact: those of
-/// pair_parameters(), but with zero strength if their liquid bridge has broken.
+/// Returns the parameters of the two grains of a contact that are in effect at the present history of the contact:
+/// those of pair_parameters(), but with zero strength if their liquid bridge has broken.
 template <class Law, int Dim>
 typename Law::template PairParameters<> acting_parameters(const Law& law, const Grains<Dim>& grains,
                                                           const Contact<Dim>& c) {

@@ -9,8 +9,8 @@ template <int Dim>
 Packing<Dim> with_named_stiffness(Packing<Dim> packing, const NamedStiffness& named) {
   if (!packing.law.is_rigid())
     throw InputError("--kn",
-                     "the contacts of this packing are elastic and have stiffnesses of their own; expected no "
-                     "stiffness beside them");
+                     "the contacts of this packing are elastic and have stiffnesses of their own; expected "
+                     "that no stiffness is given");
   const double mu = packing.law.friction_coefficient();
   if (!(named.normal > 0.0)) throw InputError("--kn", "expected a positive stiffness (force/length)");
   if (packing.law.resists_sliding() != (named.tangential > 0.0))

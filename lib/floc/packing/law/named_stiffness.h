@@ -4,15 +4,15 @@
 
 namespace floc {
 
-/// Stiffnesses named for the contacts of rigid grains, which have none of their own (force/length).
+/// Stiffnesses that a user gives for the contacts of rigid grains, which have no stiffness of their own (force/length).
 struct NamedStiffness {
-  double normal = 0.0;      ///< K_N of each contact point, > 0
-  double tangential = 0.0;  ///< K_T of each contact point, >= 0; 0 if there is no friction
+  double normal = 0.0;      ///< normal stiffness K_N of each contact point, > 0
+  double tangential = 0.0;  ///< tangential stiffness K_T of each contact point, >= 0; 0 if there is no friction
 };
 
-/// Returns a packing of rigid grains as one of linear springs: the same positions and forces, with these stiffnesses in all
-/// contact points and in the law. Positions and forces do not determine the stiffnesses.
-/// @throws InputError if the contacts are not rigid, or if K_T does not go with the friction of the law
+/// Returns a packing of linear springs with the positions and forces of a packing of rigid grains. All contact points
+/// and the contact law get the given stiffnesses, which positions and forces do not determine.
+/// @throws InputError if the contacts are not rigid, or if K_T is not compatible with the friction of the law
 template <int Dim>
 Packing<Dim> with_named_stiffness(Packing<Dim> packing, const NamedStiffness& named);
 

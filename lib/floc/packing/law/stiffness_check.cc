@@ -19,7 +19,7 @@ namespace {
 template <class Law>
 inline constexpr bool kFollowsFromForce = history_size<typename Law::NormalModel>(2) == 0;
 
-/// Returns whether two ratios of stiffnesses are equal within the digits that files print.
+/// Returns whether two ratios of stiffnesses are equal within the number of digits that files contain.
 bool same_factor(double a, double b) {
   return !differ(a, b, 10.0 * kForeignStiffness);
 }
@@ -79,8 +79,8 @@ std::vector<std::string> StiffnessComparison::differences(double force_exponent)
     const double secant = 1.0 / force_exponent;
     if (k == 0 && secant != 1.0 && same_factor(kind.least, secant) && same_factor(kind.largest, secant))
       text += fmt::format(
-          ": the value is N/delta (normal force N over overlap delta), but the stiffness of the law is {:g} "
-          "N/delta",
+          ": the value is N/delta (normal force N divided by overlap delta), but the stiffness of the law is "
+          "{:g} N/delta",
           force_exponent);
     texts.push_back(std::move(text));
   }

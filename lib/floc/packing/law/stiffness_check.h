@@ -12,9 +12,9 @@ namespace floc {
 using Stiffnesses = std::array<double, 4>;
 inline constexpr std::array<const char*, 4> kStiffnessNames = {"kn", "kt", "kr", "ktw"};
 
-/// Relative tolerance when stiffnesses from another program are compared with the stiffnesses of the contact law. It
-/// covers the rounding in files, which print at least six digits of a stiffness and of the force from which the law
-/// computes it.
+/// Relative tolerance of the comparison of stiffnesses from another program with the stiffnesses of the contact law. It
+/// allows for the rounding in files, which contain at least six digits of a stiffness and of the force from which the
+/// law computes it.
 inline constexpr double kForeignStiffness = 1e-5;
 
 template <int Dim>
@@ -23,9 +23,8 @@ Stiffnesses stiffnesses(const Contact<Dim>& contact) {
 }
 
 /// Returns the stiffnesses of a contact that follow from the contact law of the packing: from the elastic force if the
-/// surfaces touch, from the gap if they attract each other across it. A stiffness that varies with the load is accurate
-/// to rounding if it is computed from the force, but not if it is computed from the overlap, which is a small
-/// difference of positions.
+/// surfaces touch, from the gap if they attract each other across the gap. A stiffness that varies with the load is
+/// computed from the force, because the overlap is a small difference of positions and therefore inaccurate.
 template <int Dim>
 Stiffnesses law_stiffnesses(const Packing<Dim>& packing, const Contact<Dim>& contact);
 
@@ -50,9 +49,11 @@ class StiffnessComparison {
  private:
   struct Kind {
     int n = 0;
-    /// Smallest and largest ratio found/by_law of all contacts; infinite if by_law is 0.
+    /// Smallest and largest ratio of the given stiffness to the stiffness of the law over all contacts; infinite if the
+    /// stiffness of the law is 0.
     double least = 0.0, largest = 0.0;
-    double worst = 0.0;  ///< largest relative difference; the members below belong to the contact that has it
+    /// largest relative difference; the next members belong to the contact with this difference
+    double worst = 0.0;
     double found = 0.0, by_law = 0.0;
     std::string names;
   };

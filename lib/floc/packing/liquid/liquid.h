@@ -12,7 +12,7 @@
 namespace floc {
 
 /// Estimated number of liquid bridges in a dense packing divided by the number of grains. The search for bridges begins
-/// with it, and checks of a scene file use it, because there are no bridges yet.
+/// with this estimate. Checks of a scene file also use it, because there are no bridges yet.
 inline constexpr double kBridgesPerGrain = 3.0;
 
 /// Pair of grains that a liquid bridge may connect.
@@ -31,26 +31,28 @@ struct LiquidShares {
 /// Distributes a volume V_l of liquid over pairs of grains. A pair has a bridge if it touches or if its gap h is at
 /// most the reach (1 + th/2) V_b^(1/3) of its bridge, where V_b is the volume of the bridge and th the contact angle.
 /// V_b is proportional to the mean radius R' of the pair: V_b = V_l R'/sum R', with the sum over all pairs that have a
-/// bridge. The pairs with a bridge follow from these two conditions. The pairs are sorted by
+/// bridge. These two conditions determine the pairs with a bridge. The pairs are sorted by
 ///
 ///   q = R' (1 + th/2)^3/h^3 (infinite if the surfaces touch), the largest first.
 ///
 /// Let S_k be the sum of R' over the first k pairs. The first k pairs have bridges, where k is the largest number with
-/// S_k <= V_l q_k (S_k rises with k, and q_k falls). All of these pairs are within the reach of their bridges, and this
-/// holds for no larger k. (If the R' differ, a set that leaves out a pair of larger q may have more pairs.) Pairs of
-/// equal q keep their order. The volumes add up to V_l, up to rounding; if no pair is within reach, all volumes are
-/// zero.
+/// S_k <= V_l q_k (S_k rises with k, and q_k falls). All of these pairs are within the reach of their bridges, which is
+/// not the case for any larger k. (If the R' differ, another choice of pairs, which leaves out a pair with a larger q,
+/// may contain more pairs.) Pairs of equal q keep their order. The volumes add up to V_l, up to rounding; if no pair is
+/// within reach, all volumes are zero.
 ///
 /// @param liquid  volume V_l of the liquid (length^3), > 0
 LiquidShares share_liquid(const CapillaryAdhesion& bridges, double liquid,
                           std::span<const BridgeablePair> pairs);
 
-/// Returns whether a pair of grains with this gap (length) and this volume of its bridge (length^3) may get liquid. If
-/// bridges form only on contact, the grains have to touch or to have a bridge already.
+/// Returns whether a pair of grains may get liquid. If bridges form only on contact, the grains have to touch or to
+/// have a bridge already.
+/// @param gap  gap between the grains (length)
+/// @param volume  volume of their bridge (length^3)
 bool may_hold_liquid(const CapillaryAdhesion& bridges, double gap, double volume);
 
-/// Distributes the volume `liquid` (length^3) over those of n pairs of grains that may hold liquid.
-/// @param pair  function of k that returns the k-th pair, or nothing if this pair gets no liquid
+/// Distributes the volume `liquid` (length^3) over the pairs of grains that may hold liquid, out of n pairs.
+/// @param pair  function of k that returns the k-th pair; no value if this pair gets no liquid
 /// @return distribution with the volumes of all n pairs
 template <class PairAt>
 LiquidShares share_liquid_among(const CapillaryAdhesion& bridges, double liquid, int n, const PairAt& pair) {
@@ -104,13 +106,14 @@ bool holds_liquid(const Packing<Dim>& packing) {
 /// liquid bridge has broken. It is 0 if the contact law has no liquid.
 template <int Dim>
 double bridge_volume(const Packing<Dim>& packing, const Contact<Dim>& contact);
-/// Sets the volume of the liquid at a contact (length^3). @pre the contact law has liquid
+/// Sets the volume of the liquid at a contact (length^3).
+/// @pre the contact law has liquid
 template <int Dim>
 void set_bridge_volume(double volume, Contact<Dim>& contact);
 
 /// Returns whether a pair of grains belongs in the list of contacts: its surfaces touch, attract each other across a
 /// gap or hold liquid.
-/// @pre contact.distant tells whether the surfaces touch
+/// @pre contact.distant is set: whether the surfaces attract each other across a gap
 template <int Dim>
 bool interacts(const Packing<Dim>& packing, const Contact<Dim>& contact) {
   return !contact.distant || contact.gap < packing.law.range() || bridge_volume(packing, contact) != 0.0;

@@ -16,8 +16,8 @@ struct GrainKernels {
   static constexpr bool kTriangular = kShape == LatticeShape::triangular;
   using P = Pack<Isa>;
   /// Number of vector registers that hold the sum of the rows (forces and moments) of all pairs of a grain: one for
-  /// forces and, in 3D, one for moments. Other numbers of a row that are loaded into these registers are summed, too,
-  /// but not used.
+  /// forces and, in 3D, one for moments. Other entries of a row that fall into these registers are summed, too, but not
+  /// used.
   static constexpr int kParts = Dim == 3 && kRotates ? 2 : 1;
   using Part = typename VectorOf<row_sum_size<Dim>(kRows) / kParts>::Type;
   struct Sum {
@@ -87,9 +87,10 @@ struct GrainKernels {
     return pairs.row + static_cast<std::ptrdiff_t>(Layout::kSize) * (p - pairs.with_row);
   }
 
-  /// Returns the address of the numbers of the block that begins at grain `begin`.
-  /// @param of_grains  array of masses, moments of inertia or their inverses; if all grains are equal, every block uses
-  /// the numbers of the first block (GrainView::own_masses)
+  /// Returns the address of the values (mass, moment of inertia, or an inverse of one of them) of the block that begins
+  /// at grain `begin`.
+  /// @param of_grains  array with the value of each grain; if all grains are equal, every block uses the values of the
+  /// first block (GrainView::own_masses)
   static const double* masses(const GrainView<Dim>& grains, const double* of_grains, int begin) {
     return of_grains + (begin & grains.own_masses);
   }
@@ -241,7 +242,7 @@ struct GrainKernels {
 
   /// Rotates the grains of a block by their spins over a whole time step dt. No force depends on the orientations. In
   /// 3D the quaternion q of the orientation becomes (1, spin dt/2) q, where the real part 1 is reduced so that the
-  /// length of q does not grow; the rotation is accurate to second order.
+  /// length of q does not grow. The rotation is accurate to second order.
   static void turn(const GrainView<Dim>& grains, int begin, double half_step) {
     if constexpr (Dim == 2) {
       const double time_step = 2.0 * half_step;
@@ -301,8 +302,8 @@ struct GrainKernels {
   }
 
   /// Sums the rows (forces and moments) of the pairs of each grain of the block. The rows of pairs that do not interact
-  /// are zero and do not change a sum, so that the result does not depend on how many such pairs are listed.
-  /// @param first  address from which the places of rows are counted
+  /// are zero, so the result does not depend on how many such pairs are listed.
+  /// @param first  address to which the places of rows are relative
   template <Side side>
   static void sum_rows(const double* first, const SideSumsPlan& plan, Sum (&total)[kGrainBlock]) {
     const int* row = plan.row;

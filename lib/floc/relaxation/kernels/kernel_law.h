@@ -44,7 +44,7 @@ inline constexpr bool kHasSpecialKernels<HertzRepulsion> = true;
 /// Adhesion whose force depends only on the gap, or no adhesion. In contact the force is -F0, with F0 the pull-off
 /// force. With a tail of range D0, the attraction falls linearly to zero as the gap grows from 0 to D0.
 struct DryAttraction {
-  double in_contact = 0.0;  ///< F0, pull-off force (force)
+  double in_contact = 0.0;  ///< pull-off force F0 (force)
   double slope = 0.0;       ///< F0/D0, slope of the tail, with D0 its range (force/length); 0 without a tail
   double at_touch = 0.0;    ///< attraction at a gap of zero: F0 with a tail, 0 without a tail (force)
 
@@ -87,8 +87,8 @@ struct KernelLawOf<ContactLaw<Normal, Adhesion, Damping, Friction, Rolling, Twis
       kIsAbsent<Adhesion> && kIsAbsent<Friction> && kIsAbsent<Damping> && partner == Partner::grain;
   static constexpr bool kIsDryAttraction =
       kHoldsLiquid<Adhesion> || std::is_constructible_v<DryAttraction, Adhesion>;
-  // Models are combined by the rules of kIsCompiled (law_table.h). Elastic spheres have no adhesion other than liquid.
-  // Neither elastic spheres nor grains with liquid bridges resist rolling. A law of the normal force that includes
+  // Models are combined by the rules of kIsCompiled (law_table.h): elastic spheres have no adhesion except by liquid;
+  // neither elastic spheres nor grains with liquid bridges resist rolling; a law of the normal force that includes
   // adhesion has no separate adhesion model.
   using Dry = std::conditional_t<kElasticSpheres || kAdheresByItself<Normal>, NoAdhesion,
                                  std::conditional_t<kIsDryAttraction, DryAttraction, Adhesion>>;
@@ -116,8 +116,8 @@ struct With<std::variant<Laws...>, Law> {
       std::conditional_t<(std::is_same_v<Laws, Law> || ...), std::variant<Laws...>, std::variant<Laws..., Law>>;
 };
 
-/// Variant type `List`, extended by the kernel laws to which those of the contact laws `Laws` are completed that exist
-/// in this dimension. Each kernel law is listed once.
+/// Variant type `List`, extended by the kernel laws of those contact laws among `Laws` that exist in this dimension.
+/// Each kernel law is listed once.
 template <int Dim, class List, class... Laws>
 struct KernelLaws {
   using Type = List;

@@ -14,8 +14,8 @@
 namespace floc {
 
 /// Tags of the instruction sets, which are template arguments of all code that is compiled for one instruction set.
-/// They ensure that two translation units with different compiler flags share no symbol, and no processor runs code
-/// with instructions that it lacks.
+/// Because of these tags, translation units with different compiler flags share no symbol, so that no processor runs
+/// instructions that it lacks.
 struct Portable {
   static constexpr int kWidth = 2;
 };
@@ -131,9 +131,9 @@ struct Records {
   [[gnu::always_inline]] static P gather(const double* base, const int* place) {
     P out;
 #if defined(__x86_64__)
-    // The lanes are loaded one by one and merged by broadcasts with masks. Compared with the gather instruction, whole
-    // time steps took a fifth less time with single loads that were joined by shuffles (Xeon of 2023), and another 4 %
-    // less with broadcasts (EPYC of 2023).
+    // The lanes are loaded one by one and merged by broadcasts with masks. Compared with the gather instruction, single
+    // loads joined by shuffles shortened whole time steps by a fifth (Xeon of 2023), and broadcasts by another 4 %
+    // (EPYC of 2023).
     if constexpr (P::kWidth == 8) {
       const auto four = [&](int l) {
         __m256d lanes = _mm256_castpd128_pd256(_mm_load_sd(base + place[l]));

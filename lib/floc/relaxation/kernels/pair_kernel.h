@@ -13,8 +13,8 @@
 
 namespace floc {
 
-/// Template arguments that tell a kernel the kind of the second body of its pairs: a grain, in a rectangular or a
-/// triangular lattice, or a wall.
+/// Template arguments that tell a kernel the kind of the second body of its pairs: a grain in a rectangular lattice, a
+/// grain in a triangular lattice, or a wall.
 struct GrainsInRectangularLattice {
   static constexpr bool kWall = false, kTriangular = false;
 };
@@ -66,7 +66,7 @@ struct PairKernel {
   static constexpr bool kMayLackHistory = !kHasSpecialKernels<typename Law::NormalModel>;
   static constexpr int kHistorySize = Law::template kHistorySize<Dim>;
 
-  /// Memory for those history variables that the law of this kernel has and the contact law of the scene lacks, for one
+  /// Memory for the history variables that the law of this kernel has but the contact law of the scene lacks, for one
   /// pack of pairs (as many as fit a vector register). The variables are zero, and the models without effect that use
   /// them keep them zero.
   struct WithoutHistory {
@@ -74,13 +74,12 @@ struct PairKernel {
     alignas(64) double history[kMayLackHistory ? HistoryLayout<Dim>::kSize : 1][P::kWidth] = {};
   };
 
-  /// Integer type of the bit masks that are applied to indices of pairs. With the other of the two types, time steps of
-  /// disks with friction and of elastic spheres take a tenth longer, because GCC 12 orders the instructions
-  /// differently.
+  /// Integer type of the bit masks that are applied to indices of pairs. With the other of the two types, GCC 12 orders
+  /// the instructions differently, and time steps of disks with friction and of elastic spheres take a tenth longer.
   using Own = std::conditional_t<Dim == 2, std::ptrdiff_t, int>;
 
-  /// Arrays of the pairs. This kernel is compiled for a law that may have more history variables than the law of the
-  /// scene: there is memory for each of them.
+  /// Arrays of the pairs, with memory for every history variable of the law for which this kernel is compiled, even if
+  /// the law of the scene has fewer.
   struct Pairs : PairView<Dim> {
     /// Bit masks applied to the index of a pair before a history variable is read: -1 if every pair has its own value;
     /// 0 if all packs of pairs share one pack of values.
@@ -180,15 +179,15 @@ struct PairKernel {
       const P time(cell.slip_time), per_length = time * inverse;
       const P along = per_length * a.motion.gap_rate;
       a.turn = {n, along, V(per_length * centres - along * n), RotationVector<Dim, P>(i.spin + j.spin), time};
-      // `middle` is the length of the branch vector in the middle of the step, when the grains have these velocities,
-      // times the time step.
+      // `middle` is the time step times the length of the branch vector in the middle of the step, the time to which
+      // the velocities of the grains belong.
       const P middle = distance * (time - P(0.5 * cell.slip_time) * along);
       const P arm_i = number(pairs.share_i, pairs, p) * middle;
       a.motion.slip = a.turn.slip(distance, RotationVector<Dim, P>(arm_i * i.spin + (middle - arm_i) * j.spin));
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     } else if constexpr (kRotates) {
-      // Equal spins of the two grains move their surfaces in opposite directions at the contact. The slips caused by
-      // the two spins therefore add up.
+      // Equal spins of the two grains move their surfaces in opposite directions at the contact, so the slips caused by
+      // the two spins add up.
       add_slip(a, centres, RotationVector<Dim, P>(a.arm_i * i.spin + a.arm_j * j.spin), cell);
       add_rotation(a, RotationVector<Dim, P>(i.spin - j.spin), cell);
     }
@@ -220,7 +219,7 @@ struct PairKernel {
   }
 
   /// Returns the entries of the array `numbers` for the pack of pairs (as many as fit a vector register) that begins at
-  /// pair p. If all pairs are equal, the array has entries for one pack only (PairView::own_numbers).
+  /// pair p. If all pairs are equal, the array has entries for only one pack (PairView::own_numbers).
   static P number(const double* numbers, const PairView<Dim>& pairs, int p) {
     return P::load(numbers + (p & pairs.own_numbers));
   }
@@ -290,8 +289,8 @@ struct PairKernel {
       moments.of_springs = f.rolling;
       if constexpr (Law::kHasTwisting) moments.of_springs += f.twisting * a.n;
     }
-    // Pairs with walls write rows (forces and moments) of the kind that pairs of grains write, since all rows are
-    // summed together.
+    // Pairs with walls write rows (forces and moments) of the same kind as pairs of grains, since all rows are summed
+    // together.
     if constexpr (Second::kWall && kTurns) {
       if (pairs.rows == RowKind::levers)
         store_row<RowKind::levers>(a, on_j, moments, pairs, p);
@@ -314,8 +313,8 @@ struct PairKernel {
     for (P& number : row) number = P(0.0);
     for (int b = 0; b < Dim; ++b) row[Layout::kForce + b] = on_j[b];
     if constexpr (kKind == RowKind::levers && Second::kWall) {
-      // The moment on the wall is not used. The whole moment on grain i is therefore stored in place of the moment of a
-      // unit lever arm, with a lever arm of 1.
+      // The moment on the wall is not used. The row therefore holds the whole moment on grain i, with a lever arm of 1,
+      // in place of the moment of a unit lever arm.
       row[Layout::kArmI] = P(1.0);
       for (int b = 0; b < kRotations<Dim>; ++b)
         row[Layout::kUnitMoment + b] = a.arm_i * moments.of_unit_arm[b] - moments.of_springs[b];
@@ -333,7 +332,8 @@ struct PairKernel {
     Records<Isa>::store_rows(to, row);
   }
 
-  /// Rotates the tangential vectors of the history from the old tangent plane of the contact to the present one.
+  /// Rotates the tangential vectors of the history from the old tangent plane of the contact to the present tangent
+  /// plane.
   template <class History, int... k>
   static void turn(const Turn& turn, History& history, std::integer_sequence<int, k...>) {
     ((turn_number<k>(turn, history)), ...);

@@ -21,9 +21,10 @@ inline constexpr int kSumGroup = 8;
 
 /// The dashpot force that acts in a time step is a weighted mean of the dashpot forces computed in this step (weight
 /// kDashpotShare) and in the previous step (weight 1 - kDashpotShare). If grains vibrate at the frequency w and are
-/// damped at the rate g, time steps dt with (w dt)^2 + 2 (2 kDashpotShare - 1) g dt < 4 are stable, so that the mean
-/// allows longer steps. The dashpot force of a step is computed with the velocities of half a step earlier. In all, the
-/// acting force lags by kDashpotLag steps; lagging_damping() corrects the damping coefficient for this lag.
+/// damped at the rate g, time steps dt with (w dt)^2 + 2 (2 kDashpotShare - 1) g dt < 4 are stable. The weighted mean
+/// thus allows longer steps. The dashpot force of a step is computed with the velocities of half a step earlier. The
+/// acting force therefore lags by kDashpotLag steps in total; lagging_damping() corrects the damping coefficient for
+/// this lag.
 inline constexpr double kDashpotShare = 0.8;
 inline constexpr double kDashpotLag = 0.5 + (1.0 - kDashpotShare);
 
@@ -109,8 +110,9 @@ struct GrainView {
 /// that do not interact.
 template <int Dim>
 struct PairView {
-  /// Indices of the two grains of each pair. The indices i ascend; within kPairPadding consecutive pairs they differ by
-  /// less than kWindow. For pairs with walls, j is the index of the wall, and the indices i may differ by more.
+  /// Indices of the two grains of each pair. The indices i ascend, and within kPairPadding consecutive pairs they
+  /// differ by less than kWindow. For pairs with walls, j is the index of the wall, and the indices i may differ by
+  /// more.
   const int *i, *j;
   const float* image[Dim];  ///< periodic image of j, as a whole number of each lattice vector
   /// Bit mask applied to the index of a pair before the arrays from `radii` to `reduced_mass` are read: -1 if every
@@ -191,9 +193,9 @@ struct Kick {
 };
 
 /// Stage of the time integration at which the rotation of the grains stands between two time steps. Unlike velocities,
-/// spins do not depend on the motion of the boundary, so that they may be advanced early: if no spins are needed at the
-/// end of a step, the next half kick of the spins and the next rotation of the grains are made at once. Each torque and
-/// spin is then read only once per step.
+/// spins do not depend on the motion of the boundary, so they may be advanced early: if no spins are needed at the end
+/// of a step, the next half kick of the spins and the next rotation of the grains are made in that step. Each torque
+/// and spin is then read only once per step.
 enum class Rotation {
   at_end,  ///< spins are those at the end of the step, like positions and forces
   /// Spins are those in the middle of the next step: the next half kick of the spins and the next rotation of the

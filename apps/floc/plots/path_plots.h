@@ -17,8 +17,8 @@ struct FittedConsolidation {
   ConsolidationFit fit;
 };
 
-/// Fits the consolidation law that the data support to the first loading of a sample or, for several samples, to the mean of their first
-/// loadings.
+/// Fits the consolidation law that the data support. It is fitted to the first loading of a sample or, for
+/// several samples, to the mean of their first loadings.
 FittedConsolidation fitted_consolidation(const std::vector<PathTable>& samples);
 
 /// Plots 1/Phi against P*, with Phi (solid fraction) on the right axis. The plot shows the samples, their mean with its

@@ -76,7 +76,7 @@ TEST_F(Imports, UnderGravityAreInBalanceWithTheirWeight) {
       convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:", "--gravity=0,0,-9.81"}, "normal.stiffness=1e5");
   ASSERT_EQ(o.code, 0) << o.err;
   EXPECT_THAT(o.err, Not(HasSubstr("warning")));
-  // mean over the three axes
+  // p_wall is the mean over the three axes
   EXPECT_NEAR(row("info").at("p_wall").get<double>() * 3.0, kSpheres * weight, 1e-9);
   EXPECT_EQ(row("verify").at("equilibrium"), true);
   const Outcome without = convert("column.csv", {"--walls", "x=0:1,y=0:1,z=0:"}, "normal.stiffness=1e5");

@@ -198,11 +198,11 @@ TEST_F(PlotCommand, ForcesAreThoseOfLoadingAndAllCurvesAreSeen) {
   const Outcome o = floc("plot run -o f.svg --show forces");
   ASSERT_EQ(o.code, 0) << o.err;
   const std::string data = content_of(file("f.dat")), script = content_of(file("f.gp"));
-  EXPECT_THAT(data, ::testing::Not(HasSubstr("P* = 0:")));  // the state at P* = 0 holds only locked-in forces
+  EXPECT_THAT(data, ::testing::Not(HasSubstr("P* = 0:")));  // the state without load is left out
   EXPECT_THAT(data, HasSubstr("# P* = 0.01:"));
   EXPECT_THAT(data, HasSubstr("# P* = 1:"));
-  // The few locked-in forces of the state without load extend far. The axis is at most three times as wide as
-  // the narrowest curve needs, and the legend counts the forces outside.
+  // The state without load has few contact forces, with widely spread values. The axis is at most three times
+  // as wide as the narrowest curve needs, and the legend counts the forces beyond it.
   ASSERT_EQ(floc("plot run -o wide.svg --show forces --steps 0,7").code, 0);
   const std::string wide = content_of(file("wide.gp"));
   double low = 0.0, high = 0.0;

@@ -138,7 +138,8 @@ TEST_F(TrackEnergy, IsRefusedForShippedScenesOfWhichNoAccountIsKept) {
   EXPECT_GE(n_refused["assembly.vibration moves the grains"], 2);
 }
 
-/// A shipped scene, and the number of the equilibrium by which each of its kinds of control has been used.
+/// A shipped scene, and the number of an equilibrium up to which the run uses every kind of control of the
+/// scene.
 struct ShippedPath {
   const char* scene;
   int until;
@@ -168,8 +169,8 @@ class EnergyOfShippedPath : public ::testing::TestWithParam<ShippedPath> {
   ScratchDirectory scratch_;
 };
 
-/// With a quarter of the time step the error falls to about a quarter; it is not exact, because the two paths
-/// differ.
+/// With a quarter of the time step, the error falls to about a quarter. The ratio is not exactly a quarter,
+/// because the two paths differ.
 TEST_P(EnergyOfShippedPath, ClosesWithTheTimeStepOfTheRun) {
   const double coarse = error_at(0.36), fine = error_at(0.09);
   std::cout << GetParam().scene << ": error over work " << coarse << " and at a quarter of the step " << fine

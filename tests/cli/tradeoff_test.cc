@@ -216,7 +216,7 @@ TEST(ModuliWithinAnAccuracy, AreThoseOfTheCheapestMethodThatKeepsIt) {
   EXPECT_EQ(exact[0]["method"], "factor");
 }
 
-/// Packings of disks and spheres from other programs.
+/// Required accuracies are met for packings of disks and spheres from other programs.
 TEST(ModuliWithinAnAccuracy, AreKeptOnShippedPackings) {
   const ScratchDirectory scratch;
   const std::string packings = source_directory() + "/data/packings/";

@@ -157,7 +157,7 @@ std::array<double, 2> work_of_pressing(double unloading) {
 
 TEST(NormalForce, OfALawThatCreatesEnergyIsFoundByTheSameMeasure) {
   const auto [lost, most] = work_of_pressing(2e5);
-  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);  // 1 - K1/K2 times the energy of loading
+  EXPECT_NEAR(lost, 0.5 * most, 1e-2 * most);  // the fraction 1 - K1/K2 of the energy of loading
   const auto [created, more] = work_of_pressing(0.9e5);
   EXPECT_LT(created, -100 * kWorkError * more);
 }
@@ -176,7 +176,7 @@ TEST(Dissipation, EndsWhereSurfacesNoLongerPressThoughTheyOverlap) {
   };
   EXPECT_LT(viscous(-2e-4), 0.0);
   EXPECT_LT(viscous(-1.01e-4), 0.0);
-  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // half of the largest overlap is plastic
+  EXPECT_EQ(viscous(-0.99e-4), 0.0);  // for K2 = 2 K1, half of the largest overlap is plastic
   EXPECT_FALSE(law.touches<2>(test::pair_at(-0.99e-4), history));
   EXPECT_EQ(law.stiffness<2>(test::pair_at(-0.99e-4), history).normal, 0.0);
 }

@@ -122,7 +122,8 @@ TEST(Tree, OfTenThousandDisksHoldsNothing) {
   ASSERT_EQ(packing.contacts.size(), 9999u);
   for (const double force : {0.0, 1e-5}) {
     ModuliOptions options;
-    // 0 keeps every contact; otherwise all grains of a tree without adhesion are rattlers
+    // a tolerance of 0 keeps every contact; without it all grains of the tree are rattlers, because there is no
+    // adhesion
     options.force_tolerance = force;
     const Moduli m = elastic_moduli(packing, options);
     EXPECT_EQ(m.B, 0.0);
@@ -177,8 +178,8 @@ TEST(Cell, OfAnyShapeHoldsTheSameCrystal) {
     slanted.cell.matrix.row(1) += slant * slanted.cell.matrix.row(0);
     find_contacts(slanted);
     ASSERT_EQ(slanted.contacts.size(), 48u) << slant;
-    // The longer lattice vector is rounded to a double, which shears the crystal by half a unit in the last
-    // place of `slant` cells.
+    // The longer lattice vector is `slant` cells long. Its rounding to a double shears the crystal by up to
+    // half a unit in the last place of this length.
     const double sheared = std::numeric_limits<double>::epsilon() * slant;
     expect_right(full_moduli(slanted), closed, 1e-9, "slant " + std::to_string(slant), 4.0 * sheared);
   }

@@ -14,10 +14,12 @@
 
 #include "readers.h"
 
-/// Feeds readers with mutations of valid files, without any fuzzing engine:
-///   floc_mutate READER RUNS [SEED]   mutations; an input that crashes, hangs or takes too much memory is
-///   written to a file floc_mutate READER FILE...       these files, each once floc_mutate --seeds
-///   DIR          writes the valid inputs, a folder a reader, for libFuzzer to begin with
+/// Feeds readers with mutations of valid files, without any fuzzing engine.
+///
+/// floc_mutate READER RUNS [SEED] reads mutations; an input that crashes, hangs or takes too much memory is
+/// written to a file.
+/// floc_mutate READER FILE... reads each of these files once.
+/// floc_mutate --seeds DIR writes the valid inputs to one folder per reader, as a start for libFuzzer.
 namespace floc::fuzz {
 namespace {
 

@@ -203,7 +203,7 @@ std::vector<std::string> scene_seeds() {
   return seeds;
 }
 
-/// Edits that put numbers which are no valid length, count or index at positions throughout the file.
+/// Returns edits that write invalid lengths, counts and indices at positions throughout the file.
 std::vector<std::string> edit_seeds() {
   std::vector<std::string> seeds;
   const double values[] = {0.0, -1.0, 1e300, 1e-300, std::nan(""), std::numeric_limits<double>::infinity()};

@@ -83,8 +83,8 @@ TEST(Lattice, FramesOfChainsBendAsTheTwoDiskEquivalentSays) {
   }
 }
 
-/// Frames so soft in shear that K alone has lost all digits of the modulus. The modulus must lie within its
-/// error bound, and the bound must leave digits.
+/// The frames are so soft in shear that the stiffness matrix alone would not determine any digit of their shear
+/// modulus. The modulus must lie within its error bound, and the bound must be small compared with the modulus.
 TEST(Lattice, SoftFramesAreWithinTheirErrorBound) {
   for (const double rolling : {1.0, 1e-4, 1e-8})
     for (const int n : {3, 20, 100}) {

@@ -101,8 +101,8 @@ Packing<Dim> chain_betweekWalls(int n, const Law& law, const Law& wall_law) {
   return packing;
 }
 
-/// Expects the modulus of springs in series, 1/k = 2/k_w + (n - 1)/k_n, over the area of the walls. Moduli
-/// along the other axes are zero.
+/// Expects the modulus of springs in series with the stiffness k, 1/k = 2/k_w + (n - 1)/k_n: k times the side,
+/// divided by the area of the walls. Moduli along the other axes are zero.
 template <int Dim>
 void expect_moduli_of_a_chain(int n, double kt) {
   const double kn = 1e4, kw = 3e4;

@@ -19,8 +19,8 @@ ChainStiffness stiffness(double rolling) {
   return {2.0, 1.4, rolling * 2.0 * kR * kR};
 }
 
-/// Largest effect of rounding: 8 units for each of about 5 entries per contact, plus the condition number times
-/// the square of 35 units.
+/// Largest effect of rounding: 8 rounding units for each of about 5 entries per contact, plus the condition
+/// number times the square of 35 rounding units.
 double largest_bound(int n, double condition) {
   const double unit = std::numeric_limits<double>::epsilon();
   return 50.0 * n * unit + 1200.0 * unit * unit * condition;

@@ -158,8 +158,8 @@ TEST(DynamicCompaction, RepeatedRunsTellTheScatterFromWhatTheLawMisses) {
   const auto fit = fit_dynamic_compaction(samples, {});
   ASSERT_TRUE(fit.errors_from_runs);
   ASSERT_EQ(fit.error_parts.size(), 7u);
-  // The samples follow the law, so its share of the error is small compared with the scatter, which about 80
-  // pairs of runs determine to 8 %.
+  // The samples follow the law, so the part of the error that is due to the law is small compared with the part
+  // due to scatter. About 80 pairs of runs determine the scatter to 8 %.
   for (const CompactionErrorParts& parts : fit.error_parts) EXPECT_LT(parts.law, 0.45 * parts.scatter);
   for (CompactedSample& s : samples) s.e += 0.01 * std::sin(40 * std::log(s.se));
   const auto missed = fit_dynamic_compaction(samples, {});

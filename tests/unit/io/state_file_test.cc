@@ -232,8 +232,8 @@ TEST(StateFile, ComesThroughAPipeAsFromADisk) {
   second.join();
 }
 
-/// At whatever size of the file the system refuses to write more, the old state stays and no other file is
-/// left.
+/// The system refuses to write a file beyond a given size. For any such size, the old state stays and no other
+/// file is left behind.
 TEST(StateFile, ThatDoesNotFitTheDiskLeavesTheOldOne) {
   const ScratchDirectory scratch;
   write_state(scratch.file("s.h5"), busy_state<2>());

@@ -121,8 +121,8 @@ TEST(ActiveSet, NeverCycles) {
   EXPECT_GT(n_held, 300);
 }
 
-/// Check 8: the response to tension is minus that to compression if contacts are bilateral, but not if they are
-/// unilateral.
+/// If contacts are bilateral, the response to tension is minus the response to compression. For unilateral
+/// contacts it is not.
 TEST(ActiveSet, TensionIsMinusCompressionOnlyWhereAllIsBilateral) {
   RandomStream random(5, 0);
   CementedSample<2> sample = random_sample(random, 12, 12);

@@ -86,7 +86,7 @@ TEST(CementedSample, OverlappingGrainsMeetAtEqualDepths) {
   }
 }
 
-/// Check 9 and the checks of section 4: force balances and sum rules, in 2D and 3D.
+/// Checks balances of forces and sum rules, in 2D and 3D.
 template <int Dim>
 void expect_balance(const Packing<Dim>& packing, const CementedSample<Dim>& sample,
                     const ElementStiffness& stiffness, double sign) {

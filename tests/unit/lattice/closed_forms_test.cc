@@ -53,7 +53,7 @@ LatticeNetwork<3> fcc(double second) {
   return out;
 }
 
-/// Check 3: closed forms of the moduli of a face-centred cubic lattice.
+/// Compares the moduli of a face-centred cubic lattice with their closed forms.
 TEST(Fcc, HasItsClosedFormsWithAndWithoutSecondNeighbours) {
   const Eigen::MatrixXd alone = moduli_of(fcc(0.0));
   const double root2 = std::numbers::sqrt2;
@@ -99,7 +99,8 @@ TEST(IrregularLattice, FillsTheCellAndClosesEveryVoronoiCell) {
   EXPECT_NEAR(static_cast<double>(lattice.bonds.size()) / lattice.n_nodes(), 7.77, 0.3);
 }
 
-/// Check 4: if K_N = K_T = E s/l act at the centres of the faces, every lattice is a continuum with nu = 0.
+/// If K_N = K_T = E s/l act at the centres of the faces (area s, distance l of the nodes), every lattice is a
+/// continuum with nu = 0.
 TEST(IrregularLattice, OfBeamsByFacetIsAHomogeneousContinuum) {
   const Lattice<3> lattice = irregular(4.0, 1.0);
   ElementStiffness stiffness;
@@ -160,7 +161,7 @@ CementedSample<2> disk_in_sheet(double diameter_in_spacings) {
       lattice, [&](const Vec<2>& x) { return (x - middle).norm() < 0.5 * diameter_in_spacings ? 0 : -1; });
 }
 
-/// Check 5: the uniform stress in a disk that is stiffer or softer than the sheet around it.
+/// A disk that is stiffer or softer than the sheet around it has a uniform stress.
 TEST(Inclusion, OfAStifferDiskHasTheUniformStressOfTheContinuum) {
   for (const auto& [c, expected, tolerance] :
        {std::tuple{100.0, 1.4925, 0.012}, std::tuple{10.0, 1.4286, 0.012}, std::tuple{0.1, 0.25, 0.05}}) {
@@ -179,8 +180,7 @@ TEST(Inclusion, OfAStifferDiskHasTheUniformStressOfTheContinuum) {
   }
 }
 
-/// Check 6: a hexagonal array of disks that fill 30 % of the area and are a hundred times stiffer than the
-/// matrix.
+/// A hexagonal array of disks fills 30 % of the area. The disks are a hundred times stiffer than the matrix.
 TEST(Composite, OfDisksLiesAtTheLowerBoundOfHashinAndShtrikman) {
   // Two disks in a rectangular cell form a triangular array.
   const int columns = 40;
@@ -231,7 +231,7 @@ TEST(CompositeBounds, AreClosedFormsAndVanishWithVoids) {
   EXPECT_NEAR(one.G.hashin_shtrikman_upper, 2.0, 1e-12);
 }
 
-/// Check 7: a disk between two plates, which it touches with a few nodes.
+/// A disk between two plates touches each of them with a few nodes.
 TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   const int across = 60;
   const int rows = 2 * static_cast<int>(std::lround(across / std::numbers::sqrt3));
@@ -255,7 +255,7 @@ TEST(Disk, PressedOnADiameterHasTheStressOfTheContinuumAtItsCentre) {
   EXPECT_NEAR(mean(1, 1) / (6 * P / (std::numbers::pi * diameter)), 1.0, 0.03);
 }
 
-/// Section 3: a boundary that holds the nodes makes the sample stiffer.
+/// A boundary that holds the nodes makes the sample stiffer.
 TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   RandomStream random(8, 0);
   const CementedSample<2> sample = sample_of<2>(triangular_lattice(14, 14, 1.0),
@@ -281,7 +281,7 @@ TEST(Boundary, OfUniformStrainIsStifferThanAPeriodicCell) {
   EXPECT_LT(relative(LatticeBoundary::plates)[1], relative(LatticeBoundary::bonded_plates)[1]);
 }
 
-/// Check 1: the first failure of a triangular lattice.
+/// The first bond of a triangular lattice breaks at a stress with a closed form.
 TEST(Fracture, OfATriangularLatticeBeginsAtItsClosedForm) {
   const double l = 0.5, f_c = 3.0;
   const LatticeNetwork<2> network = uniform_network(triangular_lattice(6, 6, l), 1.0);

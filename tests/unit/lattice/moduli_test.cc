@@ -39,8 +39,8 @@ TEST(TriangularLattice, HasTheModuliOfItsSpringsWhateverTheBending) {
     }
 }
 
-/// Check 1: the forces of the three families of bonds under a uniaxial stress, and a uniform stress of the
-/// nodes.
+/// Under a uniaxial stress, the bonds in each of the three directions carry equal forces, and all nodes have
+/// the same stress.
 TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   const double l = 0.3, sigma = 1.7;
   const Lattice<2> lattice = triangular_lattice(6, 6, l);
@@ -63,7 +63,7 @@ TEST(TriangularLattice, UnderUniaxialStressLoadsItsBondsByTheirDirection) {
   }
 }
 
-/// Check 2: a laminate with stiffness k = 1 in 5 of 12 rows, 0.1 in the others.
+/// A laminate has the stiffness 1 in 5 of 12 rows, and a smaller stiffness in the others.
 TEST(Laminate, OfRowsHasTheClosedFormForAnyContrastWithTheInterfaceInSeries) {
   const auto laminate = [](double soft, std::optional<double> interface) {
     const double height = kRoot3 / 2;

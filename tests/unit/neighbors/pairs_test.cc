@@ -38,7 +38,7 @@ std::vector<NeighborPair<Dim>> by_brute_force(const Cell<Dim>& cell, const Grain
       for (int code = 0; code < n_images; ++code) {
         Vec<Dim, int> image;
         for (int a = Dim - 1, rest = code; a >= 0; --a, rest /= per_axis) image[a] = rest % per_axis - reach;
-        // Of two opposite images of a grain itself only one counts: the one in the upper half of the codes.
+        // Of two opposite images of one grain, only the image whose code is in the upper half counts.
         if (i == j && code <= n_images / 2) continue;
         const Vec<Dim> r = grains.position[j] + cell.shift(image) - grains.position[i];
         if (r.norm() < grains.radius[i] + grains.radius[j] + gap) found.push_back({i, j, image});

@@ -49,7 +49,8 @@ TEST(StaticStress, OfOneContactIsForceTimesBranchOverArea) {
 TEST(StaticStress, TakesTheBranchThroughTheBoundary) {
   Packing<2> packing = two_disks();
   packing.cell.matrix << 10.0, 0.0, 3.0, 10.0;
-  // This is the contact above, with its second disk stored as an image, one cell below along the skewed lattice vector.
+  // This is the contact above, with its second disk stored as an image, one cell below along the skewed lattice
+  // vector.
   packing.grains.position[1] -= Vec<2>(3.0, 10.0);
   packing.contacts[0].image = {0, 1};
   EXPECT_NEAR(static_stress(packing)(0, 0), 3.0 * 1.4 / 100, 1e-16);

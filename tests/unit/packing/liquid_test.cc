@@ -118,8 +118,9 @@ TEST(ShareLiquid, NoLargerSetOfPairsOfEqualGrainsIsInReachAtAll) {
   EXPECT_GT(n_partial, 300);
 }
 
-/// Only sets without closer pairs outside are considered. Here the set of pairs 0 and 2 would hold, but pair 1,
-/// which is closer, would take the liquid that pair 2 does not need.
+/// share_liquid() does not accept a set of pairs if a pair outside the set is closer than a pair inside it. Here
+/// it does not accept pairs 0 and 2, because pair 1 is closer than pair 2. Pairs 0 and 1 are out of reach, so
+/// that only pair 0 gets liquid.
 TEST(ShareLiquid, APairBehindOneThatIsNotReachedStaysDry) {
   const auto gap_of = [](double radius, double q) { return std::cbrt(radius / q); };
   const std::vector<BridgeablePair> pairs{{-0.1, 1.0}, {gap_of(10.0, 9.0), 10.0}, {gap_of(1.0, 8.0), 1.0}};

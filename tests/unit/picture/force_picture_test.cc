@@ -114,7 +114,7 @@ TEST(IncrementForces, OfASquareLatticeAreTheStressTimesTheSpacing) {
   ASSERT_EQ(isotropic.lines.size(), 2u);
   for (const ContactLine<2>& line : isotropic.lines) {
     EXPECT_EQ(line.kind, LineKind::compression);
-    // Unit stress times unit length, divided by the diameter of 1.02.
+    // The force of a unit stress on a unit length is divided by the diameter of 1.02.
     EXPECT_NEAR(line.force, 1.0 / 1.02, 1e-12);
   }
   const PackingPicture<2> deviatoric = step(StressStep::deviatoric);

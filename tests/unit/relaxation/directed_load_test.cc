@@ -281,7 +281,7 @@ TEST(DirectedLoad, AStrainedAxisMovesToItsLengthAndStandsStill) {
   EXPECT_LT(relaxer->report().residuals.stress, 1e-5);
 }
 
-/// A simple shear at constant normal stress on the shear planes, by motion alone.
+/// Imposes a simple shear at constant normal stress on the shear planes, without static steps.
 TEST(DirectedLoad, AShearedLatticeMovesToItsOffsetAndStandsStill) {
   const Packing<2> start = dense_packing<2>(60, 1e-3, 3);
   const double height = start.cell.matrix(1, 1);

@@ -82,7 +82,7 @@ TEST(Spheres, ACollisionConservesAngularMomentum) {
   EXPECT_LT((angular_momentum(end) - angular_momentum(pair)).norm(), 1e-12);
 }
 
-/// The orientation q of a sphere that spins freely about one axis.
+/// If a sphere spins freely about one axis, its orientation q follows the angle of rotation.
 TEST(Spheres, OrientationFollowsTheSpin) {
   Packing<3> one;
   one.law = cohesive_law();

@@ -22,8 +22,8 @@ void compare(const PlacedShape<Dim>& first, const PlacedShape<Dim>& second, cons
   EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-14);
   const double inner = std::min(first.inner_radius(), second.inner_radius()), outer = second.outer_radius();
   const double error = std::abs(contact.least_gap() - expected.gap), rounding_error = 1e-14 * outer;
-  // Edge pairs have a margin: they may give way to faces. Separate shapes may have this error too, because the
-  // axis decides whether shapes are separate.
+  // A contact may choose a face instead of an edge pair within a margin. The depth of separate shapes may have
+  // this error too, because the chosen axis decides whether shapes are separate.
   EXPECT_LT(error, 1.01e-4 * inner) << expected.gap;
   ++counts.compared;
   counts.exact += error < 4.0 * rounding_error ? 1 : 0;

@@ -13,7 +13,7 @@
 /// Shapes placed in space, and the points of their contacts.
 namespace floc::test {
 
-/// Tolerance for rounding errors in the examples of the design document, which are given to 1e-10.
+/// Tolerance for rounding errors in examples with closed forms.
 inline constexpr double kExact = 1e-13;
 inline const Mat<3> kNoTurn = Mat<3>::Identity();
 

@@ -37,7 +37,7 @@ double distance_to_core(const Shape<Dim>& shape, const Vec<Dim>& point) {
   return (point - x).norm();
 }
 
-// Example 9 of the design document. Printed numbers are exact to their last digit, closed forms up to rounding.
+// Expected values with a closed form are compared up to rounding, printed decimals up to their last digit.
 TEST(MassProperties, BoxAndRegularSolidsHaveTheirClosedForms) {
   const Shape<3> box = shape_of<3>(box_points(1, 2, 3));
   EXPECT_NEAR(box.volume, 6.0, 1e-14);

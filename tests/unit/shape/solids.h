@@ -8,7 +8,7 @@
 #include "floc/base/random.h"
 #include "floc/shape/shape.h"
 
-/// Points of solids with closed forms, and random points.
+/// Vertices of solids with known volumes and moments of inertia, and random points.
 namespace floc::test {
 
 inline std::vector<Vec<3>> box_points(double x, double y, double z) {

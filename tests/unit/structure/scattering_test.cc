@@ -127,8 +127,9 @@ TEST(Scattering, OfALatticeDoesNotDependOnItsCell) {
 }
 
 TEST(Scattering, OfUncorrelatedDisksIsThatOfEachOfThem) {
-  // The first state is compared with its own closed form, and the mean of all with rho <f^2>. Beyond the sixth
-  // bin, 30 states have about 1e4 independent speckles, which scatter by 1 %.
+  // The first state is compared with the closed form for its positions, and the mean of all states with rho
+  // <f^2>, where rho is the number density and f the form factor of a disk. Beyond the sixth bin, 30 states
+  // have about 1e4 independent speckles, whose mean has an error of 1 %.
   constexpr int kStates = 30, kGrains = 60;
   const Packing<2> first = uncorrelated(kGrains, 14.0, 0);
   const ScatteringMesh mesh = scattering_mesh(first, {});
